@@ -30,6 +30,9 @@
 #include "ui/style/plain_tool_tips.h"
 #include "ui/tabs/judge_page.h"
 #include "ui/tabs/measure_page.h"
+#include "ui/tabs/prove_page.h"
+#include "ui/tabs/record_actions.h"
+#include "ui/tabs/record_bar.h"
 #include "ui/text/language.h"
 
 #include <QApplication>
@@ -70,6 +73,7 @@ struct CompensationWizard::Private {
     Private(CompensationWizard& wizard, const WizardOptions& wizardOptions, QSettings* qSettings);
 
     void connectParts();
+    void connectRecord();
     void addShortcut(const QKeySequence& keys, std::function<void()> action);
     void addShortcuts();
     void start();
@@ -92,6 +96,9 @@ struct CompensationWizard::Private {
     void showOverview();
     void announceTitle();
     [[nodiscard]] bool isWriteShown() const;
+    [[nodiscard]] RecordModel& measurementShown();
+    void proceedToWrite();
+    [[nodiscard]] bool isWelcome(const QStringList& dragged) const;
     void open(const QStringList& files);
     void saveMeasurement();
     void showMarkOfMeasure();
@@ -103,6 +110,7 @@ struct CompensationWizard::Private {
     DirtyStyle style;
     WizardController controller;
     RecordModel record;
+    RecordActions recordActions;
     PageMenu* menu;
     MeasurePage* measure;
     JudgePage* judge;
@@ -125,10 +133,12 @@ CompensationWizard::Private::Private(
     , settings(qSettings)
     , language(settings.language())
     , controller(wizardOptions)
+    , recordActions(record, controller, *options.profile, options.storeRoot)
     , menu(new PageMenu(&wizard))
     , measure(new MeasurePage(record))
     , judge(new JudgePage(record))
-    , page(new WizardPage(controller, *options.profile, style, *menu, measure, judge, &wizard))
+    , page(new WizardPage(controller, *options.profile, style, *menu, measure, judge,
+          recordActions.prove(), recordActions.bar(), &wizard))
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
     , writeFlow(controller, *page->preview)
@@ -153,7 +163,7 @@ void CompensationWizard::Private::connectParts()
     connect(&messages, &MessagePresenter::driveAnswered, &q,
         [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
-    connect(page->actions, &ActionPanel::writeRequested, &writeFlow, &WriteFlow::proceed);
+    connect(page->actions, &ActionPanel::writeRequested, &q, [this] { proceedToWrite(); });
     connect(&writeFlow, &WriteFlow::previewingChanged, page->actions, &ActionPanel::setPreviewing);
     connect(page->actions, &ActionPanel::deleteRequested, &writeFlow, &WriteFlow::proceedToDelete);
     connect(
@@ -192,7 +202,8 @@ void CompensationWizard::Private::connectParts()
     connect(&files, &FileActions::deadPathChosen, judge, &JudgePage::readDeadPath);
     connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
     connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
-    connect(&files, &FileActions::measurementsChosen, &record, &RecordModel::addFiles);
+    connect(&files, &FileActions::measurementsChosen, &q,
+        [this](const QStringList& paths) { measurementShown().addFiles(paths); });
     connect(&record, &RecordModel::historyChanged, &q, [this] { offerHistory(); });
     connect(page->tabs, &PageTabs::currentChanged, &q, [this] { offerHistory(); });
     connect(&record, &RecordModel::stateChanged, &q, [this] { showMarkOfMeasure(); });
@@ -202,10 +213,45 @@ void CompensationWizard::Private::connectParts()
         if (isPreviewing)
             page->tabs->setCurrentIndex(PageTabs::Write);
     });
+    connectRecord();
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
     connect(&controller, &WizardController::axesChanged, &q, announce);
     connect(&controller.setup(), &SetupModel::fieldChanged, &q, announce);
+    connect(&recordActions.file(), &RecordFile::changed, &q, announce);
+}
+
+void CompensationWizard::Private::connectRecord()
+{
+    recordActions.attach(
+        {*page->messages, guard, *menu, q, [this]() -> const FilePicker& { return files.picker(); },
+            [this] { return settings.folder(); }});
+    connect(&recordActions, &RecordActions::failed, &messages, &MessagePresenter::showFailure);
+    connect(recordActions.prove(), &ProvePage::addRequested, &q,
+        [this] { files.askForMeasurements(); });
+    connect(recordActions.prove(), &ProvePage::standingChanged, &q, [this] {
+        const auto standing = recordActions.prove()->standing();
+        page->tabs->setMark(PageTabs::Prove,
+            standing == ProvePage::Standing::Warning     ? PageTabs::Mark::Warning
+                : standing == ProvePage::Standing::Ready ? PageTabs::Mark::Ready
+                                                         : PageTabs::Mark::Empty);
+    });
+    addShortcut(Qt::CTRL | Qt::ALT | Qt::Key_O, [this] { recordActions.askAndOpen(); });
+    addShortcut(QKeySequence::Save, [this] { recordActions.save(); });
+    addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { recordActions.saveAs(); });
+    addShortcut(QKeySequence::Print, [this] { recordActions.report(); });
+}
+
+/// That of the tab which is shown.
+RecordModel& CompensationWizard::Private::measurementShown()
+{
+    return page->tabs->currentIndex() == PageTabs::Prove ? recordActions.after() : record;
+}
+
+void CompensationWizard::Private::proceedToWrite()
+{
+    if (recordActions.mayWrite())
+        writeFlow.proceed();
 }
 
 void CompensationWizard::Private::addShortcut(
@@ -234,7 +280,7 @@ void CompensationWizard::Private::addShortcuts()
     for (const auto key : {Qt::Key_Return, Qt::Key_Enter})
         addShortcut(Qt::CTRL | key, [this] {
             if (isWriteShown())
-                writeFlow.proceed();
+                proceedToWrite();
         });
     addShortcut(Qt::CTRL | Qt::Key_R, [this] {
         if (isWriteShown())
@@ -258,6 +304,7 @@ void CompensationWizard::Private::start()
     if (isStarted)
         return;
     isStarted = true;
+    recordActions.lookForUnsaved();
     if (!controller.endpoints().isEmpty())
         return;
     const QStringList known = settings.endpoints();
@@ -452,7 +499,9 @@ void CompensationWizard::Private::announceTitle()
     const QString title = axis < 0 ? program
                                    : program + QStringLiteral(" - ")
             + controller.axes().at(static_cast<std::size_t>(axis)).label;
-    Q_EMIT q.titleChanged(QStringLiteral("[*]") + title, controller.setup().isDirty());
+    const RecordFile& file = recordActions.file();
+    Q_EMIT q.titleChanged(QStringLiteral("[*]") + title,
+        controller.setup().isDirty() || (file.isModified() && !file.isEmpty()));
 }
 
 bool CompensationWizard::Private::isWriteShown() const
@@ -460,13 +509,25 @@ bool CompensationWizard::Private::isWriteShown() const
     return page->tabs->currentIndex() == PageTabs::Write;
 }
 
-/// On the tab that is shown: a table to write, or the files of a measurement.
+/// One record, on every tab; one table on Write; the files of a measurement elsewhere.
+bool CompensationWizard::Private::isWelcome(const QStringList& dragged) const
+{
+    if (std::ranges::any_of(dragged, &RecordActions::isRecord))
+        return dragged.size() == 1;
+    if (isWriteShown())
+        return dragged.size() == 1 && controller.action(Action::OpenData).isEnabled;
+    return !dragged.isEmpty();
+}
+
+/// A record; else, on the tab that is shown, a table to write or the files of a measurement.
 void CompensationWizard::Private::open(const QStringList& dropped)
 {
-    if (isWriteShown())
+    if (RecordActions::isRecord(dropped.front()))
+        recordActions.open(dropped.front());
+    else if (isWriteShown())
         files.open(dropped.front());
     else
-        record.addFiles(dropped);
+        measurementShown().addFiles(dropped);
 }
 
 void CompensationWizard::Private::saveMeasurement()
@@ -536,7 +597,15 @@ WizardController& CompensationWizard::controller()
 
 void CompensationWizard::openData(const QString& path)
 {
-    d->files.open(path);
+    if (RecordActions::isRecord(path))
+        d->recordActions.open(path);
+    else
+        d->files.open(path);
+}
+
+void CompensationWizard::openRecord(const QString& path)
+{
+    d->recordActions.open(path);
 }
 
 bool CompensationWizard::mayClose()
@@ -563,6 +632,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->page->retranslate();
         d->measure->retranslate();
         d->judge->retranslate();
+        d->recordActions.retranslate();
         d->messages.retranslate();
         d->guard.retranslate();
         d->announceTitle();
@@ -573,10 +643,7 @@ void CompensationWizard::changeEvent(QEvent* event)
 void CompensationWizard::dragEnterEvent(QDragEnterEvent* event)
 {
     const QStringList files = draggedFiles(*event->mimeData());
-    const bool isWelcome = d->isWriteShown()
-        ? files.size() == 1 && d->controller.action(Action::OpenData).isEnabled
-        : !files.isEmpty();
-    if (!isWelcome)
+    if (!d->isWelcome(files))
         return;
     event->acceptProposedAction();
     const QString name = QFileInfo(files.front()).fileName();
@@ -593,7 +660,7 @@ void CompensationWizard::dropEvent(QDropEvent* event)
 {
     d->dropFrame->hide();
     const QStringList files = draggedFiles(*event->mimeData());
-    if (files.isEmpty() || (d->isWriteShown() && files.size() > 1))
+    if (!d->isWelcome(files))
         return;
     event->acceptProposedAction();
     d->open(files);

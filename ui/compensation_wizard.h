@@ -25,8 +25,10 @@ public:
     ~CompensationWizard() override;
 
     [[nodiscard]] WizardController& controller();
-    /// Opens a file as if it had been dropped on the window.
+    /// Opens a record (.axcal), or a file of compensation data.
     void openData(const QString& path);
+    /// A record, whatever the file is called.
+    void openRecord(const QString& path);
     /// Asks when a write is running or changes are unwritten; false: stay open.
     [[nodiscard]] bool mayClose();
     /// Without questions; closeRequested follows at once. A running write is stopped and put back

@@ -25,6 +25,7 @@ struct WizardArguments {
     std::vector<std::string> drives;
     std::string profile;
     std::string data;
+    std::string record;
     double timeoutSeconds = 5.0;
 };
 
@@ -41,6 +42,8 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
         ->option_text("FILE");
     app.add_option("--data", arguments.data, "Open this file of compensation data")
         ->option_text("FILE");
+    app.add_option("RECORD", arguments.record, "Open this record of a compensation (.axcal)")
+        ->option_text("[RECORD]");
     app.add_option("--timeout", arguments.timeoutSeconds,
            "How long one exchange with a drive may take (5 unless given)")
         ->option_text("SECONDS")
@@ -117,6 +120,8 @@ Result<int> showWindow(
         window.wizard().controller().setEndpoints(endpoints);
     if (!arguments.data.empty())
         window.wizard().openData(QString::fromStdString(arguments.data));
+    if (!arguments.record.empty())
+        window.wizard().openRecord(QString::fromStdString(arguments.record));
     paint.watch(window, console);
     window.show();
     const int result = QApplication::exec();

@@ -231,7 +231,11 @@ _axis_compensation_wizard()
         --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
         --timeout) return ;;
     esac
-    COMPREPLY=($(compgen -W "$_axis_compensation_wizard_options" -- "$cur"))
+    if [[ $cur == -* ]]; then
+        COMPREPLY=($(compgen -W "$_axis_compensation_wizard_options" -- "$cur"))
+    else
+        _filedir axcal
+    fi
 }
 
 complete -F _axiscomp axiscomp

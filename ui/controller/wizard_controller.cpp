@@ -180,6 +180,10 @@ void WizardController::wireOperations()
             m_parts->history.clear();
         if (isMultiAxis(task))
             Q_EMIT multiAxisWritten();
+        if (task == Task::Write && !isOutcomeAnError())
+            Q_EMIT tableWritten();
+        if (task == Task::Activate && !isOutcomeAnError())
+            Q_EMIT tableActivated();
     });
     connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
         &WizardController::multiAxisPlanned);

@@ -218,6 +218,8 @@ Q_SIGNALS:
     void planReady();
     void multiAxisPlanned();
     void multiAxisWritten();
+    void tableWritten(); ///< of the current axis, read back and verified; status() is the new one
+    void tableActivated(); ///< likewise; proof() may be there
     void parametersRead();
     void outcomeChanged();
 

@@ -17,13 +17,17 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
         || question.purpose == FileQuestion::Purpose::OpenMeasurement
         || question.purpose == FileQuestion::Purpose::OpenDeadPath
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
-        || question.purpose == FileQuestion::Purpose::OpenBackup) {
+        || question.purpose == FileQuestion::Purpose::OpenBackup
+        || question.purpose == FileQuestion::Purpose::OpenRecord) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
     } else {
         const QFileInfo proposed(question.start);
         dialog->setAcceptMode(QFileDialog::AcceptSave);
         dialog->setDefaultSuffix(proposed.suffix());
+        // The page asks that itself, and says what is there.
+        dialog->setOption(QFileDialog::DontConfirmOverwrite,
+            question.purpose == FileQuestion::Purpose::SaveRecord);
         dialog->setDirectory(proposed.absolutePath());
         dialog->selectFile(proposed.fileName());
     }

@@ -23,6 +23,9 @@ struct FileQuestion {
         SaveConfiguration,
         SaveBackup,
         SaveMeasurement,
+        OpenRecord,
+        SaveRecord,
+        SaveReport,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

@@ -57,6 +57,9 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("judgePage"), judging},
         {QStringLiteral("correctionsDialog"), judging},
         {QStringLiteral("measurePage"), {QStringLiteral("Measurements"), {}}},
+        {QStringLiteral("measurePage"), {QStringLiteral("Measurements"), {}}},
+        {QStringLiteral("recordBar"), {QStringLiteral("The record, and the proof"), {}}},
+        {QStringLiteral("provePage"), {QStringLiteral("The record, and the proof"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

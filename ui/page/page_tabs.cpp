@@ -20,6 +20,8 @@ QString nameOfTab(PageTabs::Tab tab)
         return PageTabs::tr("Measure");
     case PageTabs::Judge:
         return PageTabs::tr("Judge");
+    case PageTabs::Prove:
+        return PageTabs::tr("Prove");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;
@@ -34,6 +36,8 @@ QString purposeOfTab(PageTabs::Tab tab)
         return PageTabs::tr("The files of a measurement, and how they are read");
     case PageTabs::Judge:
         return PageTabs::tr("What the measurement says of the axis, against tolerances");
+    case PageTabs::Prove:
+        return PageTabs::tr("Measure again with the table active, and see what it has brought");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;

@@ -30,10 +30,32 @@ UnsavedChangesGuard::UnsavedChangesGuard(
     // Queued: the outcome of what has ended is told right after that it has ended.
     connect(&controller, &WizardController::busyChanged, this, &UnsavedChangesGuard::follow,
         Qt::QueuedConnection);
-    connect(&controller.setup(), &SetupModel::fieldChanged, this, [this] {
-        if (!m_controller.setup().isDirty() && !m_controller.isWriting())
-            m_messages.remove(questionId());
-    });
+    connect(
+        &controller.setup(), &SetupModel::fieldChanged, this, &UnsavedChangesGuard::forgetQuestion);
+}
+
+QString UnsavedChangesGuard::unsavedRecord() const
+{
+    return m_record.unsaved ? m_record.unsaved() : QString();
+}
+
+bool UnsavedChangesGuard::isUnsettled() const
+{
+    return m_controller.setup().isDirty() || !unsavedRecord().isEmpty();
+}
+
+/// What it was about has gone.
+void UnsavedChangesGuard::forgetQuestion()
+{
+    const bool isDue = m_isAboutClosing ? isUnsettled() : m_controller.setup().isDirty();
+    if (!isDue && !m_controller.isWriting())
+        m_messages.remove(questionId());
+}
+
+void UnsavedChangesGuard::followRecord()
+{
+    if (m_isAboutClosing && m_messages.contains(questionId()))
+        forgetQuestion();
 }
 
 void UnsavedChangesGuard::loseChanges(Reason reason, std::function<void()> action)
@@ -52,8 +74,8 @@ bool UnsavedChangesGuard::mayClose()
         askWhileWriting();
         return false;
     }
-    if (m_controller.setup().isDirty()) {
-        askAboutChanges(Reason::Close, [this] { agree(); });
+    if (isUnsettled()) {
+        askBeforeClosing();
         return false;
     }
     return true;
@@ -81,6 +103,7 @@ void UnsavedChangesGuard::closeWhen(Closing when)
 
 void UnsavedChangesGuard::askWhileWriting()
 {
+    m_isAboutClosing = true;
     m_ask = [this] { askWhileWriting(); };
     Message question;
     question.id = questionId();
@@ -113,8 +136,41 @@ QString UnsavedChangesGuard::agreement(Reason reason)
     return tr("Close Without Writin&g");
 }
 
+/// Once, for the fields and the record together.
+void UnsavedChangesGuard::askBeforeClosing()
+{
+    const QString record = unsavedRecord();
+    if (record.isEmpty()) {
+        askAboutChanges(Reason::Close, [this] { agree(); });
+        return;
+    }
+    m_ask = [this] { askBeforeClosing(); };
+    m_isAboutClosing = true;
+    Message question;
+    question.id = questionId();
+    question.tone = Tone::Warning;
+    question.text = record;
+    if (m_controller.setup().isDirty())
+        question.text =
+            tr("%1 has changes that are not written to the drive.").arg(currentLabel(m_controller))
+            + u' ' + record;
+    question.buttons = {
+        {QStringLiteral("saveAndCloseButton"), tr("Save Record, &Then Close"),
+            [this] { m_record.save([this] { agree(); }); }},
+        {QStringLiteral("loseChangesButton"), tr("Close Without Savin&g"),
+            [this] {
+                m_record.discard();
+                agree();
+            }},
+        {QStringLiteral("stayButton"), tr("Sta&y"), [] {}},
+    };
+    question.isClosable = false;
+    m_messages.show(question);
+}
+
 void UnsavedChangesGuard::askAboutChanges(Reason reason, std::function<void()> action)
 {
+    m_isAboutClosing = reason == Reason::Close;
     m_ask = [this, reason, action] { askAboutChanges(reason, action); };
     Message question;
     question.id = questionId();
@@ -139,10 +195,15 @@ void UnsavedChangesGuard::follow()
     m_messages.remove(questionId());
     // What could not be put back, or was not written, is to be read before the window goes.
     const auto& status = m_controller.status();
-    const bool isUnsettled = status && status->unfinishedWrite;
+    const bool isUnsettledOnDrive = status && status->unfinishedWrite;
     const bool hasFailed = closing == Closing::WhenWritten && m_controller.isOutcomeAnError();
-    if (!isUnsettled && !hasFailed)
+    if (isUnsettledOnDrive || hasFailed)
+        return;
+    // The write has settled the fields; the record is asked about before it is lost.
+    if (unsavedRecord().isEmpty())
         agree();
+    else
+        askBeforeClosing();
 }
 
 void UnsavedChangesGuard::agree()

@@ -60,7 +60,8 @@ protected:
 } // namespace
 
 WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-    QMenu& menu, QWidget* measure, QWidget* judge, QWidget* parent)
+    QMenu& menu, QWidget* measure, QWidget* judge, QWidget* prove, QWidget* record,
+    QWidget* parent)
     : QWidget(parent)
     , driveBar(new DriveBar(controller, menu))
     , messages(new MessageStack)
@@ -77,7 +78,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
 {
     setObjectName(QStringLiteral("wizardPage"));
     buildWritePage();
-    for (QWidget* shown : {measure, judge, static_cast<QWidget*>(m_columns)})
+    for (QWidget* shown : {measure, judge, static_cast<QWidget*>(m_columns), prove})
         m_pages->addWidget(shown);
     m_pages->setCurrentIndex(PageTabs::Write);
     m_rows->setObjectName(QStringLiteral("rows"));
@@ -93,7 +94,10 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     layout->setSpacing(spacing);
     layout->addWidget(driveBar);
     layout->addWidget(buildMessages());
-    layout->addWidget(tabs);
+    auto* tabRow = new QHBoxLayout;
+    tabRow->addWidget(tabs, 1);
+    tabRow->addWidget(record);
+    layout->addLayout(tabRow);
     layout->addWidget(m_rows, 1);
     layout->addWidget(rule());
     layout->addWidget(status);

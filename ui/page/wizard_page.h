@@ -30,10 +30,11 @@ class WizardPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// measure, judge: what the tabs of these names show; the page takes them. All references must
-    /// outlive the page.
+    /// measure, judge, prove: what the tabs of these names show; record: stands beside the tabs. The
+    /// page takes them. All references must outlive the page.
     WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-        QMenu& menu, QWidget* measure, QWidget* judge, QWidget* parent = nullptr);
+        QMenu& menu, QWidget* measure, QWidget* judge, QWidget* prove, QWidget* record,
+        QWidget* parent = nullptr);
 
     void retranslate();
     void showLog(bool isShown);

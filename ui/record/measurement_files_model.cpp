@@ -152,7 +152,9 @@ QVariant MeasurementFilesModel::data(const QModelIndex& index, int role) const
     const ReadMeasurement* reading = readingOf(index.row());
     if (role == Qt::ToolTipRole) {
         if (index.column() == File)
-            return m_paths.at(index.row());
+            return m_record.record().files.at(static_cast<std::size_t>(index.row())).recorded
+                ? tr("%1, as the record holds it").arg(m_paths.at(index.row()))
+                : m_paths.at(index.row());
         return reading && reading->refusal ? errorText(*reading->refusal)
                                            : text(index.row(), index.column());
     }

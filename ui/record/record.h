@@ -30,8 +30,10 @@ struct MeasurementChoices {
 };
 
 struct MeasurementFile {
-    QString path; ///< absolute
+    QString path; ///< absolute; of a file that a record holds, its name there
     MeasurementChoices choices;
+    /// As a record holds it: nothing is read, and the choices have no meaning. null: it is read.
+    std::shared_ptr<const RecordedFile> recorded = {};
 
     friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
 };
@@ -43,6 +45,8 @@ struct Record {
     /// Of the joined measurement, as it is shown: after the directions were exchanged.
     std::vector<Exclusion> exclusions;
     CorrectionsBefore corrections; ///< before judging
+    /// Of a measurement with the table active: a person says that it was, where its files do not.
+    bool isTableStated = false;
     OutlierRule outlierRule = OutlierRule::PooledMad;
     bool areLimitsAngles = false; ///< tolerances and uncertainty are in deg, else in mm
     std::vector<Tolerance> tolerances; ///< in mm or deg

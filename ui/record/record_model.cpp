@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace axiscomp::ui {
@@ -40,6 +41,7 @@ void forgetWhatIsOfTheFiles(Record& record)
 {
     record.exclusions.clear();
     record.corrections = {};
+    record.isTableStated = false;
 }
 
 /// The air of each run, with directions exchanged.
@@ -72,21 +74,38 @@ public:
 
     void undo() override { m_model.apply(m_before); }
     void redo() override { m_model.apply(m_after); }
+    [[nodiscard]] std::array<const Record*, 2> records() const { return {&m_before, &m_after}; }
+    void note(const Noting& noted) const
+    {
+        for (Record* record : {&m_before, &m_after})
+            if (record->calibration)
+                record->calibration = noted(record->calibration);
+    }
 
     const StepKind kind;
     const QString subject;
 
 private:
     RecordModel& m_model;
-    Record m_before;
-    Record m_after;
+    // What has happened since is noted in all steps.
+    mutable Record m_before;
+    mutable Record m_after;
 };
 
 RecordModel::RecordModel(QObject* parent)
     : QObject(parent)
+    , m_steps(m_ownSteps)
     , m_job([this](const RecordState& state) { take(state); })
 {
     m_steps.setUndoLimit(mostSteps);
+    connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
+}
+
+RecordModel::RecordModel(HistoryOf other, QObject* parent)
+    : QObject(parent)
+    , m_steps(other.record.m_steps)
+    , m_job([this](const RecordState& state) { take(state); })
+{
     connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
 }
 
@@ -99,6 +118,12 @@ void RecordModel::change(Record next, StepKind kind, const QString& subject)
 {
     if (next != m_record)
         m_steps.push(new Step(*this, std::move(next), kind, subject));
+}
+
+void RecordModel::open(const Record& record)
+{
+    m_ownSteps.clear();
+    apply(record);
 }
 
 void RecordModel::apply(const Record& record)
@@ -139,7 +164,7 @@ void RecordModel::addFiles(const QStringList& paths)
             next.files, [&](const MeasurementFile& file) { return file.path == absolute; });
         if (isKnown)
             continue;
-        next.files.push_back({absolute, {}});
+        next.files.push_back({absolute, {}, {}});
         added += absolute;
     }
     if (added.isEmpty())
@@ -165,6 +190,7 @@ void RecordModel::setChoices(std::size_t index, const MeasurementChoices& choice
         return;
     file.choices = choices;
     next.exclusions.clear();
+    next.isTableStated = false;
     change(std::move(next), StepKind::ReadOtherwise, namesOf({file.path}));
 }
 
@@ -280,6 +306,40 @@ void RecordModel::setCalibration(std::shared_ptr<const CalibrationRecord> calibr
     change(std::move(next), StepKind::Calibration);
 }
 
+void RecordModel::setTableStated(bool isStated)
+{
+    Record next = m_record;
+    next.isTableStated = isStated;
+    change(std::move(next), StepKind::StateTable);
+}
+
+std::vector<std::shared_ptr<const CalibrationRecord>> RecordModel::calibrations() const
+{
+    std::vector<std::shared_ptr<const CalibrationRecord>> found;
+    const auto add = [&found](const Record& record) {
+        if (record.calibration && std::ranges::find(found, record.calibration) == found.end())
+            found.push_back(record.calibration);
+    };
+    add(m_record);
+    for (int n = 0; n < m_steps.count(); ++n)
+        for (const Record* record : static_cast<const Step*>(m_steps.command(n))->records())
+            add(*record);
+    return found;
+}
+
+void RecordModel::note(const Noting& noted)
+{
+    for (int n = 0; n < m_steps.count(); ++n)
+        static_cast<const Step*>(m_steps.command(n))->note(noted);
+    if (!m_record.calibration)
+        return;
+    auto next = noted(m_record.calibration);
+    if (next == m_record.calibration)
+        return;
+    m_record.calibration = std::move(next);
+    Q_EMIT changed();
+}
+
 QString RecordModel::textOf(int index) const
 {
     const auto* step = static_cast<const Step*>(m_steps.command(index));
@@ -306,6 +366,8 @@ QString RecordModel::textOf(int index) const
         return tr("Tolerance of %1").arg(step->subject);
     case StepKind::Uncertainty:
         return tr("Uncertainty");
+    case StepKind::StateTable:
+        return tr("Table active while measured");
     case StepKind::Calibration:
         break;
     }

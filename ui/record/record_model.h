@@ -7,6 +7,8 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <functional>
+
 namespace axiscomp::ui {
 
 /// The record that is being worked on: what was said of it, with every step to be undone and done
@@ -18,7 +20,17 @@ public:
     static constexpr int mostSteps = 200;
 
     explicit RecordModel(QObject* parent = nullptr);
+    struct HistoryOf {
+        RecordModel& record;
+    };
+    /// Its steps stand among those of the other one, which undoes and does again both. The other
+    /// one must outlive this.
+    explicit RecordModel(HistoryOf other, QObject* parent = nullptr);
     ~RecordModel() override;
+
+    /// Another record: there is nothing to be undone. Not for one that shares the history of
+    /// another, which must be opened first.
+    void open(const Record& record);
 
     [[nodiscard]] const Record& record() const { return m_record; }
     /// Of record(), or of an earlier one while isEvaluating().
@@ -31,7 +43,7 @@ public:
 
     /// Those that are not among the files yet, at their end. What was left out counts runs and
     /// targets of all files, so that it is used again whenever the files are other ones;
-    /// corrections are lost then too.
+    /// corrections are lost then too, and which table was active is said of them anew.
     void addFiles(const QStringList& paths);
     void removeFile(std::size_t index);
     void setChoices(std::size_t index, const MeasurementChoices& choices);
@@ -49,6 +61,14 @@ public:
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
     void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);
+    void setTableStated(bool isStated);
+    /// The one in use, and those that undoing and doing again would bring back; each once.
+    [[nodiscard]] std::vector<std::shared_ptr<const CalibrationRecord>> calibrations() const;
+    /// Something has happened to a table that is in use, or was before steps were undone: no step,
+    /// and nothing that could be undone. noted: gives what is to stand in place of a calibration.
+    using Noting = std::function<std::shared_ptr<const CalibrationRecord>(
+        const std::shared_ptr<const CalibrationRecord>&)>;
+    void note(const Noting& noted);
     /// Reads files again that have changed on disk.
     void readAgain();
 
@@ -76,6 +96,7 @@ private:
         Tolerance,
         Uncertainty,
         Calibration,
+        StateTable,
     };
     class Step;
 
@@ -88,7 +109,8 @@ private:
 
     Record m_record;
     RecordState m_state;
-    QUndoStack m_steps;
+    QUndoStack m_ownSteps;
+    QUndoStack& m_steps;
     NewestJob<RecordState> m_job;
     bool m_isEvaluating = false;
 };

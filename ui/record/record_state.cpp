@@ -4,6 +4,7 @@
 #include "core/io/local_file.h"
 #include "core/metrology/run_selection.h"
 
+#include <QCryptographicHash>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -27,6 +28,20 @@ MeasurementReadOptions readOptionsOf(const MeasurementChoices& choices, const st
     return options;
 }
 
+/// As a record holds it.
+void takeRecorded(ReadMeasurement& read)
+{
+    const RecordedFile& recorded = *read.file.recorded;
+    if (const auto format = measurementFormatNamed(recorded.format))
+        read.format = *format;
+    read.sha256 = recorded.sha256;
+    auto reading = std::make_shared<MeasurementReading>();
+    reading->measurement = recorded.measurement;
+    read.upRuns = reading->measurement->runCount(Approach::Up);
+    read.downRuns = reading->measurement->runCount(Approach::Down);
+    read.reading = std::move(reading);
+}
+
 /// Errors: why there is no measurement.
 Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
 {
@@ -36,6 +51,11 @@ Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
     AXISCOMP_TRY(
         const auto bytes, loadFile(info.filesystemAbsoluteFilePath(), options.maximumBytes));
     const std::string_view text = asText(bytes);
+    read.sha256 =
+        QCryptographicHash::hash(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())),
+            QCryptographicHash::Sha256)
+            .toHex()
+            .toStdString();
     const std::string name = info.fileName().toStdString();
     AXISCOMP_TRY(read.format,
         choices.format.empty() ? chooseMeasurementFormat(text, name, options)
@@ -54,7 +74,7 @@ Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
 ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
     const std::vector<ReadMeasurement>& known, const std::stop_token& stop)
 {
-    const FileStamp stamp = stampOf(file.path);
+    const FileStamp stamp = file.recorded ? FileStamp{} : stampOf(file.path);
     const auto same = std::ranges::find_if(
         known, [&](const ReadMeasurement& one) { return one.file == file && one.stamp == stamp; });
     if (same != known.end())
@@ -62,7 +82,9 @@ ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
     ReadMeasurement read;
     read.file = file;
     read.stamp = stamp;
-    if (const auto done = readInto(read, stop); !done)
+    if (file.recorded)
+        takeRecorded(read);
+    else if (const auto done = readInto(read, stop); !done)
         read.refusal = done.error();
     return read;
 }

@@ -19,6 +19,7 @@ struct ReadMeasurement {
     MeasurementFile file; ///< as which it was read
     FileStamp stamp; ///< from before it was read
     const MeasurementFormat* format = nullptr; ///< null: not known, or the file is not readable
+    std::string sha256; ///< of the bytes that were read
     std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
     std::optional<Error> refusal; ///< why there is no measurement
     // Counted once: of a million values that takes longer than a picture may be late.

@@ -3,27 +3,21 @@
 
 #include <QWidget>
 
-#include <optional>
+#include <memory>
 
-class QCheckBox;
-class QLabel;
 class QPushButton;
-class QStackedWidget;
-class QTabWidget;
-class QTableView;
+
+namespace axiscomp {
+struct Measurement;
+}
 
 namespace axiscomp::ui {
 
-class ColumnPreview;
-class FileChoices;
-class FileFacts;
-class FileLinesView;
-class MeasurementFilesModel;
+class FileViews;
+class MeasurementFiles;
 class NextStep;
-class ProblemList;
 class RecordModel;
 class RunValuesView;
-struct ReadMeasurement;
 
 /// The tab Measure: the files of a measurement, how each is read, what it says and what is wrong
 /// with it.
@@ -48,31 +42,14 @@ private:
     [[nodiscard]] QWidget* buildLeft();
     void connectParts();
     void follow();
-    void showFile();
-    void showProblems(const ReadMeasurement* reading);
     void sayNextStep();
-    void remove();
-    [[nodiscard]] std::optional<std::size_t> currentFile() const;
-    [[nodiscard]] const ReadMeasurement* currentReading() const;
 
     RecordModel& m_record;
-    MeasurementFilesModel* m_model;
-    QLabel* m_title;
-    QPushButton* m_add;
-    QTableView* m_files;
-    QPushButton* m_remove;
-    QCheckBox* m_swap;
-    FileChoices* m_choices;
+    MeasurementFiles* m_files;
     NextStep* m_nextStep;
-    QTabWidget* m_views;
-    FileFacts* m_facts;
-    ColumnPreview* m_columns;
+    FileViews* m_views;
     RunValuesView* m_values;
     QPushButton* m_save;
-    QStackedWidget* m_problemStack;
-    ProblemList* m_problems;
-    FileLinesView* m_lines;
-    std::size_t m_fileCount = 0; ///< as last seen
     QString m_savedName; ///< of the file that has m_saved
     std::shared_ptr<const Measurement> m_saved; ///< null: nothing was saved
 };

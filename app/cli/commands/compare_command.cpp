@@ -46,15 +46,10 @@ Result<void> keepInRecord(Environment& environment, CalibrationRecord record,
     const CompareOptions& options, const MeasurementInput& after, const Comparison& comparison)
 {
     const MeasurementSource& source = after.sources.front();
-    RecordedAfter recorded;
-    recorded.measurement.files = {{source.file, source.format, source.sha256, after.measurement}};
-    recorded.measurement.swapsDirections = options.input.swapsDirections;
-    recorded.figures = figureValues(comparison.after);
-    recorded.isAsPredicted = comparison.isAsPredicted;
-    if (!record.tables.empty())
-        recorded.tableCrc = record.tables.front().crc;
-    record.after.push_back(std::move(recorded));
-    record.verdict = RecordedVerdict{comparison.verdicts};
+    RecordedMeasurement recorded;
+    recorded.files = {{source.file, source.format, source.sha256, after.measurement}};
+    recorded.swapsDirections = options.input.swapsDirections;
+    keepAfter(record, std::move(recorded), comparison);
     AXISCOMP_CHECK(saveRecord(options.record, record));
     DriveStore store(DriveStore::defaultRoot());
     keepFiguresOrWarn(environment, store, record);

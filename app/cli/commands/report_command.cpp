@@ -10,7 +10,6 @@
 #include "core/metrology/report/report_html.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace axiscomp::app {
 
@@ -23,15 +22,10 @@ struct ReportCommandOptions {
     bool wantsLists = false;
 };
 
-Result<bool> isPdf(const std::string& file)
+Result<ReportFormat> formatOf(const std::string& file)
 {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-        [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
-    if (extension == ".pdf")
-        return true;
-    if (extension == ".html" || extension == ".htm")
-        return false;
+    if (const auto format = reportFormatOf(file))
+        return *format;
     return wrongUsage(
         "the report is PDF or HTML: name a file that ends in .pdf or .html", commandName("report"));
 }
@@ -92,13 +86,13 @@ Json reportJson(const ReportCommandOptions& options, const ReportContent& conten
 
 Result<ExitCode> runReport(Environment& environment, const ReportCommandOptions& options)
 {
-    AXISCOMP_TRY(const bool asPdf, isPdf(options.output));
+    AXISCOMP_TRY(const auto format, formatOf(options.output));
     AXISCOMP_CHECK(checkLanguage(options.language));
     AXISCOMP_TRY(const auto record, loadRecord(options.record));
     AXISCOMP_TRY(const auto content, reportContent(record, AXISCOMP_VERSION));
     const ReportDocument document =
         inLanguage(reportDocument(content, {options.wantsLists}), options.language);
-    if (asPdf) {
+    if (format == ReportFormat::Pdf) {
         AXISCOMP_TRY(const auto pdf, drawnAsPdf(document));
         AXISCOMP_CHECK(saveFile(options.output, pdf));
     } else {

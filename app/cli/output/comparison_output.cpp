@@ -15,11 +15,6 @@ namespace {
 
 using Value = std::optional<double>;
 
-Value changeOf(const Value& before, const Value& after)
-{
-    return before && after ? Value(*after - *before) : std::nullopt;
-}
-
 std::string sideBySide(bool isAngular, const Comparison& comparison)
 {
     std::vector<Value> shown;

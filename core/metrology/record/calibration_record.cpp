@@ -229,6 +229,42 @@ RecordedAfter afterFromJson(const JsonNode& node)
     return after;
 }
 
+/// Without the measurements.
+OrderedJson frameToJson(const RecordedDraft& draft)
+{
+    OrderedJson object = OrderedJson::object();
+    if (draft.before)
+        object["before"] = nullptr;
+    if (draft.after)
+        object["after"] = nullptr;
+    if (draft.isTableStated)
+        object["tableStated"] = true;
+    return object;
+}
+
+OrderedJson toJson(const RecordedDraft& draft)
+{
+    OrderedJson object = frameToJson(draft);
+    if (draft.before)
+        object["before"] = toJson(*draft.before);
+    if (draft.after)
+        object["after"] = toJson(*draft.after);
+    putBack(object, draft.others);
+    return object;
+}
+
+RecordedDraft draftFromJson(const JsonNode& node)
+{
+    RecordedDraft draft;
+    if (isThere(node, "before"))
+        draft.before = recordedMeasurementFromJson(node["before"]);
+    if (isThere(node, "after"))
+        draft.after = recordedMeasurementFromJson(node["after"]);
+    draft.isTableStated = maybeTrue(node, "tableStated");
+    draft.others = otherMembers(node, frameToJson(draft));
+    return draft;
+}
+
 OrderedJson documentFrame(const CalibrationRecord& record)
 {
     OrderedJson object{{"format", recordFormat}, {"version", recordVersion}};
@@ -289,8 +325,8 @@ void expectRecord(const JsonNode& document)
 OtherMembers othersOfDocument(const JsonNode& document, const CalibrationRecord& record)
 {
     OrderedJson known = documentFrame(record);
-    for (const char* part :
-        {"before", "fit", "tables", "prediction", "drive", "write", "after", "verdict"})
+    for (const char* part : {"before", "fit", "tables", "prediction", "drive", "write", "after",
+             "verdict", "judging", "draft"})
         known[part] = nullptr;
     return otherMembers(document, known);
 }
@@ -341,6 +377,26 @@ Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
     return std::move(used.measurement);
 }
 
+RecordedJudging judgingOf(const CalibrationRecord& record)
+{
+    RecordedJudging judging;
+    if (record.judging) {
+        judging = *record.judging;
+    } else if (record.fit) {
+        judging.outlierRule = record.fit->settings.outlierRule;
+        judging.tolerances = record.fit->settings.tolerances;
+        judging.uncertainty = record.fit->settings.uncertainty;
+    }
+    if (!record.verdict || record.verdict->figures.empty())
+        return judging;
+    judging.tolerances.clear();
+    for (const Verdict& verdict : record.verdict->figures) {
+        judging.tolerances.push_back(verdict.tolerance);
+        judging.uncertainty = verdict.uncertainty;
+    }
+    return judging;
+}
+
 Result<DeadPathCorrection> deadPathFromText(std::string_view text, const std::string& fileName)
 {
     StrictJson json(text, {.size = maximumDeadPathSize});
@@ -380,6 +436,8 @@ std::string recordText(const CalibrationRecord& record)
     putPart(document, "write", record.write);
     putParts(document, "after", record.after);
     putPart(document, "verdict", record.verdict);
+    putPart(document, "judging", record.judging);
+    putPart(document, "draft", record.draft);
     putBack(document, record.others);
     std::string text;
     write(document, {}, text);
@@ -405,6 +463,8 @@ Result<CalibrationRecord> recordFromText(std::string_view text, const std::strin
         takePart(document, "write", record.write, &writeFromJson);
         takeParts(document, "after", record.after, &afterFromJson);
         takePart(document, "verdict", record.verdict, &verdictFromJson);
+        takePart(document, "judging", record.judging, &judgingFromJson);
+        takePart(document, "draft", record.draft, &draftFromJson);
         record.others = othersOfDocument(document, record);
     }
     if (json.problem())

@@ -149,6 +149,23 @@ struct RecordedVerdict {
     OtherMembers others = {};
 };
 
+/// By what figures are judged, as it was said last.
+struct RecordedJudging {
+    OutlierRule outlierRule = OutlierRule::PooledMad;
+    std::vector<Tolerance> tolerances = {};
+    std::optional<double> uncertainty = {}; ///< U with k = 2, in mm or deg
+    OtherMembers others = {};
+};
+
+/// What is being worked on and is not among the rest yet.
+struct RecordedDraft {
+    /// The measurement as it is chosen by now, where that is not the one the table was made of.
+    std::optional<RecordedMeasurement> before = {};
+    std::optional<RecordedMeasurement> after = {}; ///< a second one that is not kept
+    bool isTableStated = false; ///< a person says that the table was active while it was made
+    OtherMembers others = {};
+};
+
 struct CalibrationRecord {
     std::string program; ///< and its version, which wrote the record: "axiscomp 1.0"
     std::optional<WallTime> time = {}; ///< when it was begun
@@ -160,6 +177,8 @@ struct CalibrationRecord {
     std::optional<RecordedWrite> write = {};
     std::vector<RecordedAfter> after = {}; ///< in the order in which they were measured
     std::optional<RecordedVerdict> verdict = {};
+    std::optional<RecordedJudging> judging = {};
+    std::optional<RecordedDraft> draft = {};
     std::vector<std::string> notes = {};
     OtherMembers others = {};
 };
@@ -167,6 +186,10 @@ struct CalibrationRecord {
 /// The last measurement with the table of the record active: that of its write, where there was
 /// one. null: none. It lives as long as the record.
 [[nodiscard]] const RecordedAfter* lastAfter(const CalibrationRecord& record);
+
+/// The tolerances and the uncertainty that hold: those of the verdict, else those that were said
+/// last, else those of the fit.
+[[nodiscard]] RecordedJudging judgingOf(const CalibrationRecord& record);
 
 /// Bytes that a record may have.
 inline constexpr std::uint64_t maximumRecordSize = 512ULL * 1024 * 1024;

@@ -38,7 +38,7 @@ Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& 
             "table {crc}; activate that one and measure again, or take the record of {found}")
                                    .with("found", crcText(*state.tableCrc))
                                    .with("crc", crc));
-    if (!state.tableCrc && !request.isTableStated)
+    if (needsStatement(after, request) && !request.isTableStated)
         return wrongStateAfter(AXISCOMP_TEXT("Error",
             "the second measurement does not say which table was active while it was made; if it "
             "was the table {crc}, say it with --measured-with on")
@@ -242,6 +242,18 @@ bool isSuspicious(const Comparison& comparison)
 
 } // namespace
 
+std::optional<double> changeOf(
+    const std::optional<double>& before, const std::optional<double>& after)
+{
+    return before && after ? std::optional(*after - *before) : std::nullopt;
+}
+
+bool needsStatement(const Measurement& after, const ComparisonRequest& request)
+{
+    const MeasuredState& state = after.header.compensation;
+    return request.tableCrc && state.kind != MeasuredState::Kind::Off && !state.tableCrc;
+}
+
 bool Comparison::isWithinTolerances() const
 {
     return std::ranges::all_of(
@@ -259,10 +271,9 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
         request.tableCrc = record.tables.front().crc;
     if (record.write)
         request.tableCrc = record.write->crc;
-    if (record.fit) {
-        request.tolerances = record.fit->settings.tolerances;
-        request.uncertainty = record.fit->settings.uncertainty;
-    }
+    RecordedJudging judging = judgingOf(record);
+    request.tolerances = std::move(judging.tolerances);
+    request.uncertainty = judging.uncertainty;
     return request;
 }
 
@@ -281,7 +292,8 @@ Result<Comparison> compareMeasurements(
                     "same axis")}});
     AXISCOMP_CHECK(checkStateAfter(after, request));
     Comparison comparison{
-        iso230Figures(before), request.predicted, request.heldOut, iso230Figures(after), {}};
+        iso230Figures(before), request.predicted, request.heldOut, iso230Figures(after), {}, {}};
+    comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     judgePrediction(comparison, request);
     if (isSuspicious(comparison))
@@ -289,6 +301,18 @@ Result<Comparison> compareMeasurements(
             hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     return comparison;
+}
+
+void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison)
+{
+    RecordedAfter recorded;
+    recorded.measurement = std::move(after);
+    recorded.figures = figureValues(comparison.after);
+    recorded.isAsPredicted = comparison.isAsPredicted;
+    if (!record.tables.empty())
+        recorded.tableCrc = record.tables.front().crc;
+    record.after.push_back(std::move(recorded));
+    record.verdict = RecordedVerdict{comparison.verdicts};
 }
 
 } // namespace axiscomp

@@ -22,8 +22,11 @@ struct ComparisonRequest {
     std::vector<Tolerance> tolerances = {};
     std::optional<double> uncertainty = {}; ///< U with k = 2
 };
-/// What a record says: its prediction, its table, and the tolerances of its fit.
+/// What a record says: its prediction, its table, and the tolerances that hold (judgingOf).
 [[nodiscard]] ComparisonRequest comparisonRequest(const CalibrationRecord& record);
+
+/// Whether a person has to say that the table was active, since the measurement leaves it open.
+[[nodiscard]] bool needsStatement(const Measurement& after, const ComparisonRequest& request);
 
 /// What is left of the error at a target.
 struct RemainingError {
@@ -31,6 +34,10 @@ struct RemainingError {
     double value = 0.0; ///< mean of the directions that there are
     std::optional<double> standardError = {}; ///< of the mean; nothing with a single value
 };
+
+/// After minus before; nothing where one of them is not defined.
+[[nodiscard]] std::optional<double> changeOf(
+    const std::optional<double>& before, const std::optional<double>& after);
 
 /// What to look at when the machine is not as promised.
 struct ComparisonHint {
@@ -43,6 +50,7 @@ struct Comparison {
     std::optional<FigureValues> predicted = {};
     std::optional<HeldOut> heldOut = {};
     Iso230Figures after;
+    std::vector<RemainingError> errorBefore; ///< by target of the first measurement
     std::vector<RemainingError> residual; ///< by target of the second measurement
     /// The largest M that counts as predicted: 1.2 M held out + max(U, 2 s / sqrt(2 n)), s the
     /// pooled standard deviation of the second measurement, n its runs in each direction.
@@ -64,5 +72,8 @@ struct Comparison {
 /// active.
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
+
+/// The second measurement, what it says of the prediction, and the verdict go into the record.
+void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison);
 
 } // namespace axiscomp

@@ -397,4 +397,22 @@ RecordedVerdict verdictFromJson(const JsonNode& node)
     return verdict;
 }
 
+OrderedJson toJson(const RecordedJudging& judging)
+{
+    OrderedJson object{{"tolerances", listToJson(judging.tolerances)}};
+    putIfThere(object, "uncertainty", judging.uncertainty);
+    object["outliers"] = nameOf(judging.outlierRule, outlierNames);
+    return withOthers(std::move(object), judging);
+}
+
+RecordedJudging judgingFromJson(const JsonNode& node)
+{
+    RecordedJudging judging;
+    judging.tolerances = listFromJson(node["tolerances"], &toleranceFromJson);
+    judging.uncertainty = maybeNumber(node, "uncertainty");
+    judging.outlierRule = enumFromJson<OutlierRule>(node["outliers"], outlierNames);
+    judging.others = otherMembers(node, toJson(judging));
+    return judging;
+}
+
 } // namespace axiscomp

@@ -24,4 +24,7 @@ namespace axiscomp {
 [[nodiscard]] OrderedJson toJson(const RecordedVerdict& verdict);
 [[nodiscard]] RecordedVerdict verdictFromJson(const JsonNode& node);
 
+[[nodiscard]] OrderedJson toJson(const RecordedJudging& judging);
+[[nodiscard]] RecordedJudging judgingFromJson(const JsonNode& node);
+
 } // namespace axiscomp

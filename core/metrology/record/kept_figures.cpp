@@ -39,18 +39,12 @@ void addTolerances(MeasuredFigures& kept, const CalibrationRecord& record, bool 
     const auto figureOf = [&kept](Iso230Figure figure) -> Figure& {
         return kept.figures[static_cast<std::size_t>(figure)];
     };
-    if (record.fit)
-        for (const Tolerance& tolerance : record.fit->settings.tolerances)
-            figureOf(tolerance.figure).tolerance = tolerance.value;
+    for (const Tolerance& tolerance : judgingOf(record).tolerances)
+        figureOf(tolerance.figure).tolerance = tolerance.value;
     if (!isJudged)
         return;
-    for (Figure& figure : kept.figures)
-        figure.tolerance.reset();
-    for (const Verdict& verdict : record.verdict->figures) {
-        Figure& figure = figureOf(verdict.tolerance.figure);
-        figure.tolerance = verdict.tolerance.value;
-        figure.result = verdictName(verdict.result);
-    }
+    for (const Verdict& verdict : record.verdict->figures)
+        figureOf(verdict.tolerance.figure).result = verdictName(verdict.result);
 }
 
 /// A, or the accuracy of one direction.

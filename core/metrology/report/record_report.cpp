@@ -7,6 +7,7 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace axiscomp {
@@ -133,16 +134,9 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
 
 void addTolerances(ReportContent& content, const CalibrationRecord& record)
 {
-    if (record.verdict) {
-        for (const Verdict& verdict : record.verdict->figures) {
-            content.tolerances.push_back(verdict.tolerance);
-            content.uncertainty = verdict.uncertainty;
-        }
-    }
-    if (content.tolerances.empty() && record.fit) {
-        content.tolerances = record.fit->settings.tolerances;
-        content.uncertainty = record.fit->settings.uncertainty;
-    }
+    RecordedJudging judging = judgingOf(record);
+    content.tolerances = std::move(judging.tolerances);
+    content.uncertainty = judging.uncertainty;
 }
 
 } // namespace
@@ -189,6 +183,18 @@ Result<ReportContent> reportContent(
     for (const std::string& note : record.notes)
         content.notes.push_back(statedText(note));
     return content;
+}
+
+std::optional<ReportFormat> reportFormatOf(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+        [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    if (extension == ".pdf")
+        return ReportFormat::Pdf;
+    if (extension == ".html" || extension == ".htm")
+        return ReportFormat::Html;
+    return std::nullopt;
 }
 
 } // namespace axiscomp

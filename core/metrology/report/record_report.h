@@ -4,6 +4,9 @@
 #include "core/metrology/record/calibration_record.h"
 #include "core/metrology/report/report_content.h"
 
+#include <filesystem>
+#include <optional>
+
 namespace axiscomp {
 
 /// What a record says, as the page shows it. Its last measurement with the table active is the one
@@ -11,5 +14,9 @@ namespace axiscomp {
 /// that its measurements do not allow.
 [[nodiscard]] Result<ReportContent> reportContent(
     const CalibrationRecord& record, const std::string& programVersion);
+
+enum class ReportFormat { Pdf, Html };
+/// By the extension of the file (.pdf, .html, .htm), capital or small; nothing for another one.
+[[nodiscard]] std::optional<ReportFormat> reportFormatOf(const std::filesystem::path& file);
 
 } // namespace axiscomp

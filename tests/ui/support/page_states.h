@@ -4,6 +4,7 @@
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/record_files.h"
 #include "ui/page/page_tabs.h"
 
 #include <QAction>
@@ -259,6 +260,38 @@ inline bool judge(PageFixture& bench)
         && PageUser::waitFor([&] { return bench.user.the("showAllValues").isEnabled(); });
 }
 
+/// The tab Prove with a second measurement that does not say which table was active.
+inline bool prove(PageFixture& bench)
+{
+    if (!bench.user.isThere())
+        return false;
+    bench.wizard.openRecord(bench.file(
+        QStringLiteral("spindle-x.axcal"), QByteArray::fromStdString(recordText(recordOfFit()))));
+    bench.user.the<QTabBar>("pageTabs").setCurrentIndex(ui::PageTabs::Prove);
+    bench.picked = bench.file(QStringLiteral("after.csv"), goodAfterMeasurement({}));
+    return PageUser::waitFor([&] {
+        return bench.user.the<QLabel>("recordName").text() == QStringLiteral("spindle-x.axcal");
+    }) && bench.user.click("afterAddMeasurement")
+        && PageUser::waitFor([&] { return bench.user.sees("tableStated"); });
+}
+
+/// The same, kept in the record.
+inline bool proved(PageFixture& bench)
+{
+    return prove(bench) && bench.user.click("tableStated") && bench.user.click("keepAfter")
+        && PageUser::waitFor([&] {
+               return bench.user.the<QLabel>("recordName").text().endsWith(u'*')
+                   && !bench.user.the("keepAfter").isEnabled();
+           });
+}
+
+/// The question before a window is closed whose record is not saved.
+inline bool closeUnsaved(PageFixture& bench)
+{
+    return proved(bench) && !bench.window.close()
+        && PageUser::waitFor([&] { return bench.user.sees("saveAndCloseButton"); });
+}
+
 } // namespace page_states
 
 inline const std::vector<PageState>& allPageStates()
@@ -287,6 +320,9 @@ inline const std::vector<PageState>& allPageStates()
         {"export configuration", exportConfiguration},
         {"measure", measure},
         {"judge", judge},
+        {"prove", prove},
+        {"proved", proved},
+        {"close unsaved", closeUnsaved},
     };
     return all;
 }

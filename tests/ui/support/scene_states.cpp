@@ -3,6 +3,7 @@
 
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/record_files.h"
 #include "ui/page/page_tabs.h"
 #include "ui/plot/surface_view.h"
 
@@ -859,6 +860,66 @@ void judgeDrift(PageScene& scene)
     QTest::qWait(200);
 }
 
+/// A record with the table of b02_x, on the tab Prove.
+void proveEmpty(PageScene& scene)
+{
+    scene.showDrive();
+    CalibrationRecord record = recordOfFit();
+    record.fit->settings.tolerances = {{Iso230Figure::A, 0.01}, {Iso230Figure::R, 0.006}};
+    record.fit->settings.uncertainty = 0.0021;
+    scene.page().openRecord(scene.stage().file(
+        QStringLiteral("spindle-x.axcal"), QByteArray::fromStdString(recordText(record))));
+    const auto* name = scene.page().findChild<QLabel*>(QStringLiteral("recordName"));
+    wait([&] { return name->text() == QStringLiteral("spindle-x.axcal"); }, "the record");
+    showPageTab(scene, PageTabs::Prove);
+}
+
+void addAfter(PageScene& scene, const QByteArray& content)
+{
+    const QString path = scene.stage().file(QStringLiteral("after-x.csv"), content);
+    scene.page().setFilePicker(
+        [path](QWidget&, const ui::FileQuestion&,
+            const std::function<void(const QString&)>& answer) { answer(path); });
+    scene.click("afterAddMeasurement");
+    const auto* figures = scene.page().findChild<QTableView*>(QStringLiteral("proveFigures"));
+    const auto* stated = scene.page().findChild<QWidget*>(QStringLiteral("tableStated"));
+    wait([&] { return figures->model()->rowCount() > 0 || stated->isVisible(); }, "the comparison");
+    QTest::qWait(200);
+}
+
+void proveStatement(PageScene& scene)
+{
+    proveEmpty(scene);
+    addAfter(scene, goodAfterMeasurement({}));
+}
+
+void proveKept(PageScene& scene)
+{
+    proveEmpty(scene);
+    addAfter(scene, goodAfterMeasurement(stateOf(recordOfFit())));
+    scene.click("keepAfter");
+    const auto* keep = scene.page().findChild<QWidget*>(QStringLiteral("keepAfter"));
+    wait([&] { return !keep->isEnabled(); }, "the record");
+    QTest::qWait(200);
+}
+
+void proveWrongSign(PageScene& scene)
+{
+    proveEmpty(scene);
+    const CalibrationRecord record = recordOfFit();
+    const auto figures = iso230Figures(*usedMeasurement(*record.before));
+    addAfter(scene, afterMeasurement(stateOf(record), [&](int i) {
+        return 2000.0 * *figures.targets[static_cast<std::size_t>(i)].mean;
+    }));
+}
+
+void closingUnsaved(PageScene& scene)
+{
+    proveKept(scene);
+    static_cast<void>(scene.page().mayClose());
+    QTest::qWait(200);
+}
+
 } // namespace
 
 const std::vector<SceneState>& sceneStates()
@@ -924,6 +985,11 @@ const std::vector<SceneState>& sceneStates()
         {"judge-outliers", judgeOutliers},
         {"judge-drift", judgeDrift},
         {"judge-corrections", judgeCorrections},
+        {"prove-empty", proveEmpty},
+        {"prove-statement", proveStatement},
+        {"prove-kept", proveKept},
+        {"prove-wrong-sign", proveWrongSign},
+        {"closing-unsaved", closingUnsaved},
     };
     return all;
 }

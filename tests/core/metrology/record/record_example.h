@@ -97,6 +97,11 @@ inline CalibrationRecord fullRecord()
     record.verdict =
         RecordedVerdict{{{{Iso230Figure::A, 0.01}, 0.0032, 0.0021, VerdictResult::Passed},
             {{Iso230Figure::B, 0.001}, std::nullopt, std::nullopt, VerdictResult::NotDefined}}};
+    record.judging = RecordedJudging{OutlierRule::None, {{Iso230Figure::R, 0.002}}, 1.0 / 3.0, {}};
+    record.draft = RecordedDraft{
+        RecordedMeasurement{{before.files.front()}}, RecordedMeasurement{{before.files.front()}}};
+    record.draft->before->exclusions = {{std::nullopt, 2, std::nullopt}};
+    record.draft->isTableStated = true;
     return record;
 }
 

@@ -58,6 +58,12 @@ private Q_SLOTS:
         QCOMPARE(again->fit->settings.grid[1].end, std::optional(500.0));
         QCOMPARE(again->fit->active, record.fit->active);
         QCOMPARE(again->verdict->figures[1].result, VerdictResult::NotDefined);
+        QCOMPARE(again->judging->outlierRule, OutlierRule::None);
+        QVERIFY(again->judging->tolerances == record.judging->tolerances);
+        QCOMPARE(again->judging->uncertainty, record.judging->uncertainty);
+        QCOMPARE(again->draft->before, record.draft->before);
+        QCOMPARE(again->draft->after, record.draft->after);
+        QVERIFY(again->draft->isTableStated);
         QVERIFY(again->others.empty());
         QVERIFY(again->before->others.empty());
         QVERIFY(again->before->files[0].others.empty());
@@ -69,6 +75,27 @@ private Q_SLOTS:
         VERIFY_RESULT(record);
         QVERIFY(!record->before);
         QVERIFY(record->tables.empty());
+    }
+
+    void theTolerancesThatHoldAreThoseOfTheVerdictThenWhatWasSaidThenOfTheFit()
+    {
+        CalibrationRecord record;
+        QVERIFY(judgingOf(record).tolerances.empty());
+        record.fit.emplace();
+        record.fit->settings.tolerances = {{Iso230Figure::A, 0.01}};
+        record.fit->settings.uncertainty = 0.001;
+        record.fit->settings.outlierRule = OutlierRule::Grubbs;
+        QCOMPARE(judgingOf(record).tolerances.front().figure, Iso230Figure::A);
+        QCOMPARE(judgingOf(record).uncertainty, std::optional(0.001));
+        QCOMPARE(judgingOf(record).outlierRule, OutlierRule::Grubbs);
+        // None is what was said as well.
+        record.judging.emplace();
+        QVERIFY(judgingOf(record).tolerances.empty() && !judgingOf(record).uncertainty);
+        record.verdict.emplace();
+        QVERIFY(judgingOf(record).tolerances.empty());
+        record.verdict->figures = {{{Iso230Figure::R, 0.002}, 0.001, 0.0005}};
+        QCOMPARE(judgingOf(record).tolerances.front().value, 0.002);
+        QCOMPARE(judgingOf(record).uncertainty, std::optional(0.0005));
     }
 
     void singlesStandInTheFileWithTheirShortestDigits()

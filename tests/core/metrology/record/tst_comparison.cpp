@@ -67,6 +67,51 @@ private Q_SLOTS:
         QVERIFY(result->hints.empty() == *result->isAsPredicted);
     }
 
+    void theErrorBeforeStandsBesideWhatIsLeft()
+    {
+        const auto result = compareMeasurements(
+            measured(&errorBefore, 1e-4), measured(&errorBefore, 2e-4), promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->errorBefore.size(), result->residual.size());
+        QVERIFY(std::abs(result->errorBefore[3].value - errorBefore(60.0)) < 1e-15);
+        QVERIFY(std::abs(*result->errorBefore[3].standardError - 1e-4 / std::sqrt(2.0)) < 1e-15);
+        QVERIFY(std::abs(*result->residual[3].standardError - 2e-4 / std::sqrt(2.0)) < 1e-15);
+    }
+
+    void aStatementIsNeededWhereTheFileLeavesTheTableOpen()
+    {
+        Measurement after;
+        ComparisonRequest request;
+        QVERIFY(!needsStatement(after, request)); // there is no table
+        request.tableCrc = 7;
+        QVERIFY(needsStatement(after, request));
+        after.header.compensation.kind = MeasuredState::Kind::On;
+        QVERIFY(needsStatement(after, request));
+        after.header.compensation.tableCrc = 8; // refused, whatever is stated
+        QVERIFY(!needsStatement(after, request));
+        after.header.compensation = {MeasuredState::Kind::Off, std::nullopt};
+        QVERIFY(!needsStatement(after, request));
+    }
+
+    void whatIsKeptHasMeasurementFiguresAndVerdict()
+    {
+        ComparisonRequest request = promised(1e-3);
+        request.tolerances = {{Iso230Figure::A, 0.5}};
+        const auto comparison =
+            compareMeasurements(measured(&errorBefore), measured(&errorBefore, 1e-4), request);
+        VERIFY_RESULT(comparison);
+        CalibrationRecord record;
+        record.after.resize(1);
+        RecordedMeasurement second{{{"after.csv", "runs", std::string(64, 'a'), {}}}};
+        keepAfter(record, second, *comparison);
+        QCOMPARE(record.after.size(), std::size_t{2});
+        QVERIFY(record.after[1].measurement == second);
+        QVERIFY(record.after[1].figures == figureValues(comparison->after));
+        QVERIFY(record.after[1].isAsPredicted == comparison->isAsPredicted);
+        QCOMPARE(record.verdict->figures.size(), std::size_t{1});
+        QCOMPARE(record.verdict->figures.front().result, VerdictResult::Passed);
+    }
+
     void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
     {
         const auto after = measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4);

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/record_assembly.h"
+
+#include "core/metrology/record/comparison.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+/// Nothing of it is copied: it lives as long as the record that it is of.
+void openMeasurement(const std::shared_ptr<const CalibrationRecord>& calibration,
+    const RecordedMeasurement& recorded, Record& record)
+{
+    for (const RecordedFile& file : recorded.files)
+        record.files.push_back({QString::fromStdString(file.file), {},
+            std::shared_ptr<const RecordedFile>(calibration, &file)});
+    record.swapsDirections = recorded.swapsDirections;
+    record.exclusions = recorded.exclusions;
+    record.corrections = {recorded.corrections.temperature, recorded.corrections.deadPath};
+    record.areLimitsAngles = !recorded.files.empty() && recorded.files.front().measurement.isAngular;
+}
+
+bool isUsable(const ReadMeasurement& file)
+{
+    return file.measurement() != nullptr;
+}
+
+/// Its files that can be used; nothing without one.
+std::optional<RecordedMeasurement> usablePart(RecordState state)
+{
+    std::erase_if(state.files, [](const ReadMeasurement& file) { return !isUsable(file); });
+    if (state.files.empty())
+        return std::nullopt;
+    const auto recorded = recordedMeasurement(state);
+    return recorded ? std::optional(*recorded) : std::nullopt;
+}
+
+Result<std::optional<RecordedMeasurement>> measurementOf(
+    const RecordState& state, bool leavesOutUnusable)
+{
+    if (state.record.files.empty())
+        return std::optional<RecordedMeasurement>();
+    if (leavesOutUnusable)
+        return usablePart(state);
+    AXISCOMP_TRY(auto recorded, recordedMeasurement(state));
+    return std::optional(std::move(recorded));
+}
+
+/// What the file has and a table that was made since does not say.
+void carryOver(const CalibrationRecord& base, CalibrationRecord& made)
+{
+    made.others.insert(base.others.begin(), base.others.end());
+    if (!made.time)
+        made.time = base.time;
+    if (!made.drive)
+        made.drive = base.drive;
+    if (!made.judging)
+        made.judging = base.judging;
+}
+
+void keepMembers(const std::optional<RecordedMeasurement>& known, RecordedMeasurement& made)
+{
+    if (!known)
+        return;
+    made.others = known->others;
+    made.corrections.drift = known->corrections.drift; // of the table: it is not chosen here
+    for (RecordedFile& file : made.files) {
+        const auto same = std::ranges::find(known->files, file.sha256, &RecordedFile::sha256);
+        if (same != known->files.end() && same->measurement == file.measurement)
+            file.others = same->others;
+    }
+}
+
+/// The measurement of the table stays what the table was made of; what is chosen since stands
+/// beside it.
+void putBefore(std::optional<RecordedMeasurement> before, bool isTableUsed, RecordedDraft& draft,
+    CalibrationRecord& made)
+{
+    if (before)
+        keepMembers(draft.before ? draft.before : made.before, *before);
+    draft.before.reset();
+    if (isTableUsed && made.before) {
+        if (before && !isSameMeasurement(*before, *made.before))
+            draft.before = std::move(before);
+        return;
+    }
+    made.before = std::move(before);
+}
+
+void putAfter(std::optional<RecordedMeasurement> after, bool isTableStated, RecordedDraft& draft,
+    const CalibrationRecord& made)
+{
+    if (after)
+        keepMembers(draft.after, *after);
+    draft.after.reset();
+    draft.isTableStated = false;
+    const bool isKept = after && std::ranges::any_of(made.after, [&](const RecordedAfter& kept) {
+        return isSameMeasurement(kept.measurement, *after);
+    });
+    if (!after || isKept)
+        return;
+    draft.after = std::move(after);
+    draft.isTableStated = isTableStated;
+}
+
+/// The verdict is one of the last measurement, by the tolerances that it was given.
+Result<void> judgeAnew(CalibrationRecord& made)
+{
+    const RecordedMeasurement* last = !made.after.empty() ? &made.after.back().measurement
+        : made.before                                     ? &*made.before
+                                                          : nullptr;
+    if (!made.verdict)
+        return {};
+    made.verdict->figures.clear();
+    if (!last)
+        return {};
+    AXISCOMP_TRY(const auto measurement, usedMeasurement(*last));
+    if (measurement.hasTargets())
+        made.verdict->figures = verdicts(
+            iso230Figures(measurement), made.judging->tolerances, made.judging->uncertainty);
+    return {};
+}
+
+Result<void> putJudging(const Record& record, CalibrationRecord& made)
+{
+    const RecordedJudging holds = judgingOf(made);
+    if (holds.tolerances == record.tolerances && holds.uncertainty == record.uncertainty
+        && holds.outlierRule == record.outlierRule)
+        return {};
+    if (!made.judging)
+        made.judging.emplace();
+    made.judging->tolerances = record.tolerances;
+    made.judging->uncertainty = record.uncertainty;
+    made.judging->outlierRule = record.outlierRule;
+    return judgeAnew(made);
+}
+
+} // namespace
+
+OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration)
+{
+    OpenedRecord result;
+    const auto& work = calibration->draft;
+    if (work && work->before)
+        openMeasurement(calibration, *work->before, result.record);
+    else if (calibration->before)
+        openMeasurement(calibration, *calibration->before, result.record);
+    RecordedJudging judging = judgingOf(*calibration);
+    result.record.tolerances = std::move(judging.tolerances);
+    result.record.uncertainty = judging.uncertainty;
+    result.record.outlierRule = judging.outlierRule;
+    if (!calibration->tables.empty())
+        result.record.calibration = calibration;
+    if (work && work->after) {
+        openMeasurement(calibration, *work->after, result.after);
+        result.after.isTableStated = work->isTableStated;
+    } else if (const RecordedAfter* const last = lastAfter(*calibration)) {
+        openMeasurement(calibration, last->measurement, result.after);
+        // It would not be among those otherwise.
+        result.after.isTableStated = true;
+    }
+    return result;
+}
+
+Result<RecordedMeasurement> recordedMeasurement(const RecordState& state)
+{
+    RecordedMeasurement recorded;
+    for (const ReadMeasurement& file : state.files) {
+        if (file.refusal)
+            return fail(*file.refusal);
+        if (file.file.recorded)
+            recorded.files.push_back(*file.file.recorded);
+        else
+            recorded.files.push_back({QFileInfo(file.file.path).fileName().toStdString(),
+                std::string(file.format->facts.name), file.sha256, *file.measurement()});
+    }
+    recorded.swapsDirections = state.record.swapsDirections;
+    recorded.exclusions = state.record.exclusions;
+    recorded.corrections.temperature = state.record.corrections.temperature;
+    recorded.corrections.deadPath = state.record.corrections.deadPath;
+    return recorded;
+}
+
+bool isSameMeasurement(const RecordedMeasurement& a, const RecordedMeasurement& b)
+{
+    const auto isSameFile = [](const RecordedFile& one, const RecordedFile& other) {
+        return one.sha256 == other.sha256 && one.measurement == other.measurement;
+    };
+    return a.swapsDirections == b.swapsDirections && a.exclusions == b.exclusions
+        && a.corrections.temperature == b.corrections.temperature
+        && a.corrections.deadPath == b.corrections.deadPath
+        && std::ranges::equal(a.files, b.files, isSameFile);
+}
+
+Result<CalibrationRecord> assembled(const RecordParts& parts)
+{
+    if (parts.isUnchanged)
+        return *parts.base;
+    const auto& calibration = parts.record.record.calibration;
+    CalibrationRecord made = calibration ? *calibration : *parts.base;
+    if (calibration && calibration != parts.base)
+        carryOver(*parts.base, made);
+    AXISCOMP_TRY(auto before, measurementOf(parts.record, parts.leavesOutUnusable));
+    AXISCOMP_TRY(auto after, measurementOf(parts.after, parts.leavesOutUnusable));
+    RecordedDraft draft = made.draft.value_or(RecordedDraft{});
+    putBefore(std::move(before), calibration != nullptr, draft, made);
+    putAfter(std::move(after), parts.after.record.isTableStated, draft, made);
+    const bool isNeeded = draft.before || draft.after || !draft.others.empty();
+    made.draft = isNeeded ? std::optional(std::move(draft)) : std::nullopt;
+    AXISCOMP_CHECK(putJudging(parts.record.record, made));
+    return made;
+}
+
+} // namespace axiscomp::ui

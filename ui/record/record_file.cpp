@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/record/record_file.h"
+
+#include "core/io/local_file.h"
+#include "core/metrology/record/kept_figures.h"
+#include "ui/record/record_model.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace axiscomp::ui {
+
+namespace {
+
+std::string sha256Of(ByteView bytes)
+{
+    return QCryptographicHash::hash(
+        QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
+        QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
+}
+
+std::shared_ptr<const CalibrationRecord> begun()
+{
+    auto record = std::make_shared<CalibrationRecord>();
+    record->program = "axiscomp " AXISCOMP_VERSION;
+    record->time = std::chrono::system_clock::now();
+    return record;
+}
+
+bool isSameFile(const QString& a, const QString& b)
+{
+    if (a.isEmpty() || b.isEmpty())
+        return false;
+    return a == b || (QFileInfo::exists(a) && QFileInfo::exists(b) && QFileInfo(a) == QFileInfo(b));
+}
+
+/// Whether a file has a history of a table that would be lost.
+bool losesTable(const CalibrationRecord& there, const CalibrationRecord& made)
+{
+    if (there.tables.empty() || (!there.write && there.after.empty()))
+        return false;
+    return std::ranges::none_of(there.tables, [&](const RecordedTable& table) {
+        return std::ranges::find(made.tables, table.crc, &RecordedTable::crc) != made.tables.end();
+    });
+}
+
+} // namespace
+
+RecordFile::RecordFile(RecordModel& record, RecordModel& after, QObject* parent)
+    : QObject(parent)
+    , m_record(record)
+    , m_after(after)
+    , m_content{begun(), {}}
+    , m_known(current())
+{
+    for (RecordModel* model : {&record, &after}) {
+        connect(model, &RecordModel::changed, this, &RecordFile::changed);
+        connect(model, &RecordModel::stateChanged, this, &RecordFile::follow);
+    }
+}
+
+OpenedRecord RecordFile::current() const
+{
+    return {m_record.record(), m_after.record()};
+}
+
+RecordParts RecordFile::parts() const
+{
+    RecordParts parts{m_record.state(), m_after.state(), m_content.record, current() == m_known};
+    parts.record.record = m_record.record();
+    parts.after.record = m_after.record();
+    return parts;
+}
+
+QString RecordFile::name() const
+{
+    return m_path.isEmpty() ? tr("not saved yet") : QFileInfo(m_path).fileName();
+}
+
+bool RecordFile::isModified() const
+{
+    return m_isRecovered || !(current() == m_known);
+}
+
+bool RecordFile::isEmpty() const
+{
+    return m_path.isEmpty() && current() == OpenedRecord{};
+}
+
+void RecordFile::setBusy(bool isBusy)
+{
+    m_isBusy = isBusy;
+    Q_EMIT changed();
+}
+
+void RecordFile::begin()
+{
+    show({}, {begun(), {}});
+}
+
+void RecordFile::take(
+    std::shared_ptr<const CalibrationRecord> record, const QString& path, const std::string& sha256)
+{
+    show(path, {std::move(record), sha256});
+    m_isRecovered = true;
+    Q_EMIT changed();
+}
+
+void RecordFile::show(const QString& path, const Content& content)
+{
+    m_path = path;
+    m_content = content;
+    m_isRecovered = false;
+    m_waiting.clear(); // it was about the record before
+    const OpenedRecord next = ui::opened(content.record);
+    m_known = next;
+    m_record.open(next.record);
+    m_after.open(next.after);
+    Q_EMIT changed();
+    Q_EMIT opened();
+}
+
+Result<RecordFile::Content> RecordFile::read(const std::filesystem::path& file)
+{
+    AXISCOMP_TRY(const auto bytes, loadFile(file, maximumRecordSize));
+    AXISCOMP_TRY(auto record, recordFromText(asText(bytes), file.filename().string()));
+    return Content{std::make_shared<const CalibrationRecord>(std::move(record)), sha256Of(bytes)};
+}
+
+void RecordFile::open(const QString& path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    setBusy(true);
+    const auto content = inBackground<Result<Content>>(
+        [file = QFileInfo(absolute).filesystemAbsoluteFilePath()] { return read(file); });
+    whenDone(content, this, [this, absolute](const Result<Content>& result) {
+        setBusy(false);
+        if (result)
+            show(absolute, *result);
+        else
+            Q_EMIT openFailed(result.error());
+    });
+}
+
+void RecordFile::whenRead(std::function<void(const RecordParts&)> use)
+{
+    m_waiting.push_back(std::move(use));
+    follow();
+}
+
+void RecordFile::follow()
+{
+    if (m_waiting.empty() || m_record.isEvaluating() || m_after.isEvaluating())
+        return;
+    const auto waiting = std::exchange(m_waiting, {});
+    for (const auto& use : waiting)
+        use(parts());
+}
+
+void RecordFile::save(const QString& path, bool overwrites)
+{
+    whenRead([this, path, overwrites](const RecordParts&) { saveNow(path, overwrites); });
+}
+
+Result<RecordFile::Saving> RecordFile::write(const RecordParts& parts, const Target& target)
+{
+    AXISCOMP_TRY(auto made, assembled(parts));
+    std::error_code ignored;
+    const bool isThere = std::filesystem::exists(target.file, ignored);
+    if (isThere && !target.overwrites) {
+        if (!target.isOwn)
+            return Saving{Obstacle::Exists, {}};
+        AXISCOMP_TRY(const auto bytes, loadFile(target.file, maximumRecordSize));
+        if (sha256Of(bytes) != target.sha256)
+            return Saving{Obstacle::Changed, {}};
+        if (losesTable(*parts.base, made))
+            return Saving{Obstacle::OtherTable, {}};
+    }
+    AXISCOMP_CHECK(saveRecord(target.file, made));
+    if (!target.store.empty()) {
+        DriveStore store(target.store);
+        // What the drive's overview says of the table; the record has it in any case.
+        static_cast<void>(keepFigures(store, made, std::chrono::system_clock::now()));
+    }
+    const std::string sha256 = sha256Of(asBytes(recordText(made)));
+    return Saving{{}, {std::make_shared<const CalibrationRecord>(std::move(made)), sha256}};
+}
+
+void RecordFile::saveNow(const QString& path, bool overwrites)
+{
+    const QFileInfo info(path);
+    const QString absolute = info.absoluteFilePath();
+    const bool isOwn = isSameFile(m_path, absolute);
+    if (isOwn && !isModified() && info.exists()) {
+        Q_EMIT saved(); // byte for byte
+        return;
+    }
+    setBusy(true);
+    const Target target{
+        info.filesystemAbsoluteFilePath(), isOwn, m_content.sha256, overwrites, m_store};
+    const OpenedRecord known = current();
+    const auto saving =
+        inBackground<Result<Saving>>([parts = parts(), target] { return write(parts, target); });
+    whenDone(saving, this, [this, absolute, known](const Result<Saving>& result) {
+        setBusy(false);
+        if (!result) {
+            Q_EMIT saveFailed(result.error());
+            return;
+        }
+        if (result->obstacle) {
+            Q_EMIT obstructed(absolute, *result->obstacle);
+            return;
+        }
+        m_path = absolute;
+        m_content = result->content;
+        m_known = known;
+        m_isRecovered = false;
+        Q_EMIT changed();
+        Q_EMIT saved();
+    });
+}
+
+} // namespace axiscomp::ui
