@@ -15,6 +15,7 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
     dialog->setObjectName(QStringLiteral("fileDialog"));
     if (question.purpose == FileQuestion::Purpose::OpenData
         || question.purpose == FileQuestion::Purpose::OpenMeasurement
+        || question.purpose == FileQuestion::Purpose::OpenActiveTable
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
         || question.purpose == FileQuestion::Purpose::OpenBackup) {
         dialog->setFileMode(QFileDialog::ExistingFile);

@@ -22,6 +22,8 @@ struct FileQuestion {
         SaveConfiguration,
         SaveBackup,
         SaveMeasurement,
+        OpenActiveTable,
+        SaveTable,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

@@ -18,6 +18,8 @@ QString nameOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("Measure");
+    case PageTabs::Fit:
+        return PageTabs::tr("Fit");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;
@@ -30,6 +32,8 @@ QString purposeOfTab(PageTabs::Tab tab)
     switch (tab) {
     case PageTabs::Measure:
         return PageTabs::tr("The files of a measurement, and how they are read");
+    case PageTabs::Fit:
+        return PageTabs::tr("The table that is made of a measurement, and what it promises");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;

@@ -13,7 +13,7 @@ class PageTabs : public QTabBar {
     Q_OBJECT
 
 public:
-    enum Tab { Measure, Write, TabCount };
+    enum Tab { Measure, Fit, Write, TabCount };
     enum class Mark { Empty, Ready, Warning };
 
     /// Begins with Write.

@@ -232,7 +232,7 @@ void SetupPanel::showData()
     if (file.isReading)
         m_data->showReading(file.progress);
     else
-        m_data->showFile(file.path);
+        m_data->showFile(file.path, file.isMade);
     const std::size_t errors = file.isReading ? 0 : errorCount(file);
     m_dataRow->setProblem(
         errors == 0 ? QString() : tr("problems: %1; the file is not used").arg(countText(errors)));

@@ -60,7 +60,7 @@ protected:
 } // namespace
 
 WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-    QMenu& menu, QWidget* measure, QWidget* parent)
+    QMenu& menu, QWidget* measure, QWidget* fit, QWidget* parent)
     : QWidget(parent)
     , driveBar(new DriveBar(controller, menu))
     , messages(new MessageStack)
@@ -77,7 +77,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
 {
     setObjectName(QStringLiteral("wizardPage"));
     buildWritePage();
-    for (QWidget* shown : {measure, static_cast<QWidget*>(m_columns)})
+    for (QWidget* shown : {measure, fit, static_cast<QWidget*>(m_columns)})
         m_pages->addWidget(shown);
     m_pages->setCurrentIndex(PageTabs::Write);
     m_rows->setObjectName(QStringLiteral("rows"));

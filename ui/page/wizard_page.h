@@ -30,10 +30,10 @@ class WizardPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// measure: what the tab of this name shows; the page takes it. All references must outlive the
-    /// page.
+    /// measure, fit: what the tabs of these names show; the page takes them. All references must
+    /// outlive the page.
     WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-        QMenu& menu, QWidget* measure, QWidget* parent = nullptr);
+        QMenu& menu, QWidget* measure, QWidget* fit, QWidget* parent = nullptr);
 
     void retranslate();
     void showLog(bool isShown);

@@ -39,6 +39,25 @@ void addOthers(const Measurement& measurement, const Exclusion& exclusion,
     }
 }
 
+/// Whether both have the same measurement, judged in the same way.
+bool isJudgedAlike(const Record& a, const Record& b)
+{
+    Record other = b;
+    other.fit = a.fit;
+    other.calibration = a.calibration;
+    return a == other;
+}
+
+/// Giving back the memory of a million values takes longer than a picture may be late.
+template <typename T> void releaseElsewhere(T held)
+{
+    const auto last = std::make_shared<T>(std::move(held));
+    static_cast<void>(inBackground<bool>([last] {
+        *last = {};
+        return true;
+    }));
+}
+
 QString namesOf(const QStringList& paths)
 {
     const QString name = QFileInfo(paths.front()).fileName();
@@ -73,6 +92,7 @@ private:
 RecordModel::RecordModel(QObject* parent)
     : QObject(parent)
     , m_job([this](const RecordState& state) { take(state); })
+    , m_fitJob([this](const std::shared_ptr<const FitOutcome>& outcome) { takeFit(outcome); })
 {
     m_steps.setUndoLimit(mostSteps);
     connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
@@ -91,29 +111,67 @@ void RecordModel::change(Record next, StepKind kind, const QString& subject)
 
 void RecordModel::apply(const Record& record)
 {
+    const bool isJudged = isJudgedAlike(m_record, record);
+    const bool isFitted = isJudged && m_record.fit == record.fit;
     m_record = record;
-    evaluate();
+    m_state.record.fit = record.fit;
+    m_state.record.calibration = record.calibration;
+    if (!isJudged)
+        evaluate();
+    else if (!isFitted)
+        fit();
     Q_EMIT changed();
 }
 
 void RecordModel::evaluate()
 {
     m_isEvaluating = true;
+    m_fitJob.cancel(); // of a measurement that is not wanted any more
+    m_isFitting = false;
     m_job.start([record = m_record, known = m_state.files](
                     const std::stop_token& stop) { return evaluated(record, known, stop); });
     Q_EMIT stateChanged();
 }
 
-/// Giving back the memory of a million values takes longer than a picture may be late.
 void RecordModel::take(const RecordState& state)
 {
-    const auto before = std::make_shared<RecordState>(std::exchange(m_state, state));
-    static_cast<void>(inBackground<bool>([before] {
-        *before = {};
-        return true;
-    }));
+    RecordState before = std::exchange(m_state, state);
+    m_state.record.fit = m_record.fit;
+    m_state.record.calibration = m_record.calibration;
+    m_state.fit = before.fit;
+    releaseElsewhere(std::move(before));
     m_isEvaluating = false;
+    fit();
     Q_EMIT stateChanged();
+}
+
+/// Of the measurement that is there; of one that is being read when it has been.
+void RecordModel::fit()
+{
+    if (m_isEvaluating)
+        return;
+    m_fitJob.cancel();
+    if (!m_state.measurement)
+        return takeFit(nullptr);
+    m_isFitting = true;
+    m_fitJob.start([request = FitRequest{m_record, m_state.files, m_state.measurement, m_drive}](
+                       const std::stop_token& stop) { return fitted(request, stop); });
+    Q_EMIT fitChanged();
+}
+
+void RecordModel::takeFit(std::shared_ptr<const FitOutcome> outcome)
+{
+    m_isFitting = false;
+    releaseElsewhere(std::exchange(m_state.fit, std::move(outcome)));
+    Q_EMIT fitChanged();
+}
+
+void RecordModel::setDrive(const FitDrive& drive)
+{
+    if (isSameDrive(drive, m_drive))
+        return;
+    m_drive = drive;
+    fit();
 }
 
 void RecordModel::readAgain()
@@ -243,6 +301,13 @@ void RecordModel::setUncertainty(std::optional<double> value)
     change(std::move(next), StepKind::Uncertainty);
 }
 
+void RecordModel::setFit(const FitChoices& choices, const QString& name)
+{
+    Record next = m_record;
+    next.fit = choices;
+    change(std::move(next), StepKind::Fit, name);
+}
+
 void RecordModel::setCalibration(std::shared_ptr<const CalibrationRecord> calibration)
 {
     Record next = m_record;
@@ -274,6 +339,8 @@ QString RecordModel::textOf(int index) const
         return tr("Tolerance of %1").arg(step->subject);
     case StepKind::Uncertainty:
         return tr("Uncertainty");
+    case StepKind::Fit:
+        return tr("Fit: %1").arg(step->subject);
     case StepKind::Calibration:
         break;
     }

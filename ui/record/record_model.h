@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/async/background_job.h"
+#include "ui/record/fit_outcome.h"
 #include "ui/record/record_state.h"
 
 #include <QObject>
@@ -26,6 +27,11 @@ public:
     /// Whether the measurement of state() has the values that record() names, used or not.
     [[nodiscard]] bool isMeasurementShown() const;
     [[nodiscard]] bool isEvaluating() const { return m_isEvaluating; }
+    /// Whether state().fit is that of an earlier record, or there is none yet.
+    [[nodiscard]] bool isFitting() const { return m_isFitting; }
+    /// For which the table is made; no step, since nobody says it.
+    void setDrive(const FitDrive& drive);
+    [[nodiscard]] const FitDrive& drive() const { return m_drive; }
 
     // Each is one step. Nothing happens where nothing changes.
 
@@ -45,6 +51,8 @@ public:
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
+    /// name: of what is changed, translated; for the history.
+    void setFit(const FitChoices& choices, const QString& name);
     void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);
     /// Reads files again that have changed on disk.
     void readAgain();
@@ -57,7 +65,8 @@ public:
 
 Q_SIGNALS:
     void changed(); ///< record()
-    void stateChanged(); ///< state(), isEvaluating()
+    void stateChanged(); ///< state() but for its fit, isEvaluating()
+    void fitChanged(); ///< state().fit, isFitting(), drive()
     void historyChanged(); ///< undoText(), redoText()
 
 private:
@@ -71,6 +80,7 @@ private:
         OutlierRule,
         Tolerance,
         Uncertainty,
+        Fit,
         Calibration,
     };
     class Step;
@@ -79,6 +89,8 @@ private:
     void apply(const Record& record);
     void evaluate();
     void take(const RecordState& state);
+    void fit();
+    void takeFit(std::shared_ptr<const FitOutcome> outcome);
     [[nodiscard]] QString textOf(int step) const;
 
     Record m_record;
@@ -86,6 +98,9 @@ private:
     QUndoStack m_steps;
     NewestJob<RecordState> m_job;
     bool m_isEvaluating = false;
+    FitDrive m_drive;
+    NewestJob<std::shared_ptr<const FitOutcome>> m_fitJob;
+    bool m_isFitting = false;
 };
 
 } // namespace axiscomp::ui

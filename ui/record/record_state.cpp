@@ -4,6 +4,7 @@
 #include "core/io/local_file.h"
 #include "core/metrology/run_selection.h"
 
+#include <QCryptographicHash>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -36,6 +37,10 @@ Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
     AXISCOMP_TRY(
         const auto bytes, loadFile(info.filesystemAbsoluteFilePath(), options.maximumBytes));
     const std::string_view text = asText(bytes);
+    read.sha256 = QCryptographicHash::hash(
+        QByteArrayView(text.data(), qsizetype(text.size())), QCryptographicHash::Sha256)
+                      .toHex()
+                      .toStdString();
     const std::string name = info.fileName().toStdString();
     AXISCOMP_TRY(read.format,
         choices.format.empty() ? chooseMeasurementFormat(text, name, options)

@@ -20,6 +20,7 @@ struct ReadMeasurement {
     const MeasurementFormat* format = nullptr; ///< null: not known, or the file is not readable
     std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
     std::optional<Error> refusal; ///< why there is no measurement
+    std::string sha256; ///< of the bytes that were read, in hexadecimal digits
     // Counted once: of a million values that takes longer than a picture may be late.
     int upRuns = 0;
     int downRuns = 0;
@@ -29,6 +30,8 @@ struct ReadMeasurement {
         return reading && reading->measurement ? &*reading->measurement : nullptr;
     }
 };
+
+struct FitOutcome;
 
 /// What a record comes to.
 struct RecordState {
@@ -42,6 +45,9 @@ struct RecordState {
     int upRuns = 0; ///< of measurement
     int downRuns = 0;
     std::size_t excludedCount = 0; ///< its values that are not used
+    /// The table of a measurement, or of an earlier one while RecordModel::isFitting(); null: there
+    /// is no measurement.
+    std::shared_ptr<const FitOutcome> fit;
 };
 
 /// Reads what `known` does not have yet, joins and judges it. Takes as long as the files are large:

@@ -315,12 +315,11 @@ void MeasurePage::sayNextStep()
                 .arg(m_savedName));
     else if (!state.measurement->hasTargets())
         m_nextStep->say(Tone::Information,
-            tr("Without targets there are no figures of ISO 230-2; the command axiscomp fit makes "
-               "a table of it for Write."));
+            tr("Without targets there are no figures of ISO 230-2; Fit makes a table of it."));
     else
         m_nextStep->say(Tone::Success,
-            tr("The measurement can be used. Save it as runs for the commands axiscomp judge and "
-               "axiscomp fit."));
+            tr("The measurement can be used. Fit makes a table of it; the command axiscomp judge "
+               "takes it when it is saved as runs."));
 }
 
 void MeasurePage::showSaved(
