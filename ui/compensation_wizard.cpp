@@ -242,6 +242,7 @@ void CompensationWizard::Private::tellDrive()
     if (const auto& status = controller.status()) {
         drive.axis = axisOfDrive(*status);
         drive.axis->source = controller.setup().edited().sources.front().path;
+        drive.hasTable = status->table.has_value();
         drive.table = controller.driveTable();
     }
     record.setDrive(drive);

@@ -78,7 +78,9 @@ std::optional<std::vector<double>> NumberEdit::numbersOf(const QString& text) co
     for (const QString& part : text.split(between, Qt::SkipEmptyParts)) {
         bool isNumber = false;
         double number = locale.toDouble(part, &isNumber);
-        if (!isNumber)
+        bool isThousand = false;
+        static_cast<void>(QLocale().toDouble(part, &isThousand));
+        if (!isNumber && !isThousand)
             number = plain.toDouble(part, &isNumber);
         const bool isLargeEnough = !m_rule.smallest || number > *m_rule.smallest
             || (!m_rule.isMore && number == *m_rule.smallest);

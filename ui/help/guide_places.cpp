@@ -53,6 +53,7 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("exportConfigurationDialog"), configurations},
         {QStringLiteral("backupDialog"), {QStringLiteral("Backups"), {}}},
         {QStringLiteral("restoreDriveDialog"), {QStringLiteral("Backups"), {}}},
+        {QStringLiteral("fitPage"), {QStringLiteral("From the measurement to the table"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

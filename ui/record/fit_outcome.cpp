@@ -138,6 +138,9 @@ Result<void> Fitting::readDrive()
         return cannotFit(AXISCOMP_TEXT("Error",
             "there is no axis whose table the residuals could be merged onto; choose one, or take "
             "the file of the table"));
+    if (drive.hasTable && !drive.table)
+        return cannotFit(
+            AXISCOMP_TEXT("Error", "the table of the axis is still being read from the drive"));
     if (!drive.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(drive.axis->axis.index)}});
     if (m_choices.settings.lookupAt)
@@ -260,7 +263,7 @@ std::optional<LookupAt> FitDrive::lookupAt() const
 bool isSameDrive(const FitDrive& a, const FitDrive& b)
 {
     return a.profile == b.profile && a.storeRoot == b.storeRoot && a.table == b.table
-        && isSameAxis(a.axis, b.axis);
+        && a.hasTable == b.hasTable && isSameAxis(a.axis, b.axis);
 }
 
 std::shared_ptr<const FitOutcome> fitted(const FitRequest& request, const std::stop_token& stop)

@@ -19,8 +19,8 @@ struct FitDrive {
     const DriveProfile* profile = nullptr; ///< null: the generic limits of a table
     std::filesystem::path storeRoot; ///< where backups are
     std::optional<AxisOfDrive> axis; ///< the current one; nothing: none was read
-    /// That the axis uses; null: it has none, or it has not been downloaded yet.
-    std::shared_ptr<const CompensationTable> table;
+    bool hasTable = false; ///< the axis
+    std::shared_ptr<const CompensationTable> table; ///< null: it has not been downloaded yet
 
     /// What the source says; nothing: no axis, no source, or one that is no position.
     [[nodiscard]] std::optional<LookupAt> lookupAt() const;

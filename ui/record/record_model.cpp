@@ -162,8 +162,9 @@ void RecordModel::fit()
 void RecordModel::takeFit(std::shared_ptr<const FitOutcome> outcome)
 {
     m_isFitting = false;
-    releaseElsewhere(std::exchange(m_state.fit, std::move(outcome)));
-    Q_EMIT fitChanged();
+    auto before = std::exchange(m_state.fit, std::move(outcome));
+    Q_EMIT fitChanged(); // who has shown the old one lets go of it
+    releaseElsewhere(std::move(before));
 }
 
 void RecordModel::setDrive(const FitDrive& drive)

@@ -2,6 +2,7 @@
 #include "ui/record/record_state.h"
 
 #include "core/io/local_file.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/run_selection.h"
 
 #include <QCryptographicHash>
@@ -114,6 +115,7 @@ RecordState evaluated(
     state.upRuns = whole->runCount(Approach::Up);
     state.downRuns = whole->runCount(Approach::Down);
     state.excludedCount = whole->excludedCount();
+    state.hasRaw = hasRawReadings(*whole);
     state.unit = unitOf(*whole);
     state.measurement = std::make_shared<const Measurement>(std::move(*whole));
     if (!state.measurement->hasTargets() || stop.stop_requested())

@@ -45,6 +45,7 @@ struct RecordState {
     int upRuns = 0; ///< of measurement
     int downRuns = 0;
     std::size_t excludedCount = 0; ///< its values that are not used
+    bool hasRaw = false; ///< hasRawReadings(*measurement)
     /// The table of a measurement, or of an earlier one while RecordModel::isFitting(); null: there
     /// is no measurement.
     std::shared_ptr<const FitOutcome> fit;

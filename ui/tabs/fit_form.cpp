@@ -249,7 +249,9 @@ void FitForm::report(QWidget* field)
     const auto* label = qobject_cast<QLabel*>(m_form->labelForField(field));
     const auto* box = qobject_cast<QCheckBox*>(field);
     const QString name = box ? box->text() : label ? label->text() : QString();
+    m_isReporting = true;
     Q_EMIT chosen(choices, withoutKey(name));
+    m_isReporting = false;
 }
 
 FitChoices FitForm::read() const
@@ -313,20 +315,20 @@ void FitForm::readGrid(FitSettings& settings) const
     }
 }
 
-void FitForm::show(const FitChoices& choices, const Measurement* measurement, const FitDrive& drive)
+void FitForm::show(const FitChoices& choices, const RecordState& state, const FitDrive& drive)
 {
     const bool isOther = m_shown != choices;
     m_shown = choices;
     const Measurement none;
-    const Measurement& shown = measurement ? *measurement : none;
-    m_hasMeasurement = measurement != nullptr;
+    const Measurement& shown = state.measurement ? *state.measurement : none;
+    m_hasMeasurement = state.measurement != nullptr;
     m_kind = shown.kind;
     m_unit = positionUnit(shown);
     m_axes = shown.points.axes;
     offerMethods();
     offerBodies();
     m_fields = fitFields(shown, choices.settings);
-    m_hasRaw = measurement && hasRawReadings(shown);
+    m_hasRaw = m_hasMeasurement && state.hasRaw;
     m_onFile = shown.header.compensation;
     m_isStateAsked = !m_hasRaw && m_onFile.kind == MeasuredState::Kind::NotSaid;
     m_lookupOfDrive = drive.lookupAt();
@@ -336,6 +338,8 @@ void FitForm::show(const FitChoices& choices, const Measurement* measurement, co
         field->setMost(dimensionsOf(m_axes));
     showDrive();
     showCurve();
+    if (isOther && !m_isReporting)
+        m_openGrid.reset();
     if (isOther)
         showGrid();
     showZero();

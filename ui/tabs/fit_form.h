@@ -27,8 +27,8 @@ class FitForm : public QWidget {
 public:
     explicit FitForm(QWidget* parent = nullptr);
 
-    /// measurement: null while there is none.
-    void show(const FitChoices& choices, const Measurement* measurement, const FitDrive& drive);
+    /// state: with no measurement while there is none.
+    void show(const FitChoices& choices, const RecordState& state, const FitDrive& drive);
     /// used: keys that other widgets have; gets those of the fields.
     void retranslate(QSet<QChar>& used);
     /// Why a field's text is not taken, a translated sentence; empty: all are.
@@ -78,6 +78,7 @@ private:
     void setRow(QWidget* field, bool isShown);
 
     FitChoices m_shown;
+    bool m_isReporting = false; ///< what is shown next was said here
     bool m_hasMeasurement = false;
     MeasurementKind m_kind = MeasurementKind::Runs;
     std::vector<std::string> m_axes; ///< of points

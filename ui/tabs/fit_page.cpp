@@ -184,7 +184,7 @@ FitPage::State FitPage::state() const
 
 void FitPage::follow()
 {
-    m_form->show(m_record.record().fit, m_record.state().measurement.get(), m_record.drive());
+    m_form->show(m_record.record().fit, m_record.state(), m_record.drive());
     const bool isOld = isPending();
     m_busy->setBusy(isOld);
     showOutcome();
@@ -202,7 +202,7 @@ void FitPage::showOutcome()
     auto outcome = m_record.state().fit;
     if (outcome && !outcome->report)
         outcome = nullptr;
-    m_title->setText(isPending() ? (outcome ? tr("The table of before; a new one is being made …")
+    m_title->setText(isPending() ? (outcome ? tr("An earlier table; a new one is being made …")
                                             : tr("The table is being made …"))
             : outcome            ? tr("Table and measurement")
                                  : tr("No table"));

@@ -11,6 +11,7 @@
 #include "ui/text/value_text.h"
 
 #include <QBoxLayout>
+#include <QEvent>
 #include <QHeaderView>
 #include <QListWidget>
 #include <QSplitter>
@@ -139,6 +140,7 @@ std::vector<FitResults::Row> FitResults::rows() const
 void FitResults::fillFigures()
 {
     m_figures->setRowCount(0);
+    m_figures->horizontalHeader()->setVisible(m_outcome != nullptr);
     if (!m_outcome)
         return;
     const auto all = rows();
@@ -149,7 +151,7 @@ void FitResults::fillFigures()
     const FineScale scale(fineUnit(shown, m_outcome->request.measurement->isAngular));
     const QString unit = scale.symbol();
     m_figures->setHorizontalHeaderLabels({tr("Figure"), tr("Before [%1]").arg(unit),
-        tr("Foretold at the targets [%1]").arg(unit), tr("Held out [%1]").arg(unit)});
+        tr("At the targets [%1]").arg(unit), tr("Held out [%1]").arg(unit)});
     m_figures->setRowCount(static_cast<int>(all.size()));
     for (int n = 0; n < m_figures->rowCount(); ++n) {
         const Row& row = all[static_cast<std::size_t>(n)];
@@ -231,6 +233,13 @@ void FitResults::fill()
     fillRemarks();
     m_sign->setText(m_outcome ? sentenceText(m_outcome->report->sign) : QString());
     m_basis->setText(m_outcome ? basis() : QString());
+}
+
+void FitResults::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        fillRemarks();
 }
 
 void FitResults::retranslate()

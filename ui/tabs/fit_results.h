@@ -27,6 +27,9 @@ public:
     void setOutdated(bool isOutdated);
     void retranslate();
 
+protected:
+    void changeEvent(QEvent* event) override; ///< palette
+
 private:
     struct Row {
         QString name;

@@ -220,6 +220,7 @@ private Q_SLOTS:
         auto old = std::make_shared<CompensationTable>();
         old->grid.axes = {{"", "", 0.0, 10.0, 5}};
         old->values = {0.001F, 0.001F, 0.001F, 0.001F, 0.001F};
+        drive.hasTable = true;
         drive.table = old;
         drive.storeRoot = folder.path().toStdString();
         model.setDrive(drive);
