@@ -5123,10 +5123,6 @@
         <translation>kein Punkt liegt im Gitter; prüfen Sie dessen Anfang und Ende sowie die Einheit der Positionen</translation>
     </message>
     <message>
-        <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so state it (--smoothness)</source>
-        <translation>im Bereich des Gitters gibt es Werte an {count} Punkten; um die Glätte zu wählen, sind {fewest} nötig, geben Sie sie also an (--smoothness)</translation>
-    </message>
-    <message>
         <source>the points do not determine every point of the grid; take a larger smoothness or a coarser grid</source>
         <translation>die Punkte bestimmen nicht jede Stützstelle; nehmen Sie eine größere Glätte oder ein gröberes Gitter</translation>
     </message>
@@ -5251,34 +5247,6 @@
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
     <message>
-        <source>the measurement does not say whether a compensation was active while it was made; say it with --measured-with off, --measured-with on, or --measured-with and the file of the table that was active</source>
-        <translation>die Messung sagt nicht, ob während ihr eine Kompensation aktiv war; sagen Sie es mit --measured-with off, --measured-with on oder --measured-with und der Datei der Tabelle, die aktiv war</translation>
-    </message>
-    <message>
-        <source>the measurement says that it was made with {recorded}, not with {stated}; leave out --measured-with, or take the table that was active</source>
-        <translation>die Messung sagt, dass sie mit {recorded} gemacht wurde, nicht mit {stated}; lassen Sie --measured-with weg, oder nehmen Sie die Tabelle, die aktiv war</translation>
-    </message>
-    <message>
-        <source>these are residuals of the table {crc}, which was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
-    </message>
-    <message>
-        <source>these are residuals of a table that was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
-    </message>
-    <message>
-        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file with --measured-with, or merge onto it</source>
-        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei mit --measured-with an, oder verbinden Sie mit ihr</translation>
-    </message>
-    <message>
-        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; leave out --onto, or measure with that table active</source>
-        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; lassen Sie --onto weg, oder messen Sie mit dieser Tabelle aktiv</translation>
-    </message>
-    <message>
-        <source>at which position the drive looks the table up decides where its values belong: say --lookup-at encoder for a position before the compensation, or --lookup-at set for one after it</source>
-        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: sagen Sie --lookup-at encoder für eine Position vor der Kompensation oder --lookup-at set für eine danach</translation>
-    </message>
-    <message>
         <source>a gain is above 0 and at most 2; it is usually 1</source>
         <translation>ein Faktor liegt über 0 und ist höchstens 2; üblich ist 1</translation>
     </message>
@@ -5287,20 +5255,12 @@
         <translation>ein Faktor ist für Restabweichungen, die mit der Tabelle verbunden werden, die aktiv war; hier sind die Werte der ganze Fehler</translation>
     </message>
     <message>
-        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; leave --remove out</source>
-        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; lassen Sie --remove weg</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} hat keine Tabelle, deren Zielachse die der Spalte {column} ist; geben Sie die Zielachsen ihrer Tabellen an, oder messen Sie ohne Tabelle</translation>
     </message>
     <message>
         <source>all points have the same position along {axis}</source>
         <translation>alle Punkte haben dieselbe Position entlang {axis}</translation>
-    </message>
-    <message>
-        <source>the positions along {axis} are no even grid; say the grid of the table with --points or --distance</source>
-        <translation>die Positionen entlang {axis} sind kein gleichmäßiges Gitter; geben Sie das Gitter der Tabelle mit --points oder --distance an</translation>
     </message>
     <message>
         <source>a grid has at least 2 points along {axis}</source>
@@ -5371,28 +5331,12 @@
         <translation>die Messung geht entlang einer Achse: geben Sie für Gitter und Nullstelle eine Zahl an</translation>
     </message>
     <message>
-        <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
-        <translation>eine Glättung ist für die Methode smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
-    </message>
-    <message>
         <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
         <translation>Durchläufe entlang einer Achse werden mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
     </message>
     <message>
-        <source>the home position of the axis is not known: give it with --home, or the position of the zero with --zero</source>
-        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie mit --home an, oder die Position der Nullstelle mit --zero</translation>
-    </message>
-    <message>
-        <source>the home position {home} is outside the targets, so that the error there is not known; take --zero first or another position</source>
-        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie --zero first oder eine andere Position</translation>
-    </message>
-    <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
         <translation>die Position {position} der Nullstelle liegt außerhalb der Zielpositionen, die von {from} bis {to} gehen</translation>
-    </message>
-    <message>
-        <source>the targets are not evenly spaced; say the grid of the table with --points, --distance or --within</source>
-        <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle mit --points, --distance oder --within an</translation>
     </message>
     <message>
         <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
@@ -5899,16 +5843,104 @@
         <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew with --lookup-at set</source>
-        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle mit --lookup-at set neu machen</translation>
-    </message>
-    <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew with --lookup-at encoder</source>
-        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle mit --lookup-at encoder neu machen</translation>
-    </message>
-    <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: look at axiscomp status, or switch it off first</source>
         <translation>die Kompensation von Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: axiscomp status ansehen oder sie zuerst ausschalten</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
+        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
+        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at encoder)</translation>
+    </message>
+    <message>
+        <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
+        <translation>die Achse schlägt in ihrer Tabelle bei {source} nach, einer Position vor der Kompensation, das heißt --lookup-at encoder</translation>
+    </message>
+    <message>
+        <source>the axis looks its table up at {source}, a position after the compensation, which is --lookup-at set</source>
+        <translation>die Achse schlägt in ihrer Tabelle bei {source} nach, einer Position nach der Kompensation, das heißt --lookup-at set</translation>
+    </message>
+    <message>
+        <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so give it (--smoothness)</source>
+        <translation>im Bereich des Gitters gibt es Werte an {count} Punkten; um die Glätte zu wählen, sind {fewest} nötig, geben Sie sie also an (--smoothness)</translation>
+    </message>
+    <message>
+        <source>the measurement does not say whether a compensation was active while it was made: say that it was off, that it was on, or which table was active (--measured-with off, --measured-with on, or --measured-with and the file of the table)</source>
+        <translation>die Messung sagt nicht, ob während ihr eine Kompensation aktiv war: sagen Sie, dass sie aus war, dass sie an war, oder welche Tabelle aktiv war (--measured-with off, --measured-with on oder --measured-with und die Datei der Tabelle)</translation>
+    </message>
+    <message>
+        <source>the measurement says that it was made with {recorded}, not with {stated}; say nothing else (--measured-with), or take the table that was active</source>
+        <translation>die Messung sagt, dass sie mit {recorded} gemacht wurde, nicht mit {stated}; sagen Sie nichts anderes (--measured-with), oder nehmen Sie die Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>these are residuals of the table {crc}, which was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
+        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+    </message>
+    <message>
+        <source>these are residuals of a table that was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
+        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file (--measured-with), or merge onto it</source>
+        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei an (--measured-with), oder verbinden Sie mit ihr</translation>
+    </message>
+    <message>
+        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; merge them onto nothing (leave out --onto), or measure with that table active</source>
+        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; verbinden Sie sie mit nichts (--onto weglassen), oder messen Sie mit dieser Tabelle aktiv</translation>
+    </message>
+    <message>
+        <source>at which position the drive looks the table up decides where its values belong: choose the encoder, for a position before the compensation, or the set position, for one after it (--lookup-at encoder or --lookup-at set)</source>
+        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: wählen Sie den Encoder, für eine Position vor der Kompensation, oder die Sollposition, für eine danach (--lookup-at encoder oder --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; take out nothing (--remove)</source>
+        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; nehmen Sie nichts heraus (--remove)</translation>
+    </message>
+    <message>
+        <source>the positions along {axis} are no even grid; say the grid of the table: its points, or their distance (--points or --distance)</source>
+        <translation>die Positionen entlang {axis} sind kein gleichmäßiges Gitter; geben Sie das Gitter der Tabelle an: seine Punkte oder ihren Abstand (--points oder --distance)</translation>
+    </message>
+    <message>
+        <source>the position of the zero is missing (--zero)</source>
+        <translation>die Position der Nullstelle fehlt (--zero)</translation>
+    </message>
+    <message>
+        <source>a smoothness is for the method smooth; the others go through every mean (--method, --smoothness)</source>
+        <translation>eine Glätte ist für die Methode smooth; die anderen gehen durch jeden Mittelwert (--method, --smoothness)</translation>
+    </message>
+    <message>
+        <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
+        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie an (--home), oder die Position der Nullstelle (--zero)</translation>
+    </message>
+    <message>
+        <source>the home position {home} is outside the targets, so that the error there is not known; take the first target for the zero or another position (--zero)</source>
+        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie für die Nullstelle die erste Zielposition oder eine andere Position (--zero)</translation>
+    </message>
+    <message>
+        <source>the targets are not evenly spaced; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle an: seine Punkte, ihren Abstand, oder wie weit sie von der Kurve abweichen darf (--points, --distance oder --within)</translation>
+    </message>
+    <message>
+        <source>choose the file of the table that was active</source>
+        <translation>wählen Sie die Datei der Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>its content cannot be used</source>
+        <translation>ihr Inhalt lässt sich nicht verwenden</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as the table: {reason}</source>
+        <translation>{file} lässt sich nicht als Tabelle verwenden: {reason}</translation>
+    </message>
+    <message>
+        <source>there is no axis whose table the residuals could be merged onto; choose one, or take the file of the table</source>
+        <translation>es gibt keine Achse, mit deren Tabelle die Restabweichungen verbunden werden könnten; wählen Sie eine, oder nehmen Sie die Datei der Tabelle</translation>
+    </message>
+    <message>
+        <source>the table of the axis is still being read from the drive</source>
+        <translation>die Tabelle der Achse wird noch vom Antrieb gelesen</translation>
     </message>
 </context>
 <context>
@@ -6101,10 +6133,6 @@
         <translation>eine Steigung von {slope} über {length} wurde herausgenommen</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 where --zero says</source>
-        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle dort 0 ist, wo --zero es sagt</translation>
-    </message>
-    <message>
         <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
         <translation>am steilsten ist {table} zwischen {from} und {to}: {step}, das sind {slope} je {one}</translation>
     </message>
@@ -6151,14 +6179,6 @@
     <message>
         <source>{count} targets lie in {turns} periods of {period}</source>
         <translation>{count} Zielpositionen liegen in {turns} Perioden von {period}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} values do not fit the others and are in the table; `axiscomp judge` names them, --exclude leaves them out</source>
-        <comment>1 value does not fit the others and is in the table; `axiscomp judge` names it, --exclude leaves it out</comment>
-        <translation>
-            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; `axiscomp judge` nennt ihn, --exclude lässt ihn weg</numerusform>
-            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; `axiscomp judge` nennt sie, --exclude lässt sie weg</numerusform>
-        </translation>
     </message>
     <message>
         <source>at the home position {home} the drive will add {value}</source>
@@ -6291,6 +6311,30 @@
     <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points (--points)</source>
         <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte verlangen (--points)</translation>
+    </message>
+    <message>
+        <source>the backup {file}</source>
+        <translation>die Sicherung {file}</translation>
+    </message>
+    <message>
+        <source>the table of axis {index}</source>
+        <translation>die Tabelle der Achse {index}</translation>
+    </message>
+    <message>
+        <source>the table of axis {index} ({axis})</source>
+        <translation>die Tabelle der Achse {index} ({axis})</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero (--zero)</source>
+        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle an ihrer Nullstelle 0 ist (--zero)</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others and are in the table; judging names them, and they can be left out (axiscomp judge, --exclude)</source>
+        <comment>1 value does not fit the others and is in the table; judging names it, and it can be left out (axiscomp judge, --exclude)</comment>
+        <translation>
+            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; die Beurteilung nennt ihn, und er lässt sich weglassen (axiscomp judge, --exclude)</numerusform>
+            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; die Beurteilung nennt sie, und sie lassen sich weglassen (axiscomp judge, --exclude)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8857,6 +8901,18 @@
         <source>Choose where to save the file</source>
         <translation>Den Speicherort der Datei wählen</translation>
     </message>
+    <message>
+        <source>Save Table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Writes the table &quot;%1&quot; to a file of the drive or of another controller. Nothing on the drive changes.</source>
+        <translation>Schreibt die Tabelle „%1“ in eine Datei des Antriebs oder einer anderen Steuerung. Auf dem Antrieb ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>S&amp;ave…</source>
+        <translation>S&amp;peichern …</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FieldRow</name>
@@ -8967,6 +9023,14 @@
     <message>
         <source>Runs (*.csv)</source>
         <translation>Durchläufe (*.csv)</translation>
+    </message>
+    <message>
+        <source>Table That Was Active</source>
+        <translation>Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>Save Table</source>
+        <translation>Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -9358,6 +9422,613 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::FitForm</name>
+    <message>
+        <source>%1: a number is needed. %2</source>
+        <translation>%1: eine Zahl fehlt. %2</translation>
+    </message>
+    <message>
+        <source>The current axis has no source.</source>
+        <translation>Die aktuelle Achse hat keine Quelle.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is no known position.</source>
+        <translation>%1 der aktuellen Achse ist keine bekannte Position.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is a position before the compensation.</source>
+        <translation>%1 der aktuellen Achse ist eine Position vor der Kompensation.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is a position after the compensation.</source>
+        <translation>%1 der aktuellen Achse ist eine Position nach der Kompensation.</translation>
+    </message>
+    <message>
+        <source>The raw positions are on file: it does not matter what was active.</source>
+        <translation>Die Rohpositionen stehen in der Datei: was aktiv war, ist gleichgültig.</translation>
+    </message>
+    <message>
+        <source>Measured with the compensation off, as the file says.</source>
+        <translation>Mit Kompensation aus gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Measured with the table %1 active, as the file says.</source>
+        <translation>Mit der Tabelle %1 aktiv gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Measured with the compensation on, as the file says.</source>
+        <translation>Mit Kompensation an gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Lookup at</source>
+        <translation>Nachschlagen bei</translation>
+    </message>
+    <message>
+        <source>Where the drive looks its table up; it decides where the values belong</source>
+        <translation>Wo der Antrieb in seiner Tabelle nachschlägt; das entscheidet, wohin die Werte gehören</translation>
+    </message>
+    <message>
+        <source>as the source of the axis says</source>
+        <translation>wie die Quelle der Achse sagt</translation>
+    </message>
+    <message>
+        <source>encoder, before the compensation</source>
+        <translation>Encoder, vor der Kompensation</translation>
+    </message>
+    <message>
+        <source>set position, after the compensation</source>
+        <translation>Sollposition, nach der Kompensation</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Gemessen mit</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, since the file does not say it</source>
+        <translation>Was während der Messung aktiv war, da die Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht gesagt</translation>
+    </message>
+    <message>
+        <source>compensation off</source>
+        <translation>Kompensation aus</translation>
+    </message>
+    <message>
+        <source>the table that is merged onto</source>
+        <translation>der Tabelle, mit der verbunden wird</translation>
+    </message>
+    <message>
+        <source>the table of a file…</source>
+        <translation>der Tabelle einer Datei …</translation>
+    </message>
+    <message>
+        <source>Merge onto</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>The table to which residuals are added, that was active while they were measured</source>
+        <translation>Die Tabelle, zu der Restabweichungen addiert werden und die bei ihrer Messung aktiv war</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the table of the axis</source>
+        <translation>der Tabelle der Achse</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
+        <translation>Der Restabweichungen: 1, oder 0,7, wo die Maschine spät antwortet; höchstens 2</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>The curve through or near the means</source>
+        <translation>Die Kurve durch die Mittelwerte oder nahe an ihnen</translation>
+    </message>
+    <message>
+        <source>linear: straight lines</source>
+        <translation>linear: gerade Linien</translation>
+    </message>
+    <message>
+        <source>cubic: without overshoot</source>
+        <translation>cubic: ohne Überschwingen</translation>
+    </message>
+    <message>
+        <source>spline: natural cubic</source>
+        <translation>spline: natürlich kubisch</translation>
+    </message>
+    <message>
+        <source>smooth: near the values</source>
+        <translation>smooth: nahe an den Werten</translation>
+    </message>
+    <message>
+        <source>harmonic: of a turn</source>
+        <translation>harmonic: einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of</source>
+        <translation>Aus welchen Durchläufen die Tabelle gemacht wird</translation>
+    </message>
+    <message>
+        <source>mean of up and down</source>
+        <translation>Mittel aus aufwärts und abwärts</translation>
+    </message>
+    <message>
+        <source>up only</source>
+        <translation>nur aufwärts</translation>
+    </message>
+    <message>
+        <source>down only</source>
+        <translation>nur abwärts</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>Glätte</translation>
+    </message>
+    <message>
+        <source>A number from 0 on; by cross-validation when the field is empty</source>
+        <translation>Eine Zahl ab 0; durch Kreuzvalidierung, wenn das Feld leer ist</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>Known periods above 0, such as the lead of the screw: 10; 2.5</source>
+        <translation>Bekannte Perioden über 0, etwa die Steigung der Spindel: 10; 2,5</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Oberwellen</translation>
+    </message>
+    <message>
+        <source>Of each period, or of the turn</source>
+        <translation>Jeder Periode oder der Umdrehung</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>Länge einer Umdrehung einer Moduloachse, etwa 360: die Tabelle endet, wie sie beginnt</translation>
+    </message>
+    <message>
+        <source>no modulo axis</source>
+        <translation>keine Moduloachse</translation>
+    </message>
+    <message>
+        <source>Grid of the table</source>
+        <translation>Gitter der Tabelle</translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation>Stützstellen</translation>
+    </message>
+    <message>
+        <source>Positions of the table, always evenly spaced</source>
+        <translation>Positionen der Tabelle, immer in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>the targets, where they are even</source>
+        <translation>an den Zielpositionen, wo sie gleichmäßig sind</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>so viele</translation>
+    </message>
+    <message>
+        <source>a distance</source>
+        <translation>in einem Abstand</translation>
+    </message>
+    <message>
+        <source>the fewest points for a deviation</source>
+        <translation>so wenige, wie eine Abweichung erlaubt</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Whole numbers from 2 on: one for all axes, or 41; 31</source>
+        <translation>Ganze Zahlen ab 2: eine für alle Achsen, oder 41; 31</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Above 0, in the unit of the positions: one for all axes, or 10; 5</source>
+        <translation>Über 0, in der Einheit der Positionen: einer für alle Achsen, oder 10; 5</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Above 0, in the unit of the positions</source>
+        <translation>Über 0, in der Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>Hold ends beyond the targets</source>
+        <translation>Endwerte jenseits der Zielpositionen halten</translation>
+    </message>
+    <message>
+        <source>The grid may go beyond the targets, where the end values are held</source>
+        <translation>Das Gitter darf über die Zielpositionen hinausgehen, wo die Endwerte gehalten werden</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>Nullstelle, Steigung und Drift</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Nullstelle</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: the zero of the instrument is arbitrary</source>
+        <translation>Wo die Tabelle 0 ist: die Null des Messgeräts ist willkürlich</translation>
+    </message>
+    <message>
+        <source>at home where known, else at the first target</source>
+        <translation>an der Referenz, wo bekannt, sonst an der ersten Zielposition</translation>
+    </message>
+    <message>
+        <source>at the home position</source>
+        <translation>an der Referenzposition</translation>
+    </message>
+    <message>
+        <source>at the first target</source>
+        <translation>an der ersten Zielposition</translation>
+    </message>
+    <message>
+        <source>mean of the values</source>
+        <translation>Mittel der Werte</translation>
+    </message>
+    <message>
+        <source>at a position</source>
+        <translation>an einer Position</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>The position of the zero, one number for each axis</source>
+        <translation>Die Position der Nullstelle, eine Zahl für jede Achse</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The home position of the axis</source>
+        <translation>Die Referenzposition der Achse</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>It is taken out of straightness alone: scale error is real</source>
+        <translation>Sie wird nur aus Geradheit herausgenommen: ein Maßstabsfehler ist echt</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>taken out by least squares</source>
+        <translation>herausgenommen, kleinste Quadrate</translation>
+    </message>
+    <message>
+        <source>taken out by the ends</source>
+        <translation>herausgenommen, durch die Enden</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>What runs beside each other are freed from for the table</source>
+        <translation>Wovon nebeneinander liegende Durchläufe für die Tabelle befreit werden</translation>
+    </message>
+    <message>
+        <source>offset of each run taken out</source>
+        <translation>Versatz jedes Durchlaufs herausgenommen</translation>
+    </message>
+    <message>
+        <source>trend taken out</source>
+        <translation>Trend herausgenommen</translation>
+    </message>
+    <message>
+        <source>as it lay</source>
+        <translation>wie es lag</translation>
+    </message>
+    <message>
+        <source>as it lay, %1 straight</source>
+        <translation>wie es lag, %1 gerade</translation>
+    </message>
+    <message>
+        <source>as it lay, and scale</source>
+        <translation>wie es lag, und Maßstab</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>How the artefact lay is no error of the machine</source>
+        <translation>Wie das Normal lag, ist kein Fehler der Maschine</translation>
+    </message>
+    <message>
+        <source>Far points</source>
+        <translation>Ferne Punkte</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one</source>
+        <translation>Stützstellen, die weit von jedem gemessenen Punkt entfernt sind</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>filled smoothly</source>
+        <translation>glatt gefüllt</translation>
+    </message>
+    <message>
+        <source>filled with the nearest</source>
+        <translation>mit dem nächsten gefüllt</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robust</translation>
+    </message>
+    <message>
+        <source>Values that do not fit the others count less</source>
+        <translation>Werte, die nicht zu den anderen passen, zählen weniger</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitOutcome</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>Anpassung von %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitPage</name>
+    <message>
+        <source>Merge onto</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Gemessen mit</translation>
+    </message>
+    <message>
+        <source>An earlier table; a new one is being made …</source>
+        <translation>Eine frühere Tabelle; eine neue wird gemacht …</translation>
+    </message>
+    <message>
+        <source>The table is being made …</source>
+        <translation>Die Tabelle wird gemacht …</translation>
+    </message>
+    <message>
+        <source>Table and measurement</source>
+        <translation>Tabelle und Messung</translation>
+    </message>
+    <message>
+        <source>No table</source>
+        <translation>Keine Tabelle</translation>
+    </message>
+    <message>
+        <source>There is no table yet</source>
+        <translation>Es gibt noch keine Tabelle</translation>
+    </message>
+    <message>
+        <source>Take the table over to Write, as if it had been read from a file</source>
+        <translation>Die Tabelle nach Schreiben übernehmen, als wäre sie aus einer Datei gelesen</translation>
+    </message>
+    <message>
+        <source>As a file of the drive or of another controller</source>
+        <translation>Als Datei des Antriebs oder einer anderen Steuerung</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement on Measure; here a table is made of it.</source>
+        <translation>Fügen Sie unter Messen die Dateien einer Messung hinzu; hier wird eine Tabelle daraus.</translation>
+    </message>
+    <message>
+        <source>The files on Measure cannot be used.</source>
+        <translation>Die Dateien unter Messen lassen sich nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Choose where the drive looks its table up: it decides where the values belong.</source>
+        <translation>Wählen Sie, wo der Antrieb in seiner Tabelle nachschlägt: das entscheidet, wohin die Werte gehören.</translation>
+    </message>
+    <message>
+        <source>Read the warnings; then the table can be used: it is taken over to Write.</source>
+        <translation>Lesen Sie die Warnungen; dann lässt sich die Tabelle verwenden: sie wird nach Schreiben übernommen.</translation>
+    </message>
+    <message>
+        <source>The table can be used: it is taken over to Write, where nothing is written before you say so.</source>
+        <translation>Die Tabelle lässt sich verwenden: sie wird nach Schreiben übernommen, wo nichts geschrieben wird, bevor Sie es sagen.</translation>
+    </message>
+    <message>
+        <source>Use as Table</source>
+        <translation>Als Tabelle verwenden</translation>
+    </message>
+    <message>
+        <source>Save Table…</source>
+        <translation>Tabelle speichern …</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Which column of the points is shown and used</source>
+        <translation>Welche Spalte der Punkte gezeigt und verwendet wird</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitPlot</name>
+    <message>
+        <source>compensation [%1]</source>
+        <translation>Kompensation [%1]</translation>
+    </message>
+    <message>
+        <source>remains [%1]</source>
+        <translation>bleibt [%1]</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>measured, with its standard error</source>
+        <translation>gemessen, mit Standardfehler</translation>
+    </message>
+    <message>
+        <source>foretold without the target</source>
+        <translation>ohne die Zielposition vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Picture of the fit</source>
+        <translation>Bild der Anpassung</translation>
+    </message>
+    <message>
+        <source>The table over what was measured, and what remains. Left and right go from point to point; the wheel and + and - zoom, Home shows all.</source>
+        <translation>Die Tabelle über dem, was gemessen wurde, und was bleibt. Links und rechts gehen von Punkt zu Punkt; Rad und + und - zoomen, Pos1 zeigt alles.</translation>
+    </message>
+    <message>
+        <source>%1: measured %2 ± %3, %4 remains</source>
+        <translation>%1: gemessen %2 ± %3, es bleibt %4</translation>
+    </message>
+    <message>
+        <source>%1: measured %2, %3 remains</source>
+        <translation>%1: gemessen %2, es bleibt %3</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitResults</name>
+    <message>
+        <source>Largest correction: %1 at %2.</source>
+        <translation>Größte Korrektur: %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>What remains, rms</source>
+        <translation>Was bleibt, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>What remains, largest</source>
+        <translation>Was bleibt, höchstens</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Before [%1]</source>
+        <translation>Vorher [%1]</translation>
+    </message>
+    <message>
+        <source>At the targets [%1]</source>
+        <translation>An den Zielpositionen [%1]</translation>
+    </message>
+    <message>
+        <source>Held out [%1]</source>
+        <translation>Ohne sie [%1]</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>%1: foretold %2, tolerance %3: %4.</source>
+        <translation>%1: vorhergesagt %2, Toleranz %3: %4.</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>Table %1: %2; CRC %3.</source>
+        <translation>Tabelle %1: %2; CRC %3.</translation>
+    </message>
+    <message>
+        <source>Looked up at the encoder&apos;s position, before the compensation.</source>
+        <translation>Nachgeschlagen bei der Encoderposition, vor der Kompensation.</translation>
+    </message>
+    <message>
+        <source>Looked up at the set position, after the compensation.</source>
+        <translation>Nachgeschlagen bei der Sollposition, nach der Kompensation.</translation>
+    </message>
+    <message>
+        <source>Smoothness %1.</source>
+        <translation>Glätte %1.</translation>
+    </message>
+    <message>
+        <source>Points of the grid that were filled: %1 of %2.</source>
+        <translation>Gefüllte Stützstellen: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Held out: each target foretold without it, which is the one to believe between the targets.</source>
+        <translation>Ohne sie: jede Zielposition ohne sie selbst vorhergesagt; dem ist zwischen den Zielpositionen zu glauben.</translation>
+    </message>
+    <message>
+        <source>Figures before and foretold</source>
+        <translation>Kennwerte vorher und vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Before the table is used</source>
+        <translation>Bevor die Tabelle verwendet wird</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::ForeignChange</name>
     <message>
         <source>The axis has lost its homing, as after a restart of the drive: the compensation is off. Home the axis and activate again.</source>
@@ -9543,12 +10214,12 @@
         <translation>Gespeichert als %1. Damit arbeiten die Befehle axiscomp judge und axiscomp fit weiter: Kennwerte nach ISO 230-2 und eine Tabelle für Schreiben.</translation>
     </message>
     <message>
-        <source>Without targets there are no figures of ISO 230-2; the command axiscomp fit makes a table of it for Write.</source>
-        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+        <source>Without targets there are no figures of ISO 230-2; Fit makes a table of it.</source>
+        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; Anpassen macht eine Tabelle daraus.</translation>
     </message>
     <message>
-        <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
-        <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
+        <source>The measurement can be used. Fit makes a table of it; the command axiscomp judge takes it when it is saved as runs.</source>
+        <translation>Die Messung lässt sich verwenden. Anpassen macht eine Tabelle daraus; der Befehl axiscomp judge nimmt sie, wenn sie als Durchläufe gespeichert ist.</translation>
     </message>
 </context>
 <context>
@@ -9863,6 +10534,13 @@
     <message>
         <source>These large corrections are &amp;right: their unit has been checked</source>
         <translation>Diese großen Korrekturen sind &amp;richtig: ihre Einheit wurde geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::NumberEdit</name>
+    <message>
+        <source>%1: &quot;%2&quot; cannot be taken. %3</source>
+        <translation>%1: „%2“ geht nicht. %3</translation>
     </message>
 </context>
 <context>
@@ -10346,6 +11024,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>%1 (Ctrl+Page Up and Ctrl+Page Down change the tab)</source>
         <translation>%1 (Strg+Bild auf und Strg+Bild ab wechseln den Reiter)</translation>
     </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>The table that is made of a measurement, and what it promises</source>
+        <translation>Die Tabelle, die aus einer Messung gemacht wird, und was sie verspricht</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
@@ -10496,6 +11182,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Uncertainty</source>
         <translation>Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>Fit: %1</source>
+        <translation>Anpassen: %1</translation>
+    </message>
+    <message>
+        <source>Table in use</source>
+        <translation>Verwendete Tabelle</translation>
     </message>
 </context>
 <context>
@@ -11362,6 +12056,10 @@ B - A: %3</translation>
     <message>
         <source>%1 cannot be used: %2 problems.</source>
         <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is used as the table: %2 points, tables: %3.</source>
+        <translation>%1 wird als Tabelle verwendet: %2 Punkte, Tabellen: %3.</translation>
     </message>
 </context>
 <context>

@@ -116,6 +116,7 @@ void FitPlot::build()
     share(d->xBelow(), d->x());
     d->plot->legend->setVisible(true);
     d->plot->legend->setFillOrder(QCPLegend::foColumnsFirst);
+    d->plot->plotLayout()->setRowSpacing(2);
     d->plot->plotLayout()->insertRow(0);
     d->plot->plotLayout()->addElement(0, 0, d->plot->legend);
     d->plot->plotLayout()->setRowStretchFactor(0, 0.001);
@@ -242,20 +243,21 @@ void FitPlot::resetZoom()
 {
     if (!d->outcome)
         return;
-    const auto widen = [](QCPAxis* axis, double smallest) {
+    const auto widen = [](QCPAxis* axis, double smallest, double margin) {
         if (!(axis->range().size() > smallest))
             axis->setRange(axis->range().center() - smallest, axis->range().center() + smallest);
-        constexpr double margin = 1.12;
         axis->scaleRange(margin, axis->range().center());
     };
     d->curve->rescaleAxes();
     d->means->rescaleAxes(true);
+    d->bars->rescaleValueAxis(true);
     d->residuals->rescaleValueAxis();
+    d->residualBars->rescaleValueAxis(true);
     d->heldOut->rescaleValueAxis(true);
     constexpr double nothing = 1e-8; // far below what an instrument resolves, in mm or deg
-    widen(d->x(), nothing);
-    widen(d->y(), nothing);
-    widen(d->yBelow(), nothing);
+    widen(d->x(), nothing, 1.04);
+    widen(d->y(), nothing, 1.12);
+    widen(d->yBelow(), nothing, 1.3); // it is low, and its marks are as large
 }
 
 void FitPlot::setOutdated(bool isOutdated)
@@ -339,8 +341,7 @@ void FitPlot::sayPoint()
     if (!d->outcome || !d->chosen)
         return d->readout->setText({});
     const FittedPoint& point = d->outcome->drawing.points[*d->chosen];
-    const auto fine = [this](
-                          double value) { return translated(fineQuantity(value, d->isAngular())); };
+    const auto fine = [this](double value) { return fineText(value, d->isAngular()); };
     const QString place = translated(placeOf(point.position, d->isAngular()));
     const QString said = point.standardError
         ? tr("%1: measured %2 ± %3, %4 remains")

@@ -42,6 +42,7 @@ FitPage::FitPage(RecordModel& record, QWidget* parent)
     , m_busy(new BusyMark)
     , m_title(new PlainLabel)
     , m_pictures(new QStackedWidget)
+    , m_nothing(new QWidget)
     , m_plot(new FitPlot)
     , m_results(new FitResults)
 {
@@ -107,6 +108,7 @@ QWidget* FitPage::buildRight()
     auto* heading = new QHBoxLayout;
     heading->addWidget(m_title, 1);
     heading->addWidget(m_busy);
+    m_pictures->addWidget(m_nothing);
     m_pictures->addWidget(m_plot);
     auto* upper = new QWidget;
     auto* upperLayout = new QVBoxLayout(upper);
@@ -120,7 +122,7 @@ QWidget* FitPage::buildRight()
     rows->addWidget(m_results);
     rows->setStretchFactor(0, 3);
     rows->setStretchFactor(1, 2);
-    rows->setSizes({340, 260});
+    rows->setSizes({380, 240});
     return rows;
 }
 
@@ -213,6 +215,9 @@ void FitPage::showOutcome()
     const bool isMap = outcome && outcome->tables.front().table->grid.dimensions() > 1;
     m_plot->show(isMap ? nullptr : outcome);
     showMap(isMap ? outcome : nullptr);
+    if (!isMap)
+        m_pictures->setCurrentWidget(outcome ? static_cast<QWidget*>(m_plot) : m_nothing);
+    m_results->setVisible(outcome != nullptr);
     m_results->show(outcome, static_cast<std::size_t>(std::max(m_column->currentIndex(), 0)));
 }
 
@@ -227,7 +232,8 @@ void FitPage::showMap(const std::shared_ptr<const FitOutcome>& outcome)
         m_pictures->addWidget(m_map);
         nameKeys();
     }
-    m_pictures->setCurrentWidget(outcome ? static_cast<QWidget*>(m_map) : m_plot);
+    if (outcome)
+        m_pictures->setCurrentWidget(m_map);
     const auto column = static_cast<std::size_t>(std::max(m_column->currentIndex(), 0));
     m_shown->setTables(outcome ? outcome->tables[column].table : nullptr, nullptr);
     m_map->setMeasured(outcome ? outcome->drawing.places : std::vector<std::array<double, 3>>());
@@ -339,10 +345,11 @@ QSet<QChar> FitPage::keysAround() const
         return !pages || !pages->isAncestorOf(widget) || (m_map && m_map->isAncestorOf(widget));
     };
     for (const auto* button : window()->findChildren<QAbstractButton*>())
-        if (isAround(button) && !isAncestorOf(button))
+        if (isAround(button) && !isAncestorOf(button) && button->isVisibleTo(window()))
             use(button->text());
     for (const auto* label : window()->findChildren<QLabel*>())
-        if (label->buddy() && isAround(label) && !isAncestorOf(label))
+        if (label->buddy() && isAround(label) && !isAncestorOf(label)
+            && label->isVisibleTo(window()))
             use(label->text());
     if (m_map)
         for (const auto* button : m_map->findChildren<QAbstractButton*>())

@@ -87,6 +87,7 @@ private:
     BusyMark* m_busy;
     QLabel* m_title;
     QStackedWidget* m_pictures;
+    QWidget* m_nothing; ///< in place of a picture
     FitPlot* m_plot;
     TableViewModel* m_shown = nullptr; ///< of the map, made when it is needed
     TablePlot* m_map = nullptr;

@@ -47,7 +47,7 @@ QString largestCorrection(const LoadedTable& table, bool isAngular)
             + translated(placeOf(position[n], isAngular));
     const double value = static_cast<double>(table.table->values[table.largestElement]);
     return FitResults::tr("Largest correction: %1 at %2.")
-        .arg(translated(fineQuantity(value, isAngular)), places.join(QStringLiteral(", ")));
+        .arg(fineText(value, isAngular), places.join(QStringLiteral(", ")));
 }
 
 FitResults::FitResults(QWidget* parent)
@@ -87,7 +87,8 @@ FitResults::FitResults(QWidget* parent)
     columns->setChildrenCollapsible(false);
     columns->addWidget(m_figures);
     columns->addWidget(m_remarks);
-    columns->setSizes({420, 400});
+    columns->setStretchFactor(0, 0);
+    columns->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 0, 0, 0);
     layout->setSpacing(4);
@@ -121,13 +122,14 @@ std::vector<FitResults::Row> FitResults::rows() const
         if (!report.before || !report.predicted)
             break;
         Row row{capital(translated(figureText(figure))), (*report.before)[figure].value,
-            (*report.predicted)[figure].value, std::nullopt};
+            (*report.predicted)[figure].value, std::nullopt, false};
         if (figure == Iso230Figure::M && report.heldOut)
             row.heldOut = report.heldOut->range;
         rows.push_back(row);
     }
-    Row rms{tr("What remains, rms"), std::nullopt, made.residualRms, made.crossValidation};
-    Row largest{tr("What remains, largest"), std::nullopt, made.residualLargest, std::nullopt};
+    Row rms{tr("What remains, rms"), std::nullopt, made.residualRms, made.crossValidation, true};
+    Row largest{
+        tr("What remains, largest"), std::nullopt, made.residualLargest, std::nullopt, true};
     if (report.heldOut) {
         rms.heldOut = report.heldOut->rms;
         largest.heldOut = report.heldOut->largest;
@@ -147,26 +149,39 @@ void FitResults::fillFigures()
     std::vector<std::optional<double>> shown;
     for (const Row& row : all)
         for (const auto& value : {row.before, row.predicted, row.heldOut})
-            shown.push_back(value);
+            if (!row.hasOwnUnits)
+                shown.push_back(value);
     const FineScale scale(fineUnit(shown, m_outcome->request.measurement->isAngular));
-    const QString unit = scale.symbol();
-    m_figures->setHorizontalHeaderLabels({tr("Figure"), tr("Before [%1]").arg(unit),
-        tr("At the targets [%1]").arg(unit), tr("Held out [%1]").arg(unit)});
+    m_figures->setHorizontalHeaderLabels({tr("Figure [%1]").arg(scale.symbol()), tr("Before"),
+        tr("At the targets"), tr("Held out")});
     m_figures->setRowCount(static_cast<int>(all.size()));
-    for (int n = 0; n < m_figures->rowCount(); ++n) {
-        const Row& row = all[static_cast<std::size_t>(n)];
-        m_figures->setItem(n, Figure, new QTableWidgetItem(row.name));
-        int column = Before;
-        for (const auto& value : {row.before, row.predicted, row.heldOut}) {
-            auto* item = new QTableWidgetItem(value ? scale.text(*value) : QString());
-            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            if (value)
-                item->setData(Qt::AccessibleTextRole,
-                    QStringLiteral("%1, %2: %3")
-                        .arg(row.name, m_figures->horizontalHeaderItem(column)->text(),
-                            scale.textWithUnit(*value)));
-            m_figures->setItem(n, column++, item);
+    for (int n = 0; n < m_figures->rowCount(); ++n)
+        fillRow(n, all[static_cast<std::size_t>(n)], scale);
+    // All columns are in sight.
+    m_figures->horizontalHeader()->setStretchLastSection(false);
+    m_figures->resizeColumnsToContents();
+    m_figures->setMinimumWidth(
+        m_figures->horizontalHeader()->length() + 2 * m_figures->frameWidth() + 2);
+    m_figures->horizontalHeader()->setStretchLastSection(true);
+}
+
+void FitResults::fillRow(int n, const Row& row, const FineScale& scale)
+{
+    const bool isAngular = m_outcome->request.measurement->isAngular;
+    m_figures->setItem(n, Figure, new QTableWidgetItem(row.name));
+    int column = Before;
+    for (const auto& value : {row.before, row.predicted, row.heldOut}) {
+        auto* item = new QTableWidgetItem;
+        if (value) {
+            const QString whole =
+                row.hasOwnUnits ? fineText(*value, isAngular) : scale.textWithUnit(*value);
+            item->setText(row.hasOwnUnits ? whole : scale.text(*value));
+            item->setData(Qt::AccessibleTextRole,
+                QStringLiteral("%1, %2: %3")
+                    .arg(row.name, m_figures->horizontalHeaderItem(column)->text(), whole));
         }
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_figures->setItem(n, column++, item);
     }
 }
 
@@ -190,9 +205,8 @@ void FitResults::fillRemarks()
     for (const Verdict& verdict : m_outcome->report->verdicts)
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
                       .arg(capital(translated(figureText(verdict.tolerance.figure))),
-                          verdict.value ? translated(fineQuantity(*verdict.value, isAngular))
-                                        : tr("not defined"),
-                          translated(fineQuantity(verdict.tolerance.value, isAngular)),
+                          verdict.value ? fineText(*verdict.value, isAngular) : tr("not defined"),
+                          fineText(verdict.tolerance.value, isAngular),
                           translated(verdictText(verdict.result))),
             verdict.result != VerdictResult::Passed);
     for (const FitRemark& remark : m_outcome->report->remarks)

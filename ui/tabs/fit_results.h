@@ -13,6 +13,8 @@ class QTableWidget;
 
 namespace axiscomp::ui {
 
+class FineScale;
+
 /// What a fit promises: the figures before and foretold, what they rest on, and what is to be known
 /// before the table is used, warnings first.
 class FitResults : public QWidget {
@@ -36,10 +38,12 @@ private:
         std::optional<double> before;
         std::optional<double> predicted;
         std::optional<double> heldOut;
+        bool hasOwnUnits = false; ///< small beside the figures: each value with its unit
     };
     [[nodiscard]] std::vector<Row> rows() const;
     void fill();
     void fillFigures();
+    void fillRow(int n, const Row& row, const FineScale& scale);
     void fillRemarks();
     [[nodiscard]] QString basis() const;
     void addRemark(const QString& sentence, bool isWarning);

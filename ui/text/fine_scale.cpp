@@ -27,4 +27,10 @@ QString FineScale::textWithUnit(double value) const
     return text(value) + u' ' + symbol();
 }
 
+QString fineText(double value, bool isAngular)
+{
+    const std::optional<double> shown[] = {value};
+    return FineScale(fineUnit(shown, isAngular)).textWithUnit(value);
+}
+
 } // namespace axiscomp::ui

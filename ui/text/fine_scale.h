@@ -23,4 +23,7 @@ private:
     FineUnit m_unit;
 };
 
+/// "93.20 µm": a value in mm or deg that stands alone.
+[[nodiscard]] QString fineText(double value, bool isAngular);
+
 } // namespace axiscomp::ui

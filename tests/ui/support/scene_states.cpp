@@ -853,7 +853,7 @@ void fitMap(PageScene& scene)
     QByteArray text = "// compensation: off\nX [mm],Y [mm],dX [um],dY [um]\n";
     for (int y = 0; y <= 30; y += 2)
         for (int x = 0; x <= 40; x += 2) {
-            if (std::hypot(x - 26.0, y - 12.0) < 7.0)
+            if (std::hypot(x - 26.0, y - 12.0) < 5.0)
                 continue;
             text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
                 + QByteArray::number(1.8 * std::sin(x / 7.0) + 0.04 * y, 'f', 3) + ','
