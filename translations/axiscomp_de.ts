@@ -5331,6 +5331,10 @@
         <translation>die Messung geht entlang einer Achse: geben Sie für Gitter und Nullstelle eine Zahl an</translation>
     </message>
     <message>
+        <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
+        <translation>eine Glättung ist für die Methode smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
+    </message>
+    <message>
         <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
         <translation>Durchläufe entlang einer Achse werden mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
     </message>
@@ -5892,7 +5896,7 @@
     </message>
     <message>
         <source>at which position the drive looks the table up decides where its values belong: choose the encoder, for a position before the compensation, or the set position, for one after it (--lookup-at encoder or --lookup-at set)</source>
-        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: wählen Sie den Encoder, für eine Position vor der Kompensation, oder die Sollposition, für eine danach (--lookup-at encoder oder --lookup-at set)</translation>
+        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: wählen Sie den Geber, für eine Position vor der Kompensation, oder die Sollposition, für eine danach (--lookup-at encoder oder --lookup-at set)</translation>
     </message>
     <message>
         <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; take out nothing (--remove)</source>
@@ -5905,10 +5909,6 @@
     <message>
         <source>the position of the zero is missing (--zero)</source>
         <translation>die Position der Nullstelle fehlt (--zero)</translation>
-    </message>
-    <message>
-        <source>a smoothness is for the method smooth; the others go through every mean (--method, --smoothness)</source>
-        <translation>eine Glätte ist für die Methode smooth; die anderen gehen durch jeden Mittelwert (--method, --smoothness)</translation>
     </message>
     <message>
         <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
@@ -9477,7 +9477,7 @@
     </message>
     <message>
         <source>encoder, before the compensation</source>
-        <translation>Encoder, vor der Kompensation</translation>
+        <translation>Geber, vor der Kompensation</translation>
     </message>
     <message>
         <source>set position, after the compensation</source>
@@ -9640,8 +9640,8 @@
         <translation>Positionen der Tabelle, immer in gleichen Abständen</translation>
     </message>
     <message>
-        <source>the targets, where they are even</source>
-        <translation>an den Zielpositionen, wo sie gleichmäßig sind</translation>
+        <source>those of the measurement, where even</source>
+        <translation>die der Messung, wo gleichmäßig</translation>
     </message>
     <message>
         <source>a number of points</source>
@@ -9968,20 +9968,20 @@
         <translation>Was bleibt, höchstens</translation>
     </message>
     <message>
-        <source>Figure</source>
-        <translation>Kennwert</translation>
+        <source>Figure [%1]</source>
+        <translation>Kennwert [%1]</translation>
     </message>
     <message>
-        <source>Before [%1]</source>
-        <translation>Vorher [%1]</translation>
+        <source>Before</source>
+        <translation>Vorher</translation>
     </message>
     <message>
-        <source>At the targets [%1]</source>
-        <translation>An den Zielpositionen [%1]</translation>
+        <source>At the targets</source>
+        <translation>An den Zielen</translation>
     </message>
     <message>
-        <source>Held out [%1]</source>
-        <translation>Ohne sie [%1]</translation>
+        <source>Held out</source>
+        <translation>Ohne sie</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -10001,7 +10001,7 @@
     </message>
     <message>
         <source>Looked up at the encoder&apos;s position, before the compensation.</source>
-        <translation>Nachgeschlagen bei der Encoderposition, vor der Kompensation.</translation>
+        <translation>Nachgeschlagen bei der Geberposition, vor der Kompensation.</translation>
     </message>
     <message>
         <source>Looked up at the set position, after the compensation.</source>
@@ -11564,6 +11564,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>from %1; the drive has it already</source>
         <translation>aus %1; der Antrieb hat sie bereits</translation>
+    </message>
+    <message>
+        <source>Fitted: %1</source>
+        <translation>Angepasst: %1</translation>
     </message>
 </context>
 <context>

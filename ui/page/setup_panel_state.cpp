@@ -202,8 +202,8 @@ void SetupPanel::showTables()
     const DataFile& file = m_controller.dataFile();
     if (file.data) {
         for (std::size_t i = 0; i < file.data->tables.size(); ++i)
-            m_table->addItem(
-                tr("Parsed: %1").arg(QString::fromStdString(file.data->tables[i].name)),
+            m_table->addItem((file.isMade ? tr("Fitted: %1") : tr("Parsed: %1"))
+                                 .arg(QString::fromStdString(file.data->tables[i].name)),
                 static_cast<int>(i));
     }
     m_binder->refresh(Field::Table);

@@ -17,6 +17,7 @@
 #include <QStandardItemModel>
 
 #include <algorithm>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -418,6 +419,7 @@ void FitForm::showPoints()
 
 void FitForm::setRow(QWidget* field, bool isShown)
 {
+    m_haveRowsChanged = m_haveRowsChanged || m_form->isRowVisible(field) != isShown;
     m_form->setRowVisible(field, isShown);
 }
 
@@ -449,6 +451,8 @@ void FitForm::showRows()
     setRow(m_body, m_fields.body);
     setRow(m_far, m_fields.farPoints);
     setRow(m_robust, m_fields.robust);
+    if (std::exchange(m_haveRowsChanged, false))
+        Q_EMIT rowsChanged();
 }
 
 void FitForm::sayWhereLookedUp()
@@ -487,10 +491,11 @@ void FitForm::sayWhatWasActive()
 
 void FitForm::nameRow(QWidget* field, const QString& name, const QString& description)
 {
+    const QString shown = field->isHidden() ? name : withFreeKey(name, *m_keys);
     if (auto* box = qobject_cast<QCheckBox*>(field))
-        box->setText(m_keys ? withFreeKey(name, *m_keys) : name);
+        box->setText(shown);
     else if (auto* label = qobject_cast<QLabel*>(m_form->labelForField(field)))
-        label->setText(m_keys ? withFreeKey(name, *m_keys) : name);
+        label->setText(shown);
     field->setAccessibleName(name);
     field->setToolTip(description);
     field->setAccessibleDescription(description);
@@ -561,7 +566,7 @@ void FitForm::retranslateGrid()
     m_gridHeading->setText(tr("Grid of the table"));
     nameRow(m_grid, tr("Points at"), tr("Positions of the table, always evenly spaced"));
     setItems(m_grid,
-        {tr("the targets, where they are even"), tr("a number of points"), tr("a distance"),
+        {tr("those of the measurement, where even"), tr("a number of points"), tr("a distance"),
             tr("the fewest points for a deviation")});
     nameRow(m_points, tr("Number"), tr("Whole numbers from 2 on: one for all axes, or 41; 31"));
     nameRow(m_distance, tr("Distance"),

@@ -29,7 +29,7 @@ public:
 
     /// state: with no measurement while there is none.
     void show(const FitChoices& choices, const RecordState& state, const FitDrive& drive);
-    /// used: keys that other widgets have; gets those of the fields.
+    /// used: keys that other widgets have; gets those of the fields that are shown.
     void retranslate(QSet<QChar>& used);
     /// Why a field's text is not taken, a translated sentence; empty: all are.
     [[nodiscard]] QString problem() const;
@@ -40,6 +40,8 @@ Q_SIGNALS:
     /// The file of a table is wanted. isOnto: to merge onto it; otherwise it was active.
     void fileWanted(bool isOnto);
     void problemChanged();
+    /// Others are shown: there are not enough keys for all of them.
+    void rowsChanged();
 
 private:
     void build();
@@ -78,6 +80,7 @@ private:
     void setRow(QWidget* field, bool isShown);
 
     FitChoices m_shown;
+    bool m_haveRowsChanged = false;
     bool m_isReporting = false; ///< what is shown next was said here
     bool m_hasMeasurement = false;
     MeasurementKind m_kind = MeasurementKind::Runs;

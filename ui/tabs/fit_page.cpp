@@ -130,6 +130,7 @@ void FitPage::connectParts()
 {
     connect(m_form, &FitForm::chosen, &m_record, &RecordModel::setFit);
     connect(m_form, &FitForm::fileWanted, this, &FitPage::fileWanted);
+    connect(m_form, &FitForm::rowsChanged, this, &FitPage::nameKeys);
     connect(m_form, &FitForm::problemChanged, this, [this] {
         offerUse();
         sayNextStep();

@@ -14,6 +14,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTableWidget>
 
@@ -160,8 +161,8 @@ void FitResults::fillFigures()
     // All columns are in sight.
     m_figures->horizontalHeader()->setStretchLastSection(false);
     m_figures->resizeColumnsToContents();
-    m_figures->setMinimumWidth(
-        m_figures->horizontalHeader()->length() + 2 * m_figures->frameWidth() + 2);
+    m_figures->setMinimumWidth(m_figures->horizontalHeader()->length() + 2 * m_figures->frameWidth()
+        + m_figures->verticalScrollBar()->sizeHint().width() + 2);
     m_figures->horizontalHeader()->setStretchLastSection(true);
 }
 

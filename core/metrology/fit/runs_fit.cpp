@@ -112,8 +112,8 @@ Result<void> checkRunsSettings(const FitInput& input)
     const bool isSmooth = settings.method == FitMethod::Smooth;
     if (settings.smoothness && !isSmooth)
         return badFit(AXISCOMP_TEXT("Error",
-            "a smoothness is for the method smooth; the others go through every mean (--method, "
-            "--smoothness)"));
+            "a smoothness is for the method smooth (--method smooth); the others go through every "
+            "mean"));
     if (input.state.active && activeTable(input)->grid.dimensions() != 1)
         return badFit(AXISCOMP_TEXT("Error",
             "runs along one axis are merged onto a table of one dimension; {name} has "

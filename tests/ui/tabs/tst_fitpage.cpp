@@ -271,7 +271,7 @@ private Q_SLOTS:
         QCOMPARE(bench.user.the<QLineEdit>("dataFile").text(), QStringLiteral("fit of b02_x.csv"));
         QVERIFY(bench.user.the<QComboBox>("tableField")
                     .currentText()
-                    .contains(QStringLiteral("Error")));
+                    .contains(QStringLiteral("Fitted: Error")));
         QVERIFY(bench.write());
         QVERIFY2(
             bench.saysOutcome(QStringLiteral("Written and verified")), qPrintable(bench.outcome()));
