@@ -9476,12 +9476,12 @@
         <translation>wie die Quelle der Achse sagt</translation>
     </message>
     <message>
-        <source>encoder, before the compensation</source>
-        <translation>Geber, vor der Kompensation</translation>
+        <source>encoder, uncompensated</source>
+        <translation>Geber, unkompensiert</translation>
     </message>
     <message>
-        <source>set position, after the compensation</source>
-        <translation>Sollposition, nach der Kompensation</translation>
+        <source>set position, compensated</source>
+        <translation>Sollposition, kompensiert</translation>
     </message>
     <message>
         <source>Measured with</source>
@@ -9640,8 +9640,8 @@
         <translation>Positionen der Tabelle, immer in gleichen Abständen</translation>
     </message>
     <message>
-        <source>those of the measurement, where even</source>
-        <translation>die der Messung, wo gleichmäßig</translation>
+        <source>those measured, where even</source>
+        <translation>die gemessenen, wo gleichmäßig</translation>
     </message>
     <message>
         <source>a number of points</source>
@@ -9700,8 +9700,8 @@
         <translation>Wo die Tabelle 0 ist: die Null des Messgeräts ist willkürlich</translation>
     </message>
     <message>
-        <source>at home where known, else at the first target</source>
-        <translation>an der Referenz, wo bekannt, sonst an der ersten Zielposition</translation>
+        <source>home, else first target</source>
+        <translation>Referenz, sonst erste Zielposition</translation>
     </message>
     <message>
         <source>at the home position</source>

@@ -526,8 +526,8 @@ void FitForm::retranslateDrive()
     nameRow(m_lookup, tr("Lookup at"),
         tr("Where the drive looks its table up; it decides where the values belong"));
     setItems(m_lookup,
-        {tr("as the source of the axis says"), tr("encoder, before the compensation"),
-            tr("set position, after the compensation")});
+        {tr("as the source of the axis says"), tr("encoder, uncompensated"),
+            tr("set position, compensated")});
     nameRow(m_measuredWith, tr("Measured with"),
         tr("What was active while it was measured, since the file does not say it"));
     setItems(m_measuredWith,
@@ -566,7 +566,7 @@ void FitForm::retranslateGrid()
     m_gridHeading->setText(tr("Grid of the table"));
     nameRow(m_grid, tr("Points at"), tr("Positions of the table, always evenly spaced"));
     setItems(m_grid,
-        {tr("those of the measurement, where even"), tr("a number of points"), tr("a distance"),
+        {tr("those measured, where even"), tr("a number of points"), tr("a distance"),
             tr("the fewest points for a deviation")});
     nameRow(m_points, tr("Number"), tr("Whole numbers from 2 on: one for all axes, or 41; 31"));
     nameRow(m_distance, tr("Distance"),
@@ -582,9 +582,8 @@ void FitForm::retranslateZero()
     nameRow(
         m_zero, tr("Zero"), tr("Where the table is 0: the zero of the instrument is arbitrary"));
     setItems(m_zero,
-        {tr("at home where known, else at the first target"), tr("at the home position"),
-            tr("at the first target"), tr("mean of the values"), tr("at a position"),
-            tr("as measured")});
+        {tr("home, else first target"), tr("at the home position"), tr("at the first target"),
+            tr("mean of the values"), tr("at a position"), tr("as measured")});
     nameRow(m_zeroPosition, tr("At"), tr("The position of the zero, one number for each axis"));
     nameRow(m_home, tr("Home"), tr("The home position of the axis"));
     m_home->setPlaceholderText(tr("not known"));

@@ -53,17 +53,13 @@ QString largestCorrection(const LoadedTable& table, bool isAngular)
 
 FitResults::FitResults(QWidget* parent)
     : QWidget(parent)
-    , m_basis(new PlainLabel)
     , m_figures(new QTableWidget)
     , m_remarks(new QListWidget)
     , m_sign(new PlainLabel)
 {
-    m_basis->setObjectName(QStringLiteral("fitBasis"));
-    m_basis->setWordWrap(true);
     m_sign->setObjectName(QStringLiteral("fitSign"));
     m_sign->setWordWrap(true);
-    for (QLabel* label : {m_basis, m_sign})
-        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_sign->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_figures->setObjectName(QStringLiteral("fitFigures"));
     m_figures->setColumnCount(ColumnCount);
     m_figures->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -95,7 +91,6 @@ FitResults::FitResults(QWidget* parent)
     layout->setSpacing(4);
     layout->addWidget(m_sign);
     layout->addWidget(columns, 1);
-    layout->addWidget(m_basis);
 }
 
 void FitResults::show(std::shared_ptr<const FitOutcome> outcome, std::size_t table)
@@ -110,7 +105,7 @@ void FitResults::setOutdated(bool isOutdated)
     if (isOutdated == m_isOutdated)
         return;
     m_isOutdated = isOutdated;
-    for (QWidget* part : std::initializer_list<QWidget*>{m_figures, m_remarks, m_sign, m_basis})
+    for (QWidget* part : std::initializer_list<QWidget*>{m_figures, m_remarks, m_sign})
         part->setEnabled(!isOutdated);
 }
 
@@ -210,14 +205,21 @@ void FitResults::fillRemarks()
                           fineText(verdict.tolerance.value, isAngular),
                           translated(verdictText(verdict.result))),
             verdict.result != VerdictResult::Passed);
-    for (const FitRemark& remark : m_outcome->report->remarks)
-        addRemark(sentenceText(remark.text), remark.isWarning);
+    const auto addRemarks = [this](bool areWarnings) {
+        for (const FitRemark& remark : m_outcome->report->remarks)
+            if (remark.isWarning == areWarnings)
+                addRemark(sentenceText(remark.text), areWarnings);
+    };
+    addRemarks(true);
+    for (const QString& line : basis())
+        addRemark(line, false);
+    addRemarks(false);
     for (const Text& remark : m_outcome->remarks)
         addRemark(sentenceText(remark), false);
 }
 
 /// What the figures rest on.
-QString FitResults::basis() const
+QStringList FitResults::basis() const
 {
     const Measurement& measurement = *m_outcome->request.measurement;
     const FitReport& report = *m_outcome->report;
@@ -239,7 +241,7 @@ QString FitResults::basis() const
     if (report.heldOut)
         lines += tr("Held out: each target foretold without it, which is the one to believe "
                     "between the targets.");
-    return lines.join(u' ');
+    return lines;
 }
 
 void FitResults::fill()
@@ -247,7 +249,6 @@ void FitResults::fill()
     fillFigures();
     fillRemarks();
     m_sign->setText(m_outcome ? sentenceText(m_outcome->report->sign) : QString());
-    m_basis->setText(m_outcome ? basis() : QString());
 }
 
 void FitResults::changeEvent(QEvent* event)

@@ -45,13 +45,12 @@ private:
     void fillFigures();
     void fillRow(int n, const Row& row, const FineScale& scale);
     void fillRemarks();
-    [[nodiscard]] QString basis() const;
+    [[nodiscard]] QStringList basis() const;
     void addRemark(const QString& sentence, bool isWarning);
 
     std::shared_ptr<const FitOutcome> m_outcome;
     std::size_t m_table = 0;
     bool m_isOutdated = false;
-    QLabel* m_basis;
     QTableWidget* m_figures;
     QListWidget* m_remarks;
     QLabel* m_sign;
