@@ -9,6 +9,7 @@
 #include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
+#include <QApplication>
 #include <QBoxLayout>
 #include <QKeyEvent>
 
@@ -63,6 +64,7 @@ struct FitPlot::Private {
     QSharedPointer<ValueTicker> ticker{new ValueTicker};
     QSharedPointer<ValueTicker> residualTicker{new ValueTicker};
     QLabel* readout = nullptr;
+    QPointF pressed; ///< where the mouse button went down
 
     [[nodiscard]] bool isAngular() const { return outcome->request.measurement->isAngular; }
     [[nodiscard]] QCPAxis* x() const { return above->axis(QCPAxis::atBottom); }
@@ -393,8 +395,12 @@ bool FitPlot::eventFilter(QObject* watched, QEvent* event)
         d->plot->replot(QCustomPlot::rpQueuedReplot);
         return true;
     }
+    if (event->type() == QEvent::MouseButtonPress)
+        d->pressed = static_cast<QMouseEvent*>(event)->position();
     if (event->type() == QEvent::MouseButtonRelease && d->outcome
-        && !d->outcome->drawing.points.empty()) {
+        && !d->outcome->drawing.points.empty()
+        && (static_cast<QMouseEvent*>(event)->position() - d->pressed).manhattanLength()
+            < QApplication::startDragDistance()) {
         const double x = d->x()->pixelToCoord(static_cast<QMouseEvent*>(event)->position().x());
         const auto& points = d->outcome->drawing.points;
         const auto nearest = std::ranges::min_element(

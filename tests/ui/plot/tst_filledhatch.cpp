@@ -20,7 +20,7 @@ private Q_SLOTS:
     {
         QCustomPlot plot;
         plot.resize(400, 400);
-        plot.xAxis->setRange(0.0, 20.0);
+        plot.xAxis->setRange(0.0, 30.0); // beyond the table
         plot.yAxis->setRange(0.0, 20.0);
         auto* hatch = new FilledHatch(plot);
         auto table = std::make_shared<CompensationTable>();

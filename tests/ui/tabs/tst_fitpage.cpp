@@ -302,6 +302,7 @@ private Q_SLOTS:
         bench.controller().setup().setDimensionality(2);
         QTest::qWait(50);
         QVERIFY(!bench.controller().dataFile().isReading);
+        QVERIFY(bench.controller().dataFile().problems.empty()); // of a file that is not there
         QCOMPARE(bench.controller().dataFile().data, data);
         QVERIFY(bench.user.hint().contains(QStringLiteral("The table has 1 dimension")));
         // Undone on Write, as a file that was opened.
