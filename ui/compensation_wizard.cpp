@@ -28,6 +28,7 @@
 #include "ui/record/record_model.h"
 #include "ui/style/dirty_style.h"
 #include "ui/style/plain_tool_tips.h"
+#include "ui/tabs/fit_page.h"
 #include "ui/tabs/judge_page.h"
 #include "ui/tabs/measure_page.h"
 #include "ui/tabs/prove_page.h"
@@ -102,6 +103,10 @@ struct CompensationWizard::Private {
     void open(const QStringList& files);
     void saveMeasurement();
     void showMarkOfMeasure();
+    void connectFit();
+    void tellDrive();
+    void useTable(const std::shared_ptr<const FitOutcome>& outcome, std::size_t table);
+    void showMarkOfFit();
 
     CompensationWizard& q;
     WizardOptions options;
@@ -114,6 +119,7 @@ struct CompensationWizard::Private {
     PageMenu* menu;
     MeasurePage* measure;
     JudgePage* judge;
+    FitPage* fit;
     WizardPage* page;
     DropFrame* dropFrame;
     FileActions files;
@@ -137,7 +143,8 @@ CompensationWizard::Private::Private(
     , menu(new PageMenu(&wizard))
     , measure(new MeasurePage(record))
     , judge(new JudgePage(record))
-    , page(new WizardPage(controller, *options.profile, style, *menu, measure, judge,
+    , fit(new FitPage(record))
+    , page(new WizardPage(controller, *options.profile, style, *menu, measure, judge, fit,
           recordActions.prove(), recordActions.bar(), &wizard))
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
@@ -209,6 +216,7 @@ void CompensationWizard::Private::connectParts()
     connect(&record, &RecordModel::stateChanged, &q, [this] { showMarkOfMeasure(); });
     connect(&record, &RecordModel::stateChanged, &q,
         [this] { page->tabs->setMark(PageTabs::Judge, judge->mark()); });
+    connectFit();
     connect(&writeFlow, &WriteFlow::previewingChanged, &q, [this](bool isPreviewing) {
         if (isPreviewing)
             page->tabs->setCurrentIndex(PageTabs::Write);
@@ -252,6 +260,68 @@ void CompensationWizard::Private::proceedToWrite()
 {
     if (recordActions.mayWrite())
         writeFlow.proceed();
+}
+
+void CompensationWizard::Private::connectFit()
+{
+    connect(fit, &FitPage::useRequested, &q,
+        [this](const std::shared_ptr<const FitOutcome>& outcome, std::size_t table) {
+            useTable(outcome, table);
+        });
+    connect(fit, &FitPage::saveRequested, &files, &FileActions::saveFitted);
+    connect(fit, &FitPage::fileWanted, &files, &FileActions::askForActiveTable);
+    connect(&files, &FileActions::activeTableChosen, fit, &FitPage::takeFile);
+    connect(fit, &FitPage::stateChanged, &q, [this] { showMarkOfFit(); });
+    showMarkOfFit();
+    for (const auto changed : {&WizardController::statusChanged,
+             &WizardController::currentAxisChanged, &WizardController::selectedTableChanged})
+        connect(&controller, changed, &q, [this] { tellDrive(); });
+    connect(&controller.setup(), &SetupModel::fieldChanged, &q, [this] { tellDrive(); });
+    tellDrive();
+    const auto offerUse = [this] {
+        const ActionState open = controller.action(Action::OpenData);
+        fit->setObstacle(open.isEnabled ? QString() : open.reason);
+    };
+    connect(&controller, &WizardController::actionsChanged, fit, offerUse);
+    offerUse();
+}
+
+/// The axis that a table is made for, with the source that it will have.
+void CompensationWizard::Private::tellDrive()
+{
+    FitDrive drive;
+    drive.profile = options.profile;
+    drive.storeRoot = options.storeRoot;
+    if (const auto& status = controller.status()) {
+        drive.axis = axisOfDrive(*status);
+        drive.axis->source = controller.setup().edited().sources.front().path;
+        drive.hasTable = status->table.has_value();
+        drive.table = controller.driveTable();
+    }
+    record.setDrive(drive);
+}
+
+/// What was promised is noted with the table, once Write has it.
+void CompensationWizard::Private::useTable(
+    const std::shared_ptr<const FitOutcome>& outcome, std::size_t table)
+{
+    using Calibration = std::shared_ptr<const CalibrationRecord>;
+    const auto begun = inBackground<Calibration>([outcome] { return calibrationOf(*outcome); });
+    whenDone(begun, &q, [this, outcome, table](const Calibration& calibration) {
+        if (!controller.useTables(madeTables(*outcome, table)))
+            return;
+        record.setCalibration(calibration);
+        page->tabs->setCurrentIndex(PageTabs::Write);
+    });
+}
+
+void CompensationWizard::Private::showMarkOfFit()
+{
+    const FitPage::State state = fit->state();
+    page->tabs->setMark(PageTabs::Fit,
+        state == FitPage::State::Empty         ? PageTabs::Mark::Empty
+            : state == FitPage::State::Warning ? PageTabs::Mark::Warning
+                                               : PageTabs::Mark::Ready);
 }
 
 void CompensationWizard::Private::addShortcut(
@@ -633,6 +703,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->measure->retranslate();
         d->judge->retranslate();
         d->recordActions.retranslate();
+        d->fit->retranslate();
         d->messages.retranslate();
         d->guard.retranslate();
         d->announceTitle();

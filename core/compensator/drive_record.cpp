@@ -51,21 +51,27 @@ std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_
     return profile.isBeforeCompensation(source) ? LookupAt::Encoder : LookupAt::Set;
 }
 
-Result<void> checkRecordSource(
-    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source)
+Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::string_view source)
 {
     const auto found = lookupAtSource(profile, source);
-    if (!record.fit || !record.fit->settings.lookupAt || !found
-        || *found == *record.fit->settings.lookupAt)
+    if (!found || *found == made)
         return {};
     const TextPattern pattern = *found == LookupAt::Set
         ? AXISCOMP_TEXT("Error",
             "the table was made for a position before the compensation, and {source} is one after "
-            "it: choose another source, or make the table anew with --lookup-at set")
+            "it: choose another source, or make the table anew for this one (--lookup-at set)")
         : AXISCOMP_TEXT("Error",
             "the table was made for a position after the compensation, and {source} is one before "
-            "it: choose another source, or make the table anew with --lookup-at encoder");
-    return notOfRecord(pattern.with("source", source));
+            "it: choose another source, or make the table anew for this one (--lookup-at encoder)");
+    return notOfRecord(pattern.with("source", Verbatim{std::string(source)}));
+}
+
+Result<void> checkRecordSource(
+    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source)
+{
+    if (!record.fit || !record.fit->settings.lookupAt)
+        return {};
+    return checkLookupSource(*record.fit->settings.lookupAt, profile, source);
 }
 
 Result<void> recordWrite(

@@ -41,6 +41,8 @@ struct AxisRequest {
     std::optional<double> start = {}; ///< otherwise the first knot
     std::optional<double> end =
         {}; ///< otherwise the last knot; one period after start on a modulo axis
+
+    friend bool operator==(const AxisRequest&, const AxisRequest&) = default;
 };
 
 struct ResamplingRequest {

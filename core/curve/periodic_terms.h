@@ -19,6 +19,8 @@ struct KnownPeriods {
     {
         return 2 * periods.size() * static_cast<std::size_t>(harmonics);
     }
+
+    friend bool operator==(const KnownPeriods&, const KnownPeriods&) = default;
 };
 
 /// One harmonic of one period: cosine cos(2 pi k x / p) + sine sin(2 pi k x / p), which is

@@ -38,6 +38,15 @@ const TableSlot* DriveProfile::slotOfFile(std::string_view file) const
     return slot == tableSlots.end() ? nullptr : &*slot;
 }
 
+std::size_t DriveProfile::mostPoints() const
+{
+    std::size_t largest = 0;
+    for (const TableSlot& slot : tableSlots)
+        largest = std::max<std::size_t>(largest, slot.maximumSize);
+    const std::size_t header = layout.headerSize;
+    return largest > header ? (largest - header) / sizeof(float) : 0;
+}
+
 namespace {
 
 /// The axis in a path of one of the patterns.

@@ -114,6 +114,8 @@ struct DriveProfile {
 
     [[nodiscard]] const TableSlot* slotNamed(std::string_view name) const;
     [[nodiscard]] const TableSlot* slotOfFile(std::string_view file) const;
+    /// Of a table that the largest slot holds.
+    [[nodiscard]] std::size_t mostPoints() const;
     /// This register says where an axis is before its compensation, as far as the profile says.
     [[nodiscard]] bool isBeforeCompensation(std::string_view path) const;
     /// The output of the compensation is in this register, as far as the profile says.

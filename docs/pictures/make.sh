@@ -16,6 +16,7 @@ pictures=(
     table-3d-light-en-1280x720:table-3d
     unwritten-2d-dark-de-1280x720:unwritten-2d-dark-german
     measure-values-light-en-1280x720:measure-values
+    fit-light-en-1280x720:fit
     judge-figures-light-en-1280x720:judge-figures
     prove-kept-light-en-1280x720:prove-kept
 )
@@ -23,7 +24,7 @@ cmake --build "$build" --target axiscomp-wizard-pictures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 QT_QPA_PLATFORM=offscreen LC_ALL=C.UTF-8 "$build/bin/axiscomp-wizard-pictures" "$work" \
-    first-start unwritten-2d write-preview active bad-file table-3d measure-values judge-figures prove-kept
+    first-start unwritten-2d write-preview active bad-file table-3d measure-values judge-figures fit prove-kept
 for picture in "${pictures[@]}"; do
     target=docs/pictures/${picture#*:}.png
     cp "$work/${picture%%:*}.png" "$target"

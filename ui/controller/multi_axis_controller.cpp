@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/multi_axis_controller.h"
 
+#include "core/compensator/drive_record.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/multi_axis_outcome.h"
 #include "ui/session/axis_list.h"
@@ -58,8 +59,13 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
             tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
     }
     ask(Task::WriteSeveral,
-        [tables](AxisCompensator& compensator,
+        [tables, lookupAt = m_tables.file().file().lookupAt, &profile = m_profile](
+            AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {
+            for (const AxisTable& table : tables)
+                for (const std::string& source : table.request.sources)
+                    if (lookupAt)
+                        AXISCOMP_CHECK(checkLookupSource(*lookupAt, profile, source));
             AXISCOMP_TRY(auto plans, planTables(compensator, tables, options));
             return PlannedTables{tables, std::move(plans)};
         });

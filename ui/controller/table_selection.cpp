@@ -41,6 +41,12 @@ void TableSelection::open(const QString& path, const ImportChoices& choices)
     m_file.open(path, m_setup.edited().dimensionality, choices);
 }
 
+void TableSelection::show(const MadeTables& made)
+{
+    m_isOpening = false;
+    m_file.show(made);
+}
+
 void TableSelection::openAs(const QString& path, int dimensions)
 {
     m_setup.setDimensionality(dimensions);
@@ -49,6 +55,8 @@ void TableSelection::openAs(const QString& path, int dimensions)
 
 void TableSelection::readAgain()
 {
+    if (m_file.file().isMade)
+        return;
     const QString path = m_file.file().path;
     m_file.open(path, m_setup.edited().dimensionality, m_file.choicesFor(path));
 }
@@ -61,15 +69,18 @@ void TableSelection::followFile(
     const bool isOpened = std::exchange(m_isOpening, false);
     if (!now)
         m_setup.setTable({});
+    else if (m_file.file().isMade)
+        m_setup.setTable({0});
     else if (!isSameFile || !before || (isOpened && !chosen))
         m_setup.setTable({m_proposal ? static_cast<int>(m_proposal(*now)) : 0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
         takeSameTable(*before, *chosen, *now);
     if (now)
         m_log.add(LogLine::Kind::Information,
-            [path = m_file.file().path, points = now->grid.pointCount(),
-                tables = now->tables.size()] {
-                return tr("%1 has been read: %2 points, tables: %3.")
+            [path = m_file.file().path, isMade = m_file.file().isMade,
+                points = now->grid.pointCount(), tables = now->tables.size()] {
+                return (isMade ? tr("%1 is used as the table: %2 points, tables: %3.")
+                               : tr("%1 has been read: %2 points, tables: %3."))
                     .arg(path)
                     .arg(points)
                     .arg(tables);

@@ -32,6 +32,8 @@ public:
     void proposeBy(Proposal proposal) { m_proposal = std::move(proposal); }
     /// The proposed table is selected, unless another one of the same file is.
     void open(const QString& path, const ImportChoices& choices);
+    /// Tables that were made here, in place of the open file; the first of them is selected.
+    void show(const MadeTables& made);
     /// The same for a file that is a grid of another dimensionality than the setup's, which gets
     /// it; with what the user has said about the file.
     void openAs(const QString& path, int dimensions);

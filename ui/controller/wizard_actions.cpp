@@ -2,6 +2,7 @@
 #include "ui/controller/wizard_actions.h"
 
 #include "core/axis/activation.h"
+#include "core/compensator/drive_record.h"
 
 #include <algorithm>
 #include <limits>
@@ -142,6 +143,13 @@ void WizardActions::lookAtTables(ActionSnapshot& now) const
     const DataFile& file = m_tables.file().file();
     now.fileTables = file.data ? static_cast<int>(file.data->tables.size()) : 0;
     now.isReadingFile = file.isReading;
+    const EditedSetup& edited = m_setup.edited();
+    for (int n = 0; n < edited.dimensionality && now.isNewTable && file.lookupAt; ++n) {
+        const auto checked = checkLookupSource(
+            *file.lookupAt, m_profile, edited.sources[static_cast<std::size_t>(n)].path);
+        if (!checked && !now.lookupProblem)
+            now.lookupProblem = checked.error();
+    }
 }
 
 } // namespace axiscomp::ui

@@ -407,6 +407,14 @@ void WizardController::openDataAs(const QString& path, int dimensions)
         m_parts->tables.openAs(path, dimensions);
 }
 
+bool WizardController::useTables(const MadeTables& made)
+{
+    if (!m_parts->actions.mayStart(Action::OpenData))
+        return false;
+    m_parts->tables.show(made);
+    return true;
+}
+
 ImportChoices WizardController::importChoices(const QString& path) const
 {
     return m_parts->tables.file().choicesFor(path);

@@ -90,6 +90,9 @@ public:
     void openDataAs(const QString& path, int dimensions);
     /// What the user has said about the file so far.
     [[nodiscard]] ImportChoices importChoices(const QString& path) const;
+    /// Tables that were made here, in place of a file; the first of them is selected. False:
+    /// action(Action::OpenData) says why not.
+    [[nodiscard]] bool useTables(const MadeTables& made);
     /// The open file, which may have changed; what was chosen stays chosen.
     void readDataAgain();
     void closeData();

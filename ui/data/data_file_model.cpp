@@ -40,14 +40,31 @@ void DataFileModel::open(const QString& path, int dimensions, const ImportChoice
     Q_EMIT changed();
 }
 
+/// There is no file that could change, or be read again in another way.
+void DataFileModel::show(const MadeTables& made)
+{
+    m_loader.cancel();
+    const auto before = std::exchange(m_file, {}).data;
+    m_file.path = made.name;
+    m_file.data = made.data;
+    m_file.format = &calibration_csv::format();
+    m_file.isMade = true;
+    m_file.lookupAt = made.lookupAt;
+    m_tables = made.tables;
+    m_stamp = {};
+    watch();
+    Q_EMIT dataReplaced(before, false);
+    Q_EMIT changed();
+}
+
 void DataFileModel::setDimensions(int dimensions)
 {
     if (dimensions == m_dimensions)
         return;
     m_dimensions = dimensions;
     const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
-    const bool knowsItsOwn =
-        !m_file.isReading && m_file.format && m_file.format != &calibration_csv::format();
+    const bool knowsItsOwn = !m_file.isReading
+        && (m_file.isMade || (m_file.format && m_file.format != &calibration_csv::format()));
     if (!path.isEmpty() && !knowsItsOwn)
         open(path, dimensions, choicesFor(path));
 }
@@ -100,7 +117,7 @@ void DataFileModel::putBack(const OpenedFile& opened)
 
 void DataFileModel::take(const LoadedFile& loaded)
 {
-    const bool isSameFile = loaded.path == m_file.path;
+    const bool isSameFile = loaded.path == m_file.path && !m_file.isMade;
     m_file.isReading = false;
     m_file.readingPath.clear();
     m_file.problemsPath = loaded.problems.empty() ? QString() : loaded.path;
@@ -116,6 +133,8 @@ void DataFileModel::take(const LoadedFile& loaded)
     }
     if (loaded.data || !before) {
         m_file.path = loaded.path;
+        m_file.isMade = false;
+        m_file.lookupAt.reset();
         m_stamp = loaded.stamp;
     } else if (isSameFile) {
         m_stamp = loaded.stamp; // the offer to read it again has been taken
@@ -138,7 +157,7 @@ void DataFileModel::watch()
     const QStringList watched = m_watcher.files() + m_watcher.directories();
     if (!watched.isEmpty())
         m_watcher.removePaths(watched);
-    if (m_file.path.isEmpty())
+    if (m_file.path.isEmpty() || m_file.isMade)
         return;
     const QFileInfo info(m_file.path);
     QStringList wanted;
@@ -152,7 +171,7 @@ void DataFileModel::watch()
 
 void DataFileModel::lookAtDisk()
 {
-    if (m_file.path.isEmpty())
+    if (m_file.path.isEmpty() || m_file.isMade)
         return;
     const FileStamp now = stampOf(m_file.path);
     // A replaced file is another one to the watcher.

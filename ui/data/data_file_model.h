@@ -33,6 +33,8 @@ public:
     [[nodiscard]] LoadedTable table(int index) const;
 
     void open(const QString& path, int dimensions, const ImportChoices& choices = {});
+    /// In place of the open file.
+    void show(const MadeTables& made);
     /// The open CSV file again, when its columns mean something else now; other files know their
     /// own dimensions.
     void setDimensions(int dimensions);

@@ -3,6 +3,7 @@
 
 #include "core/csv/calibration_csv.h"
 #include "core/formats/table_format.h"
+#include "core/metrology/fit/lookup_frame.h"
 #include "core/text/diagnostic.h"
 
 #include <QString>
@@ -29,6 +30,18 @@ struct DataFile {
     QString readingPath; ///< the file that is being read
     double progress = 0.0;
     bool hasChangedOnDisk = false;
+    /// Not of a file: it was made here, and path is what it is called.
+    bool isMade = false;
+    /// Where the drive has to look up a table that was made here.
+    std::optional<LookupAt> lookupAt;
+};
+
+/// Tables that were made here, to be used as if they had been read from a file.
+struct MadeTables {
+    QString name; ///< what they are called: "Fit of x.csv"
+    std::shared_ptr<const CalibrationData> data; ///< the wanted table first
+    std::vector<LoadedTable> tables; ///< of data
+    std::optional<LookupAt> lookupAt;
 };
 
 } // namespace axiscomp::ui

@@ -8,8 +8,8 @@ namespace axiscomp::ui {
 
 namespace {
 
-/// Of other controllers first: the drive's own formats are rarely what is looked for here.
-std::vector<const TableFormat*> writableFormats(int dimensions)
+/// Of other controllers first: the drive's own formats are rarely what is looked for in an export.
+std::vector<const TableFormat*> writableFormats(int dimensions, bool isOwnFirst)
 {
     std::vector<const TableFormat*> others;
     std::vector<const TableFormat*> own;
@@ -20,7 +20,7 @@ std::vector<const TableFormat*> writableFormats(int dimensions)
             continue;
         (isTriamec(*format) ? own : others).push_back(format);
     }
-    others.insert(others.end(), own.begin(), own.end());
+    others.insert(isOwnFirst ? others.begin() : others.end(), own.begin(), own.end());
     return others;
 }
 
@@ -37,7 +37,7 @@ ExportDialog::ExportDialog(Options options, QWidget* parent)
     })
 {
     setObjectName(QStringLiteral("exportDialog"));
-    const auto formats = writableFormats(m_options.table->grid.dimensions());
+    const auto formats = writableFormats(m_options.table->grid.dimensions(), m_options.isFitted);
     form().setFormats(formats, formats.front());
     connect(this, &QDialog::accepted, this, [this] { Q_EMIT chosen(m_options.table, choices()); });
     retranslate();
@@ -45,6 +45,12 @@ ExportDialog::ExportDialog(Options options, QWidget* parent)
 
 ConversionDialog::Words ExportDialog::words() const
 {
+    if (m_options.isFitted)
+        return {tr("Save Table"),
+            tr("Writes the table \"%1\" to a file of the drive or of another controller. Nothing "
+               "on the drive changes.")
+                .arg(m_options.tableName),
+            tr("S&ave…"), tr("Choose where to save the file")};
     return {tr("Export for Another Controller"),
         tr("Writes the table \"%1\" to a file for another controller. Nothing on the drive "
            "changes.")

@@ -16,6 +16,7 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
     if (question.purpose == FileQuestion::Purpose::OpenData
         || question.purpose == FileQuestion::Purpose::OpenMeasurement
         || question.purpose == FileQuestion::Purpose::OpenDeadPath
+        || question.purpose == FileQuestion::Purpose::OpenActiveTable
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
         || question.purpose == FileQuestion::Purpose::OpenBackup
         || question.purpose == FileQuestion::Purpose::OpenRecord) {

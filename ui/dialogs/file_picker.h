@@ -26,6 +26,8 @@ struct FileQuestion {
         OpenRecord,
         SaveRecord,
         SaveReport,
+        OpenActiveTable,
+        SaveTable,
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

@@ -2,6 +2,7 @@
 #include "ui/dialogs/setting_fields.h"
 
 #include "ui/style/plain_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -88,20 +89,7 @@ QString nameOf(const FormatSetting& setting, QSet<QChar>& usedKeys)
 {
     QString name = word(qString(setting.key).replace(u'-', u' '));
     name[0] = name[0].toUpper();
-    for (qsizetype i = 0; i < name.size(); ++i) {
-        const QChar letter = name[i].toLower();
-        if (!letter.isLetterOrNumber() || letter.unicode() > 127 || usedKeys.contains(letter))
-            continue;
-        usedKeys.insert(letter);
-        return name.insert(i, u'&');
-    }
-    for (QChar digit = u'1'; digit <= u'9'; digit = QChar(digit.unicode() + 1)) {
-        if (usedKeys.contains(digit))
-            continue;
-        usedKeys.insert(digit);
-        return name + QStringLiteral(" (&%1)").arg(digit);
-    }
-    return name;
+    return withFreeKey(std::move(name), usedKeys);
 }
 
 /// Numbers are typed as the language writes them, and core reads them with a decimal point.

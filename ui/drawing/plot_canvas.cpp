@@ -6,6 +6,7 @@
 
 #include "ui/drawing/cross_sections.h"
 #include "ui/drawing/custom_plot.h"
+#include "ui/drawing/filled_hatch.h"
 #include "ui/drawing/map_contours.h"
 #include "ui/drawing/map_points.h"
 #include "ui/drawing/plot_style.h"
@@ -68,6 +69,9 @@ struct PlotCanvas::Private {
     QCPGraph* curve = nullptr;
     QCPGraph* secondCurve = nullptr;
     QCPGraph* filled = nullptr; ///< points that were made up, not measured
+    QCPGraph* measured = nullptr; ///< places of a map
+    FilledHatch* hatch = nullptr;
+    bool isHatched = false;
     QCPGraph* proved = nullptr;
     QCPGraph* marker = nullptr;
     TableMap* map = nullptr;
@@ -121,6 +125,11 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->filled->setLayer(QStringLiteral("axes")); // above the map
     d->filled->setLineStyle(QCPGraph::lsNone);
     d->filled->removeFromLegend();
+    d->measured = plot.addGraph();
+    d->measured->setObjectName(QStringLiteral("measuredPlaces"));
+    d->measured->setLayer(QStringLiteral("axes"));
+    d->measured->setLineStyle(QCPGraph::lsNone);
+    d->measured->removeFromLegend();
     d->proved = plot.addGraph();
     d->proved->setObjectName(QStringLiteral("provedPart"));
     d->proved->setLayer(QStringLiteral("overlay"));
@@ -131,6 +140,7 @@ PlotCanvas::PlotCanvas(QWidget* parent) : QObject(parent), d(std::make_unique<Pr
     d->marker->setLineStyle(QCPGraph::lsNone);
     d->map = new TableMap(plot);
     d->map->removeFromLegend();
+    d->hatch = new FilledHatch(plot);
     d->points = new MapPoints(plot);
     d->contours = new MapContours(plot); // its labels are above the points
     d->travel = std::make_unique<TravelMark>(plot);
@@ -317,13 +327,28 @@ void PlotCanvas::showFilled()
 {
     constexpr std::size_t most = 4000;
     d->filled->data()->clear();
-    if (!d->table || d->table->filled.size() > most)
+    const bool isHatched = d->isHatched && d->isMap();
+    d->hatch->setTable(isHatched ? d->table : nullptr);
+    if (!d->table || d->table->filled.size() > most || isHatched)
         return;
     const std::size_t width = d->table->grid.axes[0].size;
     for (const std::size_t point : d->table->filled) {
         const GridPoint place{point % width, point / width};
         d->filled->addData(d->xOf(place), d->yOf(place));
     }
+}
+
+void PlotCanvas::setFilledHatched(bool isHatched)
+{
+    d->isHatched = isHatched;
+    showFilled();
+    replot();
+}
+
+void PlotCanvas::setMeasured(const QVector<double>& x, const QVector<double>& y)
+{
+    d->measured->setData(x, y);
+    replot();
 }
 
 void PlotCanvas::setLabels(const QString& x, const QString& y, const QString& value)
@@ -392,6 +417,9 @@ void PlotCanvas::setPalette(const QPalette& palette)
         QCPScatterStyle(QCPScatterStyle::ssDiamond, QPen(text, 1.5), QBrush(marker), 11));
     d->filled->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCross, QPen(text, 1.0), Qt::NoBrush, 7));
+    d->hatch->setColor(text);
+    d->measured->setScatterStyle(
+        QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(text, 1.0), QBrush(base), 4.0));
     d->points->setColors(text, base);
     d->crosshair->setPen(QPen(text, 1, Qt::DotLine));
     const std::array<QColor, 2> cursorColors{text, marker};

@@ -54,6 +54,10 @@ public:
     /// Marks what has been proved: the curve between grid points, or the middles of cells of a map.
     /// NaN interrupts a curve. Same sizes; empty hides it.
     void setProved(const QVector<double>& keys, const QVector<double>& values);
+    /// Whether points of a map that were made up are hatched, instead of crossed.
+    void setFilledHatched(bool isHatched);
+    /// Where something was measured, over a map. Same sizes; empty hides it.
+    void setMeasured(const QVector<double>& x, const QVector<double>& y);
     void setCrosshair(const std::optional<GridPoint>& point);
     void setCursor(int which, const std::optional<GridPoint>& point); ///< 0 = A, 1 = B
 

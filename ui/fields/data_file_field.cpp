@@ -71,9 +71,10 @@ QWidget& DataFileField::nameField()
     return *m_name;
 }
 
-void DataFileField::showFile(const QString& path)
+void DataFileField::showFile(const QString& path, bool isMade)
 {
     m_path = path;
+    m_isMade = isMade;
     m_stack->setCurrentWidget(m_name);
     m_name->setText(QFileInfo(path).fileName());
     m_name->setCursorPosition(0);
@@ -140,12 +141,12 @@ void DataFileField::fillMenu()
     QAction* import = m_menu->addAction(symbolIcon(Symbol::Edit), tr("Import &Options…"));
     import->setObjectName(QStringLiteral("importOptionsAction"));
     import->setToolTip(tr("Format, sign and grid of the open file"));
-    import->setEnabled(!m_path.isEmpty());
+    import->setEnabled(!m_path.isEmpty() && !m_isMade);
     connect(import, &QAction::triggered, this, &DataFileField::importOptionsRequested);
     QAction* close = m_menu->addAction(symbolIcon(Symbol::Close), tr("&Close File"));
     again->setObjectName(QStringLiteral("readAgainAction"));
     close->setObjectName(QStringLiteral("closeFileAction"));
-    again->setEnabled(!m_path.isEmpty());
+    again->setEnabled(!m_path.isEmpty() && !m_isMade);
     close->setEnabled(!m_path.isEmpty());
     connect(again, &QAction::triggered, this, &DataFileField::readAgainRequested);
     connect(close, &QAction::triggered, this, &DataFileField::closeRequested);

@@ -22,8 +22,8 @@ public:
 
     /// What the label of the field leads to.
     [[nodiscard]] QWidget& nameField();
-    /// Empty: no file is open.
-    void showFile(const QString& path);
+    /// Empty: no file is open. isMade: path is what tables are called that are of no file.
+    void showFile(const QString& path, bool isMade = false);
     void showReading(double fraction);
     void setOpenEnabled(bool isEnabled, const QString& reason);
     void setRecentFiles(const QStringList& paths);
@@ -48,6 +48,7 @@ private:
     QToolButton* m_more;
     QMenu* m_menu;
     QString m_path;
+    bool m_isMade = false;
     QStringList m_recent;
     QString m_reason;
 };

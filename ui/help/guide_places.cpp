@@ -60,6 +60,7 @@ const QHash<QString, GuidePlace>& placesByName()
         {QStringLiteral("measurePage"), {QStringLiteral("Measurements"), {}}},
         {QStringLiteral("recordBar"), {QStringLiteral("The record, and the proof"), {}}},
         {QStringLiteral("provePage"), {QStringLiteral("The record, and the proof"), {}}},
+        {QStringLiteral("fitPage"), {QStringLiteral("From the measurement to the table"), {}}},
         {QStringLiteral("logView"), {QStringLiteral("What to do when ..."), {}}},
     };
     return places;

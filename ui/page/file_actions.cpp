@@ -2,8 +2,13 @@
 #include "ui/page/file_actions.h"
 
 #include "core/configuration/tam_configuration.h"
+#include "core/conversion/table_export.h"
+#include "core/csv/calibration_csv.h"
+#include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
+#include "core/table/large_correction.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/controller/wizard_settings.h"
@@ -14,6 +19,7 @@
 #include "ui/dialogs/import_dialog.h"
 #include "ui/fields/data_file_field.h"
 #include "ui/history/restore_drive_dialog.h"
+#include "ui/record/fit_outcome.h"
 #include "ui/text/message_text.h"
 
 #include <QDateTime>
@@ -32,6 +38,20 @@ Bytes bytesOf(const std::string& text)
 {
     const auto* begin = reinterpret_cast<const std::byte*>(text.data());
     return {begin, begin + text.size()};
+}
+
+/// Of the format that the choices name.
+Result<std::string> fittedFile(const FitOutcome& outcome, std::size_t table,
+    const ImportChoices& choices, const std::string& fileName, const TableLayout& layout)
+{
+    if (choices.format == &calibration_csv::format() && !choices.isConversion() && !choices.sign)
+        return writeCalibrationCsv(*madeTables(outcome, table).data);
+    const CompensationTable& chosen = *outcome.tables[table].table;
+    if (choices.format == &tam_table::format())
+        for (const Text& large : largeCorrections(chosen))
+            return fail(ErrorCode::LargeCorrection, {{"reason", large}});
+    AXISCOMP_TRY(auto exported, axiscomp::exportTable(chosen, choices, fileName, layout));
+    return std::move(exported.bytes);
 }
 
 } // namespace
@@ -100,6 +120,57 @@ void FileActions::askForDeadPath()
     m_picker(m_window, question, [this](const QString& path) {
         if (!path.isEmpty())
             Q_EMIT deadPathChosen(path);
+    });
+}
+
+void FileActions::askForActiveTable(bool isOnto)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::OpenActiveTable;
+    question.title = tr("Table That Was Active");
+    question.filter = openFilter();
+    question.start = m_settings.folder();
+    m_picker(m_window, question, [this, isOnto](const QString& path) {
+        if (!path.isEmpty())
+            Q_EMIT activeTableChosen(QFileInfo(path).absoluteFilePath(), isOnto);
+    });
+}
+
+void FileActions::saveFitted(const std::shared_ptr<const FitOutcome>& outcome, std::size_t table)
+{
+    const auto& chosen = outcome->tables[table].table;
+    ExportDialog::Options options{chosen, QString::fromStdString(chosen->name), m_profile.layout,
+        m_controller.axisTarget(), true};
+    auto* dialog = new ExportDialog(std::move(options), &m_window);
+    connect(dialog, &ExportDialog::chosen, this,
+        [this, outcome, table](const auto&, const ImportChoices& choices) {
+            askWhereToSaveFitted(outcome, table, choices);
+        });
+    dialog->open();
+}
+
+/// As `axiscomp fit -o` does it: the calibration file has all columns and says what they are made
+/// of, and what is unusually large becomes no table of the drive unseen.
+void FileActions::askWhereToSaveFitted(const std::shared_ptr<const FitOutcome>& outcome,
+    std::size_t table, const ImportChoices& choices)
+{
+    FileQuestion question;
+    question.purpose = FileQuestion::Purpose::SaveTable;
+    question.title = tr("Save Table");
+    question.filter = saveFilter(*choices.format);
+    const QString name = QFileInfo(outcome->request.files.front().file.path).completeBaseName()
+        + QStringLiteral("-table") + extensionOf(*choices.format);
+    question.start = QDir(m_settings.folder()).filePath(name);
+    m_picker(m_window, question, [this, outcome, table, choices](const QString& path) {
+        if (path.isEmpty())
+            return;
+        report(inBackground<Result<void>>(
+            [path, outcome, table, choices, layout = m_profile.layout]() -> Result<void> {
+                const QFileInfo file(path);
+                AXISCOMP_TRY(const std::string bytes,
+                    fittedFile(*outcome, table, choices, file.fileName().toStdString(), layout));
+                return saveFile(file.filesystemAbsoluteFilePath(), bytesOf(bytes));
+            }));
     });
 }
 

@@ -27,6 +27,7 @@ class DataFileField;
 class ImportDialog;
 class WizardController;
 class WizardSettings;
+struct FitOutcome;
 
 /// Everything of the page that asks for a file: opening data and how it is to be understood,
 /// exporting a table, parameters from and for a TAM configuration, saving an example, saving the
@@ -51,6 +52,10 @@ public:
     /// sources: the files that it was read from, which are not written over.
     void saveMeasurement(
         const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
+    /// The file of a table that was active during a measurement; activeTableChosen() follows.
+    void askForActiveTable(bool isOnto);
+    /// A fitted table as a file of any format.
+    void saveFitted(const std::shared_ptr<const FitOutcome>& outcome, std::size_t table);
     /// Asks how the file is to be understood.
     void askForImport(const QString& path);
     /// The selected table as a file of another controller.
@@ -70,6 +75,7 @@ Q_SIGNALS:
     void failed(const QString& sentence);
     void measurementsChosen(const QStringList& paths);
     void deadPathChosen(const QString& path);
+    void activeTableChosen(const QString& path, bool isOnto);
     void measurementSaved(
         const QString& path, const std::shared_ptr<const Measurement>& measurement);
 
@@ -85,6 +91,8 @@ private:
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void saveConfiguration(const QString& path, const QString& original,
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
+    void askWhereToSaveFitted(const std::shared_ptr<const FitOutcome>& outcome, std::size_t table,
+        const ImportChoices& choices);
     void writeMeasurement(const QString& path,
         const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
     void save(const QString& path, std::string text);

@@ -22,6 +22,8 @@ QString nameOfTab(PageTabs::Tab tab)
         return PageTabs::tr("Judge");
     case PageTabs::Prove:
         return PageTabs::tr("Prove");
+    case PageTabs::Fit:
+        return PageTabs::tr("Fit");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;
@@ -38,6 +40,8 @@ QString purposeOfTab(PageTabs::Tab tab)
         return PageTabs::tr("What the measurement says of the axis, against tolerances");
     case PageTabs::Prove:
         return PageTabs::tr("Measure again with the table active, and see what it has brought");
+    case PageTabs::Fit:
+        return PageTabs::tr("The table that is made of a measurement, and what it promises");
     case PageTabs::Write:
     case PageTabs::TabCount:
         break;

@@ -13,7 +13,7 @@ class PageTabs : public QTabBar {
     Q_OBJECT
 
 public:
-    enum Tab { Measure, Judge, Write, Prove, TabCount };
+    enum Tab { Measure, Judge, Fit, Write, Prove, TabCount };
     enum class Mark { Empty, Ready, Warning };
 
     /// Begins with Write.

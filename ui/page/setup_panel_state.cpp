@@ -202,8 +202,8 @@ void SetupPanel::showTables()
     const DataFile& file = m_controller.dataFile();
     if (file.data) {
         for (std::size_t i = 0; i < file.data->tables.size(); ++i)
-            m_table->addItem(
-                tr("Parsed: %1").arg(QString::fromStdString(file.data->tables[i].name)),
+            m_table->addItem((file.isMade ? tr("Fitted: %1") : tr("Parsed: %1"))
+                                 .arg(QString::fromStdString(file.data->tables[i].name)),
                 static_cast<int>(i));
     }
     m_binder->refresh(Field::Table);
@@ -232,7 +232,7 @@ void SetupPanel::showData()
     if (file.isReading)
         m_data->showReading(file.progress);
     else
-        m_data->showFile(file.path);
+        m_data->showFile(file.path, file.isMade);
     const std::size_t errors = file.isReading ? 0 : errorCount(file);
     m_dataRow->setProblem(
         errors == 0 ? QString() : tr("problems: %1; the file is not used").arg(countText(errors)));

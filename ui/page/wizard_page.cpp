@@ -60,7 +60,7 @@ protected:
 } // namespace
 
 WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-    QMenu& menu, QWidget* measure, QWidget* judge, QWidget* prove, QWidget* record,
+    QMenu& menu, QWidget* measure, QWidget* judge, QWidget* fit, QWidget* prove, QWidget* record,
     QWidget* parent)
     : QWidget(parent)
     , driveBar(new DriveBar(controller, menu))
@@ -78,7 +78,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
 {
     setObjectName(QStringLiteral("wizardPage"));
     buildWritePage();
-    for (QWidget* shown : {measure, judge, static_cast<QWidget*>(m_columns), prove})
+    for (QWidget* shown : {measure, judge, fit, static_cast<QWidget*>(m_columns), prove})
         m_pages->addWidget(shown);
     m_pages->setCurrentIndex(PageTabs::Write);
     m_rows->setObjectName(QStringLiteral("rows"));

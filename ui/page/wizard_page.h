@@ -30,11 +30,11 @@ class WizardPage : public QWidget {
     Q_OBJECT
 
 public:
-    /// measure, judge, prove: what the tabs of these names show; record: stands beside the tabs. The
-    /// page takes them. All references must outlive the page.
+    /// measure, judge, fit, prove: what the tabs of these names show; record: stands beside the
+    /// tabs. The page takes them. All references must outlive the page.
     WizardPage(WizardController& controller, const DriveProfile& profile, QStyle& style,
-        QMenu& menu, QWidget* measure, QWidget* judge, QWidget* prove, QWidget* record,
-        QWidget* parent = nullptr);
+        QMenu& menu, QWidget* measure, QWidget* judge, QWidget* fit, QWidget* prove,
+        QWidget* record, QWidget* parent = nullptr);
 
     void retranslate();
     void showLog(bool isShown);

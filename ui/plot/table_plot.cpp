@@ -132,6 +132,7 @@ void TablePlot::showTable()
     retranslate();
     setCursorsShown(d->hasCursors);
     showProved();
+    showMeasured();
     showMarker();
 }
 
@@ -216,6 +217,27 @@ void TablePlot::showProved()
         values += std::numeric_limits<double>::quiet_NaN();
     }
     d->canvas->setProved(keys, values);
+}
+
+void TablePlot::setMeasured(std::vector<std::array<double, 3>> places)
+{
+    d->measured = std::move(places);
+    d->canvas->setFilledHatched(!d->measured.empty());
+    showMeasured();
+}
+
+/// Of a slice: what lies in the cells on both sides of it.
+void TablePlot::showMeasured()
+{
+    QVector<double> x;
+    QVector<double> y;
+    for (const std::array<double, 3>& place : d->measured) {
+        if (!d->isMap() || (d->shown.isCut() && !d->shown.isAtSlice(place)))
+            continue;
+        x += place.at(d->shown.dimensionOf(0));
+        y += place.at(d->shown.dimensionOf(1));
+    }
+    d->canvas->setMeasured(x, y);
 }
 
 void TablePlot::setOrigin(const PictureOrigin& origin)

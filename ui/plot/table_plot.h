@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QMouseEvent;
 
@@ -46,6 +47,9 @@ public:
     /// table; null hides it.
     void setProved(const ProvedPart* part);
 
+    /// Where something was measured, over a map or a slice near it: a number for each dimension.
+    /// Points that were made up are hatched then.
+    void setMeasured(std::vector<std::array<double, 3>> places);
     /// What saved pictures say about where the table is from.
     void setOrigin(const PictureOrigin& origin);
     /// format by the file's ending: png, svg, pdf, csv (the values shown). An empty text is
@@ -64,6 +68,7 @@ private:
     void showTable();
     void showMarker();
     void showProved();
+    void showMeasured();
     void showTravel();
     [[nodiscard]] bool holdsEnds() const;
     void showCurrent();

@@ -25,6 +25,7 @@ struct TablePlot::Private {
     std::array<std::optional<Travel>, 3> travel;
     bool holdsEnds = true;
     std::optional<ProvedPart> proved; ///< of the table on the drive
+    std::vector<std::array<double, 3>> measured;
     bool hasCursors = false;
     std::size_t activeCursor = 0;
     std::array<GridPoint, 2> cursors;

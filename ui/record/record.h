@@ -38,6 +38,21 @@ struct MeasurementFile {
     friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
 };
 
+/// What a person says of the table that is made of a measurement.
+struct FitChoices {
+    /// Without what is said elsewhere: tolerances, uncertainty, rule for outliers, most points.
+    /// lookupAt none: as the source of the current axis says it.
+    FitSettings settings;
+    /// What was active while it was measured, where the file does not say it.
+    enum class MeasuredWith { NotSaid, Off, On, File } measuredWith = MeasuredWith::NotSaid;
+    QString measuredWithFile; ///< the table that was active, with File; absolute
+    /// What residuals are merged onto.
+    enum class Onto { Nothing, Drive, File } onto = Onto::Nothing;
+    QString ontoFile; ///< with File; absolute
+
+    friend bool operator==(const FitChoices&, const FitChoices&) = default;
+};
+
 /// Everything that a person says of a measurement, as one value: what is undone and done again.
 struct Record {
     std::vector<MeasurementFile> files; ///< joined in this order
@@ -51,6 +66,7 @@ struct Record {
     bool areLimitsAngles = false; ///< tolerances and uncertainty are in deg, else in mm
     std::vector<Tolerance> tolerances; ///< in mm or deg
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+    FitChoices fit;
     /// What was promised of the table that is used, and what came of it: as it was made then, even
     /// when the measurement is judged or fitted otherwise since. null: no table is used.
     std::shared_ptr<const CalibrationRecord> calibration;

@@ -53,6 +53,15 @@ void swapDirections(DeadPathCorrection& deadPath)
     deadPath.duringRun = std::move(swapped);
 }
 
+/// Whether both have the same measurement, judged in the same way.
+bool isJudgedAlike(const Record& a, const Record& b)
+{
+    Record other = b;
+    other.fit = a.fit;
+    other.calibration = a.calibration;
+    return a == other;
+}
+
 QString namesOf(const QStringList& paths)
 {
     const QString name = QFileInfo(paths.front()).fileName();
@@ -96,6 +105,7 @@ RecordModel::RecordModel(QObject* parent)
     : QObject(parent)
     , m_steps(m_ownSteps)
     , m_job([this](const RecordState& state) { take(state); })
+    , m_fitJob([this](const std::shared_ptr<const FitOutcome>& outcome) { takeFit(outcome); })
 {
     m_steps.setUndoLimit(mostSteps);
     connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
@@ -105,6 +115,7 @@ RecordModel::RecordModel(HistoryOf other, QObject* parent)
     : QObject(parent)
     , m_steps(other.record.m_steps)
     , m_job([this](const RecordState& state) { take(state); })
+    , m_fitJob([this](const std::shared_ptr<const FitOutcome>& outcome) { takeFit(outcome); })
 {
     connect(&m_steps, &QUndoStack::indexChanged, this, &RecordModel::historyChanged);
 }
@@ -128,14 +139,23 @@ void RecordModel::open(const Record& record)
 
 void RecordModel::apply(const Record& record)
 {
+    const bool isJudged = isJudgedAlike(m_record, record);
+    const bool isFitted = isJudged && m_record.fit == record.fit;
     m_record = record;
-    evaluate();
+    m_state.record.fit = record.fit;
+    m_state.record.calibration = record.calibration;
+    if (!isJudged)
+        evaluate();
+    else if (!isFitted)
+        fit();
     Q_EMIT changed();
 }
 
 void RecordModel::evaluate()
 {
     m_isEvaluating = true;
+    m_fitJob.cancel(); // of a measurement that is not wanted any more
+    m_isFitting = false;
     m_job.start([record = m_record, known = m_state.files](
                     const std::stop_token& stop) { return evaluated(record, known, stop); });
     Q_EMIT stateChanged();
@@ -143,9 +163,45 @@ void RecordModel::evaluate()
 
 void RecordModel::take(const RecordState& state)
 {
-    letGo(std::exchange(m_state, state));
+    RecordState before = std::exchange(m_state, state);
+    m_state.record.fit = m_record.fit;
+    m_state.record.calibration = m_record.calibration;
+    m_state.fit = before.fit;
+    letGo(std::move(before));
     m_isEvaluating = false;
+    fit();
     Q_EMIT stateChanged();
+}
+
+/// Of the measurement that is there; of one that is being read when it has been.
+void RecordModel::fit()
+{
+    if (m_isEvaluating)
+        return;
+    m_fitJob.cancel();
+    const bool isSecond = &m_steps != &m_ownSteps; // which is compared, and no table is made of it
+    if (isSecond || !m_state.measurement)
+        return takeFit(nullptr);
+    m_isFitting = true;
+    m_fitJob.start([request = FitRequest{m_record, m_state.files, m_state.measurement, m_drive}](
+                       const std::stop_token& stop) { return fitted(request, stop); });
+    Q_EMIT fitChanged();
+}
+
+void RecordModel::takeFit(std::shared_ptr<const FitOutcome> outcome)
+{
+    m_isFitting = false;
+    auto before = std::exchange(m_state.fit, std::move(outcome));
+    Q_EMIT fitChanged(); // who has shown the old one lets go of it
+    letGo(std::move(before));
+}
+
+void RecordModel::setDrive(const FitDrive& drive)
+{
+    if (isSameDrive(drive, m_drive))
+        return;
+    m_drive = drive;
+    fit();
 }
 
 void RecordModel::readAgain()
@@ -299,6 +355,13 @@ void RecordModel::setUncertainty(std::optional<double> value)
     change(std::move(next), StepKind::Uncertainty);
 }
 
+void RecordModel::setFit(const FitChoices& choices, const QString& name)
+{
+    Record next = m_record;
+    next.fit = choices;
+    change(std::move(next), StepKind::Fit, name);
+}
+
 void RecordModel::setCalibration(std::shared_ptr<const CalibrationRecord> calibration)
 {
     Record next = m_record;
@@ -368,6 +431,8 @@ QString RecordModel::textOf(int index) const
         return tr("Uncertainty");
     case StepKind::StateTable:
         return tr("Table active while measured");
+    case StepKind::Fit:
+        return tr("Fit: %1").arg(step->subject);
     case StepKind::Calibration:
         break;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/async/background_job.h"
+#include "ui/record/fit_outcome.h"
 #include "ui/record/record_state.h"
 
 #include <QObject>
@@ -38,6 +39,11 @@ public:
     /// Whether the measurement of state() has the values that record() names, used or not.
     [[nodiscard]] bool isMeasurementShown() const;
     [[nodiscard]] bool isEvaluating() const { return m_isEvaluating; }
+    /// Whether state().fit is that of an earlier record, or there is none yet.
+    [[nodiscard]] bool isFitting() const { return m_isFitting; }
+    /// For which the table is made; no step, since nobody says it.
+    void setDrive(const FitDrive& drive);
+    [[nodiscard]] const FitDrive& drive() const { return m_drive; }
 
     // Each is one step. Nothing happens where nothing changes.
 
@@ -60,6 +66,8 @@ public:
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
+    /// name: of what is changed, translated; for the history.
+    void setFit(const FitChoices& choices, const QString& name);
     void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);
     void setTableStated(bool isStated);
     /// The one in use, and those that undoing and doing again would bring back; each once.
@@ -80,7 +88,8 @@ public:
 
 Q_SIGNALS:
     void changed(); ///< record()
-    void stateChanged(); ///< state(), isEvaluating()
+    void stateChanged(); ///< state() but for its fit, isEvaluating()
+    void fitChanged(); ///< state().fit, isFitting(), drive()
     void historyChanged(); ///< undoText(), redoText()
 
 private:
@@ -95,6 +104,7 @@ private:
         Corrections,
         Tolerance,
         Uncertainty,
+        Fit,
         Calibration,
         StateTable,
     };
@@ -105,6 +115,8 @@ private:
     void evaluate();
     void take(const RecordState& state);
     [[nodiscard]] Record withLimitsOfTheMeasurement() const;
+    void fit();
+    void takeFit(std::shared_ptr<const FitOutcome> outcome);
     [[nodiscard]] QString textOf(int step) const;
 
     Record m_record;
@@ -113,6 +125,9 @@ private:
     QUndoStack& m_steps;
     NewestJob<RecordState> m_job;
     bool m_isEvaluating = false;
+    FitDrive m_drive;
+    NewestJob<std::shared_ptr<const FitOutcome>> m_fitJob;
+    bool m_isFitting = false;
 };
 
 } // namespace axiscomp::ui

@@ -2,6 +2,7 @@
 #include "ui/record/record_state.h"
 
 #include "core/io/local_file.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/run_selection.h"
 
 #include <QCryptographicHash>
@@ -177,6 +178,7 @@ RecordState evaluated(
     state.upRuns = measurement->runCount(Approach::Up);
     state.downRuns = measurement->runCount(Approach::Down);
     state.excludedCount = measurement->excludedCount();
+    state.hasRaw = hasRawReadings(*measurement);
     state.unit = unitOf(*measurement);
     state.measurement = measurement;
     if (measurement->hasTargets() && !stop.stop_requested())

@@ -19,9 +19,9 @@ struct ReadMeasurement {
     MeasurementFile file; ///< as which it was read
     FileStamp stamp; ///< from before it was read
     const MeasurementFormat* format = nullptr; ///< null: not known, or the file is not readable
-    std::string sha256; ///< of the bytes that were read
     std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
     std::optional<Error> refusal; ///< why there is no measurement
+    std::string sha256; ///< of the bytes that were read, in hexadecimal digits
     // Counted once: of a million values that takes longer than a picture may be late.
     int upRuns = 0;
     int downRuns = 0;
@@ -37,6 +37,8 @@ struct JudgedValues {
     DeviationSeries series; ///< without a measurement: there are none
     FineUnit unit; ///< of the figures of its targets
 };
+
+struct FitOutcome;
 
 /// What a record comes to.
 struct RecordState {
@@ -56,6 +58,10 @@ struct RecordState {
     int upRuns = 0; ///< of measurement
     int downRuns = 0;
     std::size_t excludedCount = 0; ///< its values that are not used
+    bool hasRaw = false; ///< hasRawReadings(*measurement)
+    /// The table of a measurement, or of an earlier one while RecordModel::isFitting(); null: there
+    /// is no measurement.
+    std::shared_ptr<const FitOutcome> fit;
 };
 
 /// Reads what `known` does not have yet, joins and judges it. Takes as long as the files are large:

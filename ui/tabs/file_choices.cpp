@@ -3,6 +3,7 @@
 
 #include "ui/dialogs/file_filters.h"
 #include "ui/style/plain_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/value_text.h"
 
 #include <QCheckBox>
@@ -23,11 +24,6 @@ void describe(QWidget& field, const QString& name, const QString& description)
     field.setAccessibleName(name);
     field.setToolTip(description);
     field.setAccessibleDescription(description);
-}
-
-QString withoutKey(QString text)
-{
-    return text.remove(u'&');
 }
 
 } // namespace

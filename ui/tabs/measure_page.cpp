@@ -122,12 +122,10 @@ void MeasurePage::sayNextStep()
                 .arg(m_savedName));
     else if (!state.measurement->hasTargets())
         m_nextStep->say(Tone::Information,
-            tr("Without targets there are no figures of ISO 230-2; the command axiscomp fit makes "
-               "a table of it for Write."));
+            tr("Without targets there are no figures of ISO 230-2; Fit makes a table of it."));
     else
         m_nextStep->say(Tone::Success,
-            tr("The measurement can be used. Go on to Judge, or save it as runs for the command "
-               "axiscomp fit."));
+            tr("The measurement can be used. Go on to Judge and Fit."));
 }
 
 void MeasurePage::showSaved(

@@ -32,14 +32,7 @@ struct ArgumentText {
     {
         return QString::fromStdString(visibleText(name.text, true));
     }
-    QString operator()(const Quantity& quantity) const
-    {
-        QString text =
-            QString::fromStdString(quantity.digits).replace(u'.', QLocale().decimalPoint());
-        if (!quantity.unit.empty())
-            text += u' ' + QCoreApplication::translate("Unit", quantity.unit.c_str());
-        return text;
-    }
+    QString operator()(const Quantity& quantity) const { return translated(quantity); }
     QString operator()(std::int64_t count) const { return QString::number(count); }
     QString operator()(const Text& text) const { return translated(text); }
     QString operator()(const std::vector<Text>& list) const
@@ -52,6 +45,14 @@ struct ArgumentText {
 };
 
 } // namespace
+
+QString translated(const Quantity& quantity)
+{
+    QString text = QString::fromStdString(quantity.digits).replace(u'.', QLocale().decimalPoint());
+    if (!quantity.unit.empty())
+        text += u' ' + QCoreApplication::translate("Unit", quantity.unit.c_str());
+    return text;
+}
 
 QString translated(const Text& text)
 {

@@ -11,5 +11,7 @@ namespace axiscomp::ui {
 /// sign of the locale and the name of its unit, names as they are, what stands within it likewise.
 /// Words without a translation stay English.
 [[nodiscard]] QString translated(const Text& text);
+/// "-0.31 µm", as it stands in a text.
+[[nodiscard]] QString translated(const Quantity& quantity);
 
 } // namespace axiscomp::ui

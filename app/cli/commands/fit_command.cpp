@@ -10,6 +10,7 @@
 #include "app/cli/output/judgement_output.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/metrology/record/fit_record.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 
@@ -58,6 +59,12 @@ struct StateSources {
     std::optional<LookupAt> lookupAt; ///< by the drive's source
     std::string source;
 };
+
+/// Of --lookup-at, which is given.
+LookupAt statedLookup(const FitOptions& options)
+{
+    return options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
+}
 
 Result<void> takeZero(const FitOptions& options, FitSettings& settings)
 {
@@ -118,16 +125,6 @@ Result<void> takeGrid(const FitOptions& options, FitSettings& settings)
     return {};
 }
 
-/// What the largest slot holds.
-std::size_t mostPoints(const DriveProfile& profile)
-{
-    std::size_t largest = 0;
-    for (const TableSlot& slot : profile.tableSlots)
-        largest = std::max<std::size_t>(largest, slot.maximumSize);
-    const std::size_t header = profile.layout.headerSize;
-    return largest > header ? (largest - header) / sizeof(float) : 0;
-}
-
 Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& measurement,
     const StateSources& sources, const DriveProfile& profile)
 {
@@ -147,10 +144,10 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
             options.removedDrift == "offset" ? DriftRemoval::Offset : DriftRemoval::Trend;
     settings.lookupAt = sources.lookupAt;
     if (!options.lookupAt.empty())
-        settings.lookupAt = options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
+        settings.lookupAt = statedLookup(options);
     settings.isByTemperature = !options.by.empty();
     settings.gain = options.gain;
-    settings.mostPoints = mostPoints(profile);
+    settings.mostPoints = profile.mostPoints();
     if (!options.fill.empty())
         settings.farPoints = options.fill == "smooth" ? FarPoints::Smooth : FarPoints::Nearest;
     settings.isRobust = options.isRobust;
@@ -174,17 +171,6 @@ TableInputOptions tableFile(
     return input;
 }
 
-/// That the drive's source and --lookup-at say the same.
-Result<void> checkLookup(const FitOptions& options, const StateSources& sources)
-{
-    if (options.lookupAt.empty() || !sources.lookupAt
-        || options.lookupAt == lookupAtName(*sources.lookupAt))
-        return {};
-    return wrongUsage("the axis looks its table up at " + sources.source + ", which is --lookup-at "
-            + std::string(lookupAtName(*sources.lookupAt)),
-        options.input.command);
-}
-
 Result<void> readDrive(Environment& environment, const FitOptions& options, const std::string& unit,
     StateSources& sources)
 {
@@ -199,7 +185,10 @@ Result<void> readDrive(Environment& environment, const FitOptions& options, cons
         return ExitCode::Done;
     };
     AXISCOMP_CHECK(withAxis(environment, options.drive, read));
-    return checkLookup(options, sources);
+    if (options.lookupAt.empty())
+        return {};
+    AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
+    return checkLookupAt(statedLookup(options), profile, sources.source);
 }
 
 Result<StateSources> readStates(
@@ -223,18 +212,6 @@ Result<StateSources> readStates(
             tablesOfFile(environment, tableFile(options, measurement, options.onto), unit));
     }
     return sources;
-}
-
-/// What a person reads in the file of the table.
-std::vector<std::string> notesOf(
-    const MeasurementInput& input, const FitReport& report, const FitSettings& settings)
-{
-    std::vector<std::string> notes{
-        "made of " + sourcesText(input.sources) + ": " + measurementSummary(input.measurement),
-        report.state.text.english()};
-    notes.push_back("method " + std::string(fitMethodName(settings.method)) + ", looked up at "
-        + std::string(lookupAtName(report.lookupAt)));
-    return notes;
 }
 
 std::vector<CompensationTable> tablesOf(const FitReport& report)
@@ -301,7 +278,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     }
     if (isWritten)
         AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, tablesOf(report),
-            notesOf(input, report, settings)));
+            notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement),
+                settings, report)));
     if (!options.record.empty()) {
         AXISCOMP_TRY(
             const auto record, recordOfFit(input, options.input, corrections, settings, report));

@@ -2,6 +2,7 @@
 #include "app/cli/commands/fit_record.h"
 
 #include "app/common/arguments.h"
+#include "core/metrology/record/fit_record.h"
 
 #include <filesystem>
 
@@ -10,8 +11,7 @@ namespace axiscomp::app {
 namespace {
 
 Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
-    const MeasurementInputOptions& options, const MadeCorrections& corrections,
-    const FitSettings& settings)
+    const MeasurementInputOptions& options, const MadeCorrections& corrections)
 {
     RecordedMeasurement recorded;
     for (std::size_t n = 0; n < input.sources.size(); ++n) {
@@ -22,8 +22,8 @@ Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
     if (!options.excluded.empty()) {
         AXISCOMP_TRY(recorded.exclusions, exclusionsFromText(options.excluded));
     }
-    recorded.corrections = {
-        corrections.corrections.temperature, corrections.corrections.deadPath, settings.drift};
+    recorded.corrections.temperature = corrections.corrections.temperature;
+    recorded.corrections.deadPath = corrections.corrections.deadPath;
     return recorded;
 }
 
@@ -33,24 +33,9 @@ Result<CalibrationRecord> recordOfFit(const MeasurementInput& input,
     const MeasurementInputOptions& options, const MadeCorrections& corrections,
     const FitSettings& settings, const FitReport& report)
 {
-    CalibrationRecord record;
-    record.program = "axiscomp " AXISCOMP_VERSION;
-    record.time = std::chrono::system_clock::now();
-    AXISCOMP_TRY(record.before, recordedMeasurement(input, options, corrections, settings));
-    // What the file left open was stated by a person, or taken for granted.
-    record.notes = {report.state.text.english()};
-    if (!report.state.assumption.isEmpty())
-        record.notes.push_back(report.state.assumption.english());
-    record.fit = RecordedFit{settings};
-    record.fit->settings.lookupAt = report.lookupAt;
-    if (report.state.active)
-        record.fit->active = report.state.active->tables;
-    for (const FittedTable& made : report.tables)
-        record.tables.push_back({made.table, tableCrc(made.table)});
-    if (report.before && report.predicted)
-        record.prediction = RecordedPrediction{
-            figureValues(*report.before), figureValues(*report.predicted), report.heldOut};
-    return record;
+    AXISCOMP_TRY(auto before, recordedMeasurement(input, options, corrections));
+    return axiscomp::recordOfFit(std::move(before), settings, report, "axiscomp " AXISCOMP_VERSION,
+        std::chrono::system_clock::now());
 }
 
 Result<void> checkNewRecord(const std::string& file, const std::string& command)

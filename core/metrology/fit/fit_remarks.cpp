@@ -47,8 +47,8 @@ void remarkOfZero(const FittedTable& made, Remarks& remarks)
     if (made.removedConstant != 0.0)
         remarks.say("ZeroMoved",
             AXISCOMP_TEXT("Measurement",
-                "{constant} was taken out of all values of {table}, which makes it 0 where --zero "
-                "says")
+                "{constant} was taken out of all values of {table}, which makes it 0 at its zero "
+                "(--zero)")
                 .with("constant", remarks.fine(made.removedConstant))
                 .with("table", made.table.name));
 }
@@ -234,10 +234,10 @@ void remarkOfOutliers(const Judgement& judgement, Remarks& remarks)
     if (count > 0)
         remarks.warn("OutliersLeftIn",
             AXISCOMP_COUNTED("Measurement",
-                "{count} values do not fit the others and are in the table; `axiscomp judge` names "
-                "them, --exclude leaves them out",
-                "1 value does not fit the others and is in the table; `axiscomp judge` names it, "
-                "--exclude leaves it out")
+                "{count} values do not fit the others and are in the table; judging names them, "
+                "and they can be left out (axiscomp judge, --exclude)",
+                "1 value does not fit the others and is in the table; judging names it, and it can "
+                "be left out (axiscomp judge, --exclude)")
                 .with("count", count));
 }
 

@@ -241,7 +241,7 @@ Result<ChosenSmoothness> chooseSmoothness(
             {{"reason",
                 AXISCOMP_TEXT("Error",
                     "there are values at {count} points of the grid's range; {fewest} are needed "
-                    "to choose the smoothness, so state it (--smoothness)")
+                    "to choose the smoothness, so give it (--smoothness)")
                     .with("count", points.size())
                     .with("fewest", fewestPoints)}});
     const Grid trialGrid = coarserGrid(grid);

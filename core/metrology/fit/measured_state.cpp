@@ -51,8 +51,9 @@ Result<MeasuredState> agreedState(const StateRequest& request)
         if (onFile.kind == StateKind::NotSaid)
             return wrongState(AXISCOMP_TEXT("Error",
                 "the measurement does not say whether a compensation was active while it was "
-                "made; say it with --measured-with off, --measured-with on, or --measured-with "
-                "and the file of the table that was active"));
+                "made: say that it was off, that it was on, or which table was active "
+                "(--measured-with off, --measured-with on, or --measured-with and the file of the "
+                "table)"));
         return onFile;
     }
     const MeasuredState& stated = *request.stated;
@@ -61,8 +62,8 @@ Result<MeasuredState> agreedState(const StateRequest& request)
             && (!onFile.tableCrc || !stated.tableCrc || *onFile.tableCrc == *stated.tableCrc));
     if (!isSame)
         return wrongState(AXISCOMP_TEXT("Error",
-            "the measurement says that it was made with {recorded}, not with {stated}; leave out "
-            "--measured-with, or take the table that was active")
+            "the measurement says that it was made with {recorded}, not with {stated}; say nothing "
+            "else (--measured-with), or take the table that was active")
                               .with("recorded", stateText(onFile))
                               .with("stated", stateText(stated)));
     MeasuredState agreed = stated;
@@ -86,12 +87,13 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
         return wrongState(state.tableCrc
                 ? AXISCOMP_TEXT("Error",
                     "these are residuals of the table {crc}, which was active while they were "
-                    "measured: merge them with --onto and the file of that table, or with "
-                    "--onto drive")
+                    "measured: merge them onto that table, from its file or from the drive "
+                    "(--onto and the file, or --onto drive)")
                       .with("crc", crcDigits(*state.tableCrc))
                 : Text(AXISCOMP_TEXT("Error",
                     "these are residuals of a table that was active while they were measured: "
-                    "merge them with --onto and the file of that table, or with --onto drive")));
+                    "merge them onto that table, from its file or from the drive (--onto and the "
+                    "file, or --onto drive)")));
     FoundState found;
     found.kind = FoundState::Kind::On;
     found.active = request.onto;
@@ -100,7 +102,7 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
         if (!found.active)
             return wrongState(AXISCOMP_TEXT("Error",
                 "it was measured with the table {crc} active, which is not {name} ({known}), nor "
-                "any other table known; give its file with --measured-with, or merge onto it")
+                "any other table known; give its file (--measured-with), or merge onto it")
                                   .with("crc", crcDigits(*state.tableCrc))
                                   .with("name", request.onto->name)
                                   .with("known", crcList(*request.onto)));
@@ -157,7 +159,8 @@ Result<FoundState> findState(const StateRequest& request)
     if (request.onto)
         return wrongState(AXISCOMP_TEXT("Error",
             "it was measured with the compensation off: the values are the whole error, and must "
-            "not be added to {name}; leave out --onto, or measure with that table active")
+            "not be added to {name}; merge them onto nothing (leave out --onto), or measure with "
+            "that table active")
                               .with("name", request.onto->name));
     FoundState found;
     found.text = AXISCOMP_TEXT("Measurement", "measured with the compensation off");

@@ -145,9 +145,10 @@ Result<FitReport> fitMeasurement(const Measurement& measurement, const FitSettin
 {
     if (!settings.lookupAt)
         return badFit(AXISCOMP_TEXT("Error",
-            "at which position the drive looks the table up decides where its values belong: say "
-            "--lookup-at encoder for a position before the compensation, or --lookup-at set for "
-            "one after it"));
+            "at which position the drive looks the table up decides where its values belong: "
+            "choose "
+            "the encoder, for a position before the compensation, or the set position, for one "
+            "after it (--lookup-at encoder or --lookup-at set)"));
     if (!(settings.gain > 0.0 && settings.gain <= 2.0))
         return badFit(AXISCOMP_TEXT("Error", "a gain is above 0 and at most 2; it is usually 1"));
     if (settings.gain != 1.0 && state.kind != FoundState::Kind::On)

@@ -73,6 +73,8 @@ struct FitSettings {
     std::vector<Tolerance> tolerances = {};
     std::optional<double> uncertainty = {}; ///< U with k = 2, in mm or deg
     OutlierRule outlierRule = OutlierRule::PooledMad; ///< of the outliers that are told of
+
+    friend bool operator==(const FitSettings&, const FitSettings&) = default;
 };
 [[nodiscard]] std::string_view fitMethodName(FitMethod method); ///< "linear"
 [[nodiscard]] std::optional<FitMethod> fitMethodNamed(std::string_view name);

@@ -111,7 +111,7 @@ Result<std::optional<RigidBody>> removeBody(const FitInput& input, Scatter& scat
         if (!own[axis])
             return badFit(AXISCOMP_TEXT("Error",
                 "how the artefact lay is found from the deviations along all of its axes, but "
-                "there is no column for {axis}, such as d{axis}; leave --remove out")
+                "there is no column for {axis}, such as d{axis}; take out nothing (--remove)")
                               .with("axis", scatter.axes[axis]));
         vectors.positions[axis] = scatter.positions[axis];
         vectors.deviations[axis] = own[axis]->values;
@@ -202,8 +202,8 @@ Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::si
             && lines.size() < scatter.size() && fitEvenSpacing(lines, noDecimals).even;
         if (!isGrid)
             return badFit(AXISCOMP_TEXT("Error",
-                "the positions along {axis} are no even grid; say the grid of the table with "
-                "--points or --distance")
+                "the positions along {axis} are no even grid; say the grid of the table: its "
+                "points, or their distance (--points or --distance)")
                               .with("axis", made.name));
         made.size = static_cast<std::uint32_t>(lines.size());
         made.distance = evenDistance(from, to, lines.size());

@@ -105,6 +105,8 @@ Result<void> checkRunsSettings(const FitInput& input)
     if (!hasOneAxis || settings.zeroPosition.size() > 1)
         return badFit(AXISCOMP_TEXT(
             "Error", "the measurement is along one axis: give one number for its grid and zero"));
+    if (settings.zero == FitZero::Position && settings.zeroPosition.empty())
+        return badFit(AXISCOMP_TEXT("Error", "the position of the zero is missing (--zero)"));
     const bool isSmooth = settings.method == FitMethod::Smooth;
     if (settings.smoothness && !isSmooth)
         return badFit(AXISCOMP_TEXT("Error",
@@ -133,12 +135,12 @@ Result<void> placeZero(const FitInput& input, TableFitRequest& request)
     case FitZero::Home:
         if (!settings.home)
             return badFit(AXISCOMP_TEXT("Error",
-                "the home position of the axis is not known: give it with --home, or the position "
-                "of the zero with --zero"));
+                "the home position of the axis is not known: give it (--home), or the position of "
+                "the zero (--zero)"));
         if (!isHomeMeasured)
             return badFit(AXISCOMP_TEXT("Error",
                 "the home position {home} is outside the targets, so that the error there is not "
-                "known; take --zero first or another position")
+                "known; take the first target for the zero or another position (--zero)")
                               .with("home", placeOf(*settings.home, input.measurement.isAngular)));
         request.zero = ZeroRule::Position;
         request.zeroPosition = *settings.home;
@@ -175,8 +177,8 @@ Result<double> distanceOf(const std::vector<double>& targets)
     const EvenSpacing even = fitEvenSpacing(targets, noDecimals);
     if (!even.even)
         return badFit(AXISCOMP_TEXT("Error",
-            "the targets are not evenly spaced; say the grid of the table with --points, "
-            "--distance or --within"));
+            "the targets are not evenly spaced; say the grid of the table: its points, their "
+            "distance, or what it may be off the curve (--points, --distance or --within)"));
     return even.distance;
 }
 
@@ -275,20 +277,23 @@ Result<Measurement> predictedMeasurement(
     return result;
 }
 
-/// Where the values go up and down by the residuals that no target shows.
-void predictBetween(
-    const std::vector<MeasuredValue>& values, const TableFitRequest& request, FitReport& report)
+/// Where the values go up and down by the residuals that no target shows. Errors: Cancelled.
+Result<void> predictBetween(const std::vector<MeasuredValue>& values,
+    const TableFitRequest& request, const std::stop_token& stop, FitReport& report)
 {
-    auto heldOut = predictHeldOut(values, request);
+    auto heldOut = predictHeldOut(values, request, stop);
     if (heldOut) {
         report.heldOut = *std::move(heldOut);
-        return;
+        return {};
     }
+    if (heldOut.error().code == ErrorCode::Cancelled)
+        return fail(heldOut.error());
     addRemark(report, "HeldOutUnknown",
         AXISCOMP_TEXT("Measurement",
             "how well the error between the targets is known cannot be told: {reason}")
             .with("reason", textOf(heldOut.error())),
         true);
+    return {};
 }
 
 } // namespace
@@ -386,7 +391,7 @@ Result<FitReport> fitRuns(const FitInput& input)
     AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, table, request));
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    predictBetween(values.values, request, report);
+    AXISCOMP_CHECK(predictBetween(values.values, request, input.stop, report));
     report.sign = signOfRuns(input, fit, table);
     addRunsRemarks(input, judgement, fit, report);
     return report;

@@ -406,8 +406,8 @@ Result<std::vector<MeasuredValue>> predictRuns(std::span<const MeasuredValue> va
     return predicted;
 }
 
-Result<HeldOut> predictHeldOut(
-    std::span<const MeasuredValue> values, const TableFitRequest& request)
+Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
+    const TableFitRequest& request, const std::stop_token& stop)
 {
     AXISCOMP_TRY(const auto targets, byTargets(values));
     if (targets.size() < 4)
@@ -421,6 +421,8 @@ Result<HeldOut> predictHeldOut(
     double highest = -lowest;
     double square = 0.0;
     for (std::size_t left = 1; left + 1 < knots.size(); ++left) {
+        if (stop.stop_requested())
+            return fail(ErrorCode::Cancelled);
         std::vector<FitKnot> others = knots;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
         TableFit ignored;

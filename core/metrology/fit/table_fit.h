@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -120,8 +121,9 @@ struct HeldOut {
     double largest = 0.0;
     double range = 0.0; ///< M: largest - smallest
 };
-/// Errors: as fitTable, also for fewer than 4 targets.
-[[nodiscard]] Result<HeldOut> predictHeldOut(
-    std::span<const MeasuredValue> values, const TableFitRequest& request);
+/// Takes as long as a fit for each target. Errors: as fitTable, also for fewer than 4 targets;
+/// Cancelled.
+[[nodiscard]] Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
+    const TableFitRequest& request, const std::stop_token& stop = {});
 
 } // namespace axiscomp

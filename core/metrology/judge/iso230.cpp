@@ -312,6 +312,24 @@ FigureValues figureValues(const Iso230Figures& figures)
     return result;
 }
 
+std::optional<double> standardError(const DirectionFigures& figures)
+{
+    if (!figures.s)
+        return std::nullopt;
+    return *figures.s / std::sqrt(static_cast<double>(figures.n));
+}
+
+std::optional<double> standardError(const TargetFigures& target)
+{
+    const auto up = standardError(target.up);
+    const auto down = standardError(target.down);
+    if (!target.mean)
+        return target.up.mean ? up : down;
+    if (!up || !down)
+        return std::nullopt;
+    return 0.5 * std::hypot(*up, *down);
+}
+
 std::vector<std::optional<double>> valuesOfTargets(const Iso230Figures& figures)
 {
     std::vector<std::optional<double>> values;

@@ -103,6 +103,12 @@ struct FigureValues {
 };
 [[nodiscard]] FigureValues figureValues(const Iso230Figures& figures);
 
+/// Of a mean of one direction: s_i / sqrt(n_i). Nothing with a single value.
+[[nodiscard]] std::optional<double> standardError(const DirectionFigures& figures);
+/// Of the mean of both directions, or of the one that there is: half of the root of both squares.
+/// Nothing where one of them is not known.
+[[nodiscard]] std::optional<double> standardError(const TargetFigures& target);
+
 /// Means, s, B_i and R_i of all targets, as they stand in one table.
 [[nodiscard]] std::vector<std::optional<double>> valuesOfTargets(const Iso230Figures& figures);
 

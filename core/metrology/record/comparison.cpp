@@ -46,29 +46,15 @@ Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& 
     return {};
 }
 
-std::optional<double> squaredError(const DirectionFigures& figures)
-{
-    if (!figures.s)
-        return std::nullopt;
-    return *figures.s * *figures.s / static_cast<double>(figures.n);
-}
-
 /// The mean of both directions, or of the one that there is.
 RemainingError remainingAt(const TargetFigures& target)
 {
     RemainingError error{target.position};
-    const auto up = squaredError(target.up);
-    const auto down = squaredError(target.down);
-    if (target.mean) {
+    if (target.mean)
         error.value = *target.mean;
-        if (up && down)
-            error.standardError = 0.5 * std::sqrt(*up + *down);
-        return error;
-    }
-    error.value = target.up.mean ? *target.up.mean : target.down.mean.value_or(0.0);
-    const auto& only = target.up.mean ? up : down;
-    if (only)
-        error.standardError = std::sqrt(*only);
+    else
+        error.value = target.up.mean ? *target.up.mean : target.down.mean.value_or(0.0);
+    error.standardError = standardError(target);
     return error;
 }
 

@@ -175,7 +175,7 @@ private Q_SLOTS:
         QTest::newRow("off and merged")
             << off << onto << QByteArray("MeasurementState") << QByteArray("leave out --onto");
         QTest::newRow("on and not merged") << on << encoder << QByteArray("MeasurementState")
-                                           << QByteArray("merge them with --onto");
+                                           << QByteArray("(--onto and the file, or --onto drive)");
         QTest::newRow("unknown table")
             << on << onto << QByteArray("MeasurementState")
             << QByteArray("the table 1c291ca3 active, which is not old.csv");

@@ -58,6 +58,7 @@ namespace axiscomp::test {
         return false;
     for (const QWidget* parent = input.parentWidget(); parent; parent = parent->parentWidget()) {
         if (parent->objectName() == QStringLiteral("tablePlot")
+            || parent->objectName() == QStringLiteral("fitMap")
             || qobject_cast<const QDialogButtonBox*>(parent))
             return false;
     }

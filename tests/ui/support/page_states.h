@@ -292,6 +292,41 @@ inline bool closeUnsaved(PageFixture& bench)
         && PageUser::waitFor([&] { return bench.user.sees("saveAndCloseButton"); });
 }
 
+/// The tab Fit with a measurement and all that is asked for answered; points: of a plane.
+inline bool fit(PageFixture& bench, const QString& path)
+{
+    if (!bench.user.isThere())
+        return false;
+    auto& tabs = bench.user.the<QTabBar>("pageTabs");
+    tabs.setCurrentIndex(0);
+    bench.picked = path;
+    if (!bench.user.click("addMeasurement"))
+        return false;
+    tabs.setCurrentIndex(1);
+    auto& lookup = bench.user.the<QComboBox>("fitLookup");
+    if (!PageUser::waitFor([&] { return lookup.isEnabled() && lookup.isVisible(); }))
+        return false;
+    lookup.setCurrentIndex(1);
+    Q_EMIT lookup.activated(1);
+    return PageUser::waitFor([&] { return bench.user.the("saveFittedTable").isEnabled(); });
+}
+inline bool fitCurve(PageFixture& bench)
+{
+    return fit(bench,
+        bench.file(QStringLiteral("off.csv"),
+            "// compensation: off\ntarget [mm],direction,run,deviation [um]\n"
+            "0,+,1,1\n10,+,1,2\n20,+,1,4\n30,+,1,3\n0,-,1,1\n10,-,1,2\n20,-,1,4\n30,-,1,3\n"));
+}
+inline bool fitMap(PageFixture& bench)
+{
+    QByteArray text = "// compensation: off\nX [mm],Y [mm],dX [um],dY [um]\n";
+    for (int y = 0; y <= 30; y += 5)
+        for (int x = 0; x <= 40; x += 5)
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                + QByteArray::number(0.1 * x) + ',' + QByteArray::number(-0.2 * y) + '\n';
+    return fit(bench, bench.file(QStringLiteral("plane.csv"), text));
+}
+
 } // namespace page_states
 
 inline const std::vector<PageState>& allPageStates()
@@ -323,6 +358,8 @@ inline const std::vector<PageState>& allPageStates()
         {"prove", prove},
         {"proved", proved},
         {"close unsaved", closeUnsaved},
+        {"fit", fitCurve},
+        {"fit map", fitMap},
     };
     return all;
 }

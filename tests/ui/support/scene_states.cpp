@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/scene_states.h"
 
+#include "core/metrology/fit/measurement_fit.h"
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/record_files.h"
@@ -920,6 +921,100 @@ void closingUnsaved(PageScene& scene)
     QTest::qWait(200);
 }
 
+void chooseInList(PageScene& scene, const char* name, int data)
+{
+    auto* list = scene.page().findChild<QComboBox*>(QLatin1StringView(name));
+    list->setCurrentIndex(list->findData(data));
+    Q_EMIT list->activated(list->currentIndex());
+}
+
+void fitOf(PageScene& scene, const QString& path)
+{
+    measureEmpty(scene);
+    addMeasurement(scene, path, 1);
+    scene.page().findChild<QTabBar*>(QStringLiteral("pageTabs"))->setCurrentIndex(PageTabs::Fit);
+    QTest::qWait(200);
+}
+
+void waitForFit(PageScene& scene)
+{
+    const auto* use = scene.page().findChild<QPushButton*>(QStringLiteral("saveFittedTable"));
+    wait([&] { return use->isEnabled(); }, "the table");
+    QTest::qWait(200);
+}
+
+void fitAsks(PageScene& scene)
+{
+    fitOf(scene, publicMeasurement("b02_x"));
+}
+
+/// Off, and looked up at the encoder.
+void fitCurve(PageScene& scene)
+{
+    fitAsks(scene);
+    chooseInList(scene, "fitLookup", 1);
+    chooseInList(scene, "fitMeasuredWith", 1);
+    waitForFit(scene);
+}
+
+/// An error of the screw's period between 51 targets.
+void fitSmooth(PageScene& scene)
+{
+    QByteArray text =
+        "// axis: X\n// compensation: off\ntarget [mm],direction,run,deviation [um]\n";
+    for (int run = 1; run <= 5; ++run)
+        for (const char* direction : {"+", "-"})
+            for (int n = 0; n <= 50; ++n) {
+                const double x = 10.0 * n + 2.9 * std::sin(1.7 * n * n);
+                const double value = 0.012 * x + 3.0 * std::sin(x / 68.0)
+                    + 0.8 * std::sin(2.0 * 3.14159265 * x / 10.0)
+                    + 0.1 * std::sin(12.9 * n + 7.0 * run) + (*direction == '+' ? 1.2 : -1.2);
+                text += QByteArray::number(x, 'f', 3) + ',' + direction + ','
+                    + QByteArray::number(run) + ',' + QByteArray::number(value, 'f', 3) + '\n';
+            }
+    fitOf(scene, scene.stage().file(QStringLiteral("before-x.csv"), text));
+    chooseInList(scene, "fitLookup", 1);
+    chooseInList(scene, "fitMethod", static_cast<int>(FitMethod::Smooth));
+    auto* periods = scene.page().findChild<QLineEdit*>(QStringLiteral("fitPeriods"));
+    periods->setText(QStringLiteral("10"));
+    Q_EMIT periods->editingFinished();
+    waitForFit(scene);
+}
+
+void fitWrongNumber(PageScene& scene)
+{
+    fitCurve(scene);
+    auto* turn = scene.page().findChild<QLineEdit*>(QStringLiteral("fitTurn"));
+    turn->setText(QStringLiteral("one turn"));
+    Q_EMIT turn->editingFinished();
+    QTest::qWait(200);
+}
+
+/// A plate with a hole in it, whose grid points are filled.
+void fitMap(PageScene& scene)
+{
+    QByteArray text = "// compensation: off\nX [mm],Y [mm],dX [um],dY [um]\n";
+    for (int y = 0; y <= 30; y += 2)
+        for (int x = 0; x <= 40; x += 2) {
+            if (std::hypot(x - 26.0, y - 12.0) < 5.0)
+                continue;
+            text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                + QByteArray::number(1.8 * std::sin(x / 7.0) + 0.04 * y, 'f', 3) + ','
+                + QByteArray::number(0.9 * std::cos(y / 6.0) - 0.03 * x, 'f', 3) + '\n';
+        }
+    fitOf(scene, scene.stage().file(QStringLiteral("plate.csv"), text));
+    chooseInList(scene, "fitLookup", 1);
+    waitForFit(scene);
+}
+
+void fitUsed(PageScene& scene)
+{
+    fitCurve(scene);
+    scene.click("useAsTable");
+    wait([&] { return scene.controller().dataFile().isMade; }, "the table on Write");
+    scene.settle();
+}
+
 } // namespace
 
 const std::vector<SceneState>& sceneStates()
@@ -990,6 +1085,12 @@ const std::vector<SceneState>& sceneStates()
         {"prove-kept", proveKept},
         {"prove-wrong-sign", proveWrongSign},
         {"closing-unsaved", closingUnsaved},
+        {"fit-asks", fitAsks},
+        {"fit", fitCurve},
+        {"fit-smooth", fitSmooth},
+        {"fit-wrong-number", fitWrongNumber},
+        {"fit-map", fitMap},
+        {"fit-used", fitUsed},
     };
     return all;
 }

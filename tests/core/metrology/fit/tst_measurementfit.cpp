@@ -425,7 +425,7 @@ private Q_SLOTS:
         QVERIFY(isRefused(
             fitMeasurement(runs, settings, measuredOff()), "400 mm is outside the targets"));
         settings.home.reset();
-        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "give it with --home"));
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "give it (--home)"));
         settings.zero = FitZero::Position;
         settings.zeroPosition = {101.0};
         QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "outside the targets"));

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/known_tables.h"
+
+#include "core/compensator/drive_record.h"
+#include "core/drive/axis_target.h"
+#include "core/io/local_file.h"
+#include "core/table/position_unit.h"
+#include "core/table/table_units.h"
+#include "core/table/tam_table.h"
+
+#include <iterator>
+
+namespace axiscomp {
+
+namespace {
+
+/// A table in the unit of the measurement. crc: as the drive has it; nothing: that of a drive with
+/// this unit.
+Result<void> addTable(KnownTables& known, const CompensationTable& table,
+    std::optional<std::uint32_t> crc, const std::string& unit, const TableLayout& layout,
+    std::vector<Text>* remarks)
+{
+    TableUnits units{unit, std::vector<std::string>(table.grid.axes.size(), unit)};
+    for (std::size_t n = 0; n < units.positions.size(); ++n)
+        if (!table.grid.axes[n].unit.empty() && !isPositionUnit(table.grid.axes[n].unit))
+            units.positions[n].clear();
+    AXISCOMP_TRY(auto converted, inDriveUnits(table, units));
+    if (remarks)
+        std::ranges::move(converted.remarks, std::back_inserter(*remarks));
+    if (!crc) {
+        AXISCOMP_TRY(crc, elementCrc(converted.table, layout));
+    }
+    known.tables.push_back(std::move(converted.table));
+    known.crcs.push_back(*crc);
+    return {};
+}
+
+Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
+    const DriveProfile& profile, const std::string& driveUnit, const std::string& unit)
+{
+    AXISCOMP_TRY(const auto bytes, loadFile(file, maximumBackupSize));
+    AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), file.string()));
+    KnownTables known;
+    known.name = AXISCOMP_TEXT("Measurement", "the backup {file}")
+                     .with("file", Verbatim{file.filename().string()});
+    for (const AxisBackup& axis : backup.axes) {
+        for (const AxisBackup::File& one : axis.files) {
+            if (one.bytes.empty())
+                continue;
+            AXISCOMP_TRY(auto table, decodeTamTable(one.bytes, profile.layout));
+            AXISCOMP_TRY(const auto crc, elementCrc(table.table, profile.layout));
+            table.table.unit = driveUnit;
+            for (GridAxis& along : table.table.grid.axes)
+                along.unit = driveUnit;
+            AXISCOMP_CHECK(addTable(known, table.table, crc, unit, profile.layout, nullptr));
+        }
+    }
+    if (!known.tables.empty())
+        tables.backups.push_back(std::move(known));
+    return {};
+}
+
+} // namespace
+
+Result<TablesOfFile> tablesOfFile(const std::string& name, std::vector<CompensationTable> tables,
+    const std::string& unit, const TableLayout& layout)
+{
+    TablesOfFile made;
+    made.tables.name = Verbatim{name};
+    for (const CompensationTable& table : tables)
+        AXISCOMP_CHECK(addTable(made.tables, table, std::nullopt, unit, layout, &made.remarks));
+    return made;
+}
+
+AxisOfDrive axisOfDrive(const AxisStatus& status)
+{
+    const auto sources = sourcePaths(status.setup);
+    return {status.axis, status.drive.serialNumber, sources.empty() ? "" : sources.front()};
+}
+
+Result<AxisTables> tablesOfAxis(const AxisOfDrive& axis, CompensationTable table,
+    const DriveProfile& profile, const DriveStore& store, const std::string& unit)
+{
+    AxisTables tables;
+    const TextPattern name = axis.axis.name.empty()
+        ? AXISCOMP_TEXT("Measurement", "the table of axis {index}")
+        : AXISCOMP_TEXT("Measurement", "the table of axis {index} ({axis})");
+    tables.active.name = name.with("index", axis.axis.index).with("axis", Verbatim{axis.axis.name});
+    const std::string driveUnit = unitSymbol(axis.axis.unit);
+    if (table.unit.empty())
+        table.unit = driveUnit;
+    for (GridAxis& along : table.grid.axes)
+        if (along.unit.empty())
+            along.unit = driveUnit;
+    AXISCOMP_TRY(const auto crc, elementCrc(table, profile.layout));
+    AXISCOMP_CHECK(addTable(tables.active, table, crc, unit, profile.layout, &tables.remarks));
+    tables.source = axis.source;
+    if (!axis.source.empty())
+        tables.lookupAt = lookupAtSource(profile, axis.source);
+    for (const auto& file : store.backups(axis.serialNumber, axis.axis.index)) {
+        const auto added = addBackup(tables, file, profile, driveUnit, unit);
+        if (!added)
+            tables.unreadable.push_back(added.error());
+    }
+    return tables;
+}
+
+Result<void> checkLookupAt(LookupAt stated, const DriveProfile& profile, const std::string& source)
+{
+    const auto found = lookupAtSource(profile, source);
+    if (!found || *found == stated)
+        return {};
+    const TextPattern pattern = *found == LookupAt::Encoder
+        ? AXISCOMP_TEXT("Error",
+            "the axis looks its table up at {source}, a position before the compensation, which is "
+            "--lookup-at encoder")
+        : AXISCOMP_TEXT("Error",
+            "the axis looks its table up at {source}, a position after the compensation, which is "
+            "--lookup-at set");
+    return fail(ErrorCode::InvalidArgument, {{"reason", pattern.with("source", Verbatim{source})}});
+}
+
+} // namespace axiscomp

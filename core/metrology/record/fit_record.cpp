@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/record/fit_record.h"
+
+#include <utility>
+
+namespace axiscomp {
+
+CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& settings,
+    const FitReport& report, const std::string& program, WallTime time)
+{
+    CalibrationRecord record;
+    record.program = program;
+    record.time = time;
+    before.corrections.drift = settings.drift;
+    record.before = std::move(before);
+    // What the file left open was stated by a person, or taken for granted.
+    record.notes = {report.state.text.english()};
+    if (!report.state.assumption.isEmpty())
+        record.notes.push_back(report.state.assumption.english());
+    record.fit = RecordedFit{settings};
+    record.fit->settings.lookupAt = report.lookupAt;
+    if (report.state.active)
+        record.fit->active = report.state.active->tables;
+    for (const FittedTable& made : report.tables)
+        record.tables.push_back({made.table, tableCrc(made.table)});
+    if (report.before && report.predicted)
+        record.prediction = RecordedPrediction{
+            figureValues(*report.before), figureValues(*report.predicted), report.heldOut};
+    return record;
+}
+
+std::vector<std::string> notesOfFit(
+    const std::string& sources, const FitSettings& settings, const FitReport& report)
+{
+    return {"made of " + sources, report.state.text.english(),
+        "method " + std::string(fitMethodName(settings.method)) + ", looked up at "
+            + std::string(lookupAtName(report.lookupAt))};
+}
+
+} // namespace axiscomp

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/window_test.h"
+#include "ui/fields/number_edit.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+namespace tst_numberedit {
+
+using axiscomp::ui::NumberEdit;
+using Numbers = std::vector<double>;
+
+namespace {
+
+void enter(NumberEdit& field, const QString& text)
+{
+    field.setText(text);
+    Q_EMIT field.editingFinished();
+}
+
+} // namespace
+
+/// Numbers as a person types them: what is none is never taken for another one.
+class TestNumberEdit : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { axiscomp::test::failOnWindowWarnings(); }
+    void cleanup() { QLocale::setDefault(QLocale(QLocale::English)); }
+
+    void numbersAreTypedAsTheLanguageWritesThem()
+    {
+        QLocale::setDefault(QLocale(QLocale::German));
+        NumberEdit field({.most = 3});
+        enter(field, QStringLiteral("0,5; 10"));
+        QCOMPARE(field.numbers(), (Numbers{0.5, 10.0}));
+        enter(field, QStringLiteral("2.5"));
+        QCOMPARE(field.numbers(), Numbers{2.5});
+        field.setNumbers({1.25, 3.0});
+        QCOMPARE(field.text(), QStringLiteral("1,25; 3"));
+    }
+
+    /// A thousand or one: it depends on who reads it.
+    void whatCanBeReadInTwoWaysIsNotTaken()
+    {
+        for (const auto language : {QLocale::English, QLocale::German}) {
+            QLocale::setDefault(QLocale(language));
+            NumberEdit field(NumberEdit::Rule{});
+            enter(field,
+                language == QLocale::English ? QStringLiteral("1,000") : QStringLiteral("1.000,5"));
+            QVERIFY(field.numbers().empty() && !field.problem().isEmpty());
+            if (language == QLocale::German) {
+                enter(field, QStringLiteral("1.000"));
+                QVERIFY(field.numbers().empty() && !field.problem().isEmpty());
+            }
+        }
+    }
+
+    void aWrongTextStaysAndTheNumberBeforeToo()
+    {
+        NumberEdit field({.smallest = 0.0, .isMore = true});
+        QSignalSpy chosen(&field, &NumberEdit::chosen);
+        enter(field, QStringLiteral("4"));
+        QCOMPARE(chosen.size(), 1);
+        for (const char* wrong : {"0", "-1", "four", "nan", "inf", "1; 2"}) {
+            enter(field, QLatin1StringView(wrong));
+            QVERIFY2(!field.problem().isEmpty(), wrong);
+            QCOMPARE(field.text(), QLatin1StringView(wrong));
+            QCOMPARE(field.numbers(), Numbers{4.0});
+        }
+        QCOMPARE(chosen.size(), 1);
+        enter(field, QString());
+        QVERIFY(field.problem().isEmpty() && field.numbers().empty());
+        QCOMPARE(chosen.size(), 2);
+    }
+
+    void aCountIsWhole()
+    {
+        NumberEdit field({.most = 2, .smallest = 2.0, .areWhole = true});
+        enter(field, QStringLiteral("41; 31"));
+        QCOMPARE(field.numbers(), (Numbers{41.0, 31.0}));
+        enter(field, QStringLiteral("2.5"));
+        QVERIFY(!field.problem().isEmpty());
+        enter(field, QStringLiteral("1"));
+        QVERIFY(!field.problem().isEmpty());
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestNumberEdit)
+
+} // namespace tst_numberedit
+
+#include "tst_numberedit.moc"

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/fields/number_edit.h"
+
+#include "ui/style/contrast.h"
+#include "ui/style/symbols.h"
+
+#include <QAction>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <cmath>
+
+namespace axiscomp::ui {
+
+NumberEdit::NumberEdit(const Rule& rule, QWidget* parent) : QLineEdit(parent), m_rule(rule)
+{
+    connect(this, &QLineEdit::editingFinished, this, &NumberEdit::take);
+}
+
+void NumberEdit::setNumbers(const std::vector<double>& numbers)
+{
+    m_numbers = numbers;
+    const auto shown = numbersOf(text());
+    if (!shown || *shown != numbers) {
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        QStringList texts;
+        for (const double number : numbers)
+            texts += locale.toString(number, 'g', QLocale::FloatingPointShortest);
+        setText(texts.join(QStringLiteral("; ")));
+        setCursorPosition(0);
+    }
+    setWrong(false);
+}
+
+QString NumberEdit::problem() const
+{
+    if (!m_isWrong)
+        return {};
+    return tr("%1: \"%2\" cannot be taken. %3")
+        .arg(accessibleName(), text().trimmed(), accessibleDescription());
+}
+
+void NumberEdit::take()
+{
+    const auto numbers = numbersOf(text());
+    setWrong(!numbers);
+    if (!numbers || *numbers == m_numbers)
+        return;
+    m_numbers = *numbers;
+    Q_EMIT chosen();
+}
+
+void NumberEdit::setWrong(bool isWrong)
+{
+    if (isWrong == m_isWrong && !isWrong)
+        return;
+    m_isWrong = isWrong;
+    if (!m_mark)
+        m_mark = addAction(QIcon(), TrailingPosition);
+    constexpr int markSize = 16;
+    m_mark->setIcon(QIcon(symbolPixmap(
+        Symbol::Warning, frameColor(Tone::Error, palette()), markSize, devicePixelRatioF())));
+    m_mark->setVisible(isWrong);
+    Q_EMIT problemChanged();
+}
+
+std::optional<std::vector<double>> NumberEdit::numbersOf(const QString& text) const
+{
+    static const QRegularExpression between(QStringLiteral("[;\\s]+"));
+    // "1,000" is no thousand here, and no one either.
+    QLocale locale;
+    QLocale plain = QLocale::c();
+    locale.setNumberOptions(QLocale::RejectGroupSeparator);
+    plain.setNumberOptions(QLocale::RejectGroupSeparator);
+    std::vector<double> numbers;
+    for (const QString& part : text.split(between, Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        double number = locale.toDouble(part, &isNumber);
+        bool isThousand = false;
+        static_cast<void>(QLocale().toDouble(part, &isThousand));
+        if (!isNumber && !isThousand)
+            number = plain.toDouble(part, &isNumber);
+        const bool isLargeEnough = !m_rule.smallest || number > *m_rule.smallest
+            || (!m_rule.isMore && number == *m_rule.smallest);
+        const bool isWhole = !m_rule.areWhole || number == std::floor(number);
+        if (!isNumber || !std::isfinite(number) || !isLargeEnough || !isWhole)
+            return std::nullopt;
+        numbers.push_back(number);
+    }
+    if (numbers.size() > m_rule.most)
+        return std::nullopt;
+    return numbers;
+}
+
+} // namespace axiscomp::ui
