@@ -308,7 +308,7 @@ void CompensationWizard::Private::useTable(
     using Calibration = std::shared_ptr<const CalibrationRecord>;
     const auto begun = inBackground<Calibration>([outcome] { return calibrationOf(*outcome); });
     whenDone(begun, &q, [this, outcome, table](const Calibration& calibration) {
-        if (!controller.useTables(madeTables(*outcome, table)))
+        if (!calibration || !controller.useTables(madeTables(*outcome, table)))
             return;
         record.setCalibration(calibration);
         page->tabs->setCurrentIndex(PageTabs::Write);

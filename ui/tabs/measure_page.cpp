@@ -124,8 +124,7 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Information,
             tr("Without targets there are no figures of ISO 230-2; Fit makes a table of it."));
     else
-        m_nextStep->say(Tone::Success,
-            tr("The measurement can be used. Go on to Judge and Fit."));
+        m_nextStep->say(Tone::Success, tr("The measurement can be used. Go on to Judge and Fit."));
 }
 
 void MeasurePage::showSaved(
