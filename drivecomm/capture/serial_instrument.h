@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/reference_lines.h"
+#include "core/capture/reference_lines.h"
 
 #include <memory>
 #include <string>

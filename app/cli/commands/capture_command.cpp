@@ -6,9 +6,10 @@
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
 #include "core/base/wall_time.h"
+#include "core/capture/capture_run.h"
 #include "core/io/local_file.h"
 #include "core/metrology/fine_quantity.h"
-#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/capture/number_pattern.h"
 #include "drivecomm/capture/serial_instrument.h"
 
 #include <cmath>
@@ -26,7 +27,7 @@ struct CaptureOptions {
     std::string pattern;
     std::string request;
     std::string output;
-    drivecomm::ReferenceScale scale;
+    ReferenceScale scale;
     double window = 0.001; ///< in mm or deg
     double dwellSeconds = 1.0;
     int readings = 10;
@@ -51,17 +52,17 @@ std::string shownReference(const CaptureOptions& options, ReferenceKind kind)
 {
     switch (kind) {
     case ReferenceKind::Lines:
-        return drivecomm::referenceText("standard input", options.scale);
+        return referenceText("standard input", options.scale);
     case ReferenceKind::Typed:
-        return drivecomm::referenceText("typed", options.scale);
+        return referenceText("typed", options.scale);
     case ReferenceKind::Serial:
     case ReferenceKind::Register:
         break;
     }
-    return drivecomm::referenceText(options.reference, options.scale);
+    return referenceText(options.reference, options.scale);
 }
 
-drivecomm::CaptureRules rulesOf(const CaptureOptions& options)
+CaptureRules rulesOf(const CaptureOptions& options)
 {
     return {options.window,
         std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -81,7 +82,7 @@ std::chrono::nanoseconds timeSinceStart()
 class Capture {
 public:
     Capture(Environment& environment, CommandSession& session, CaptureOptions& options,
-        drivecomm::CaptureRun& run, ReferenceKind kind)
+        CaptureRun& run, ReferenceKind kind)
         : m_environment(environment)
         , m_session(session)
         , m_options(options)
@@ -91,7 +92,7 @@ public:
     }
 
     /// Everything that only one kind of reference has.
-    [[nodiscard]] Result<void> prepare(std::span<const drivecomm::CapturedValue> taken);
+    [[nodiscard]] Result<void> prepare(std::span<const CapturedValue> taken);
     /// Times of readings follow this one.
     void beginAt(std::chrono::nanoseconds time) { m_offset = time - timeSinceStart(); }
     [[nodiscard]] Result<void> follow();
@@ -106,34 +107,35 @@ private:
     void takeTyped(std::string_view line);
     void ask();
     void showValue();
-    void hintAtZero(const drivecomm::CapturedValue& value);
-    [[nodiscard]] Result<void> show(const drivecomm::CaptureNews& news);
+    void hintAtZero(const CapturedValue& value);
+    [[nodiscard]] Result<void> show(const CaptureNews& news);
     [[nodiscard]] std::string dueText() const;
 
     Environment& m_environment;
     CommandSession& m_session;
     CaptureOptions& m_options;
-    drivecomm::CaptureRun& m_run;
+    CaptureRun& m_run;
     ReferenceKind m_kind;
     std::chrono::nanoseconds m_offset{0};
-    std::optional<drivecomm::ReferenceLines> m_lines;
-    std::optional<drivecomm::TypedReference> m_typed;
+    std::optional<ReferenceLines> m_lines;
+    std::optional<TypedReference> m_typed;
     std::unique_ptr<drivecomm::SerialInstrument> m_serial;
     std::string m_typedLine; ///< that has not ended
     bool m_isAsked = false; ///< for a typed reference
     bool m_isDone = false;
 };
 
-Result<void> Capture::prepare(std::span<const drivecomm::CapturedValue> taken)
+Result<void> Capture::prepare(std::span<const CapturedValue> taken)
 {
     if (m_kind == ReferenceKind::Register)
         return {};
-    drivecomm::ReferenceScale scale = m_options.scale;
+    ReferenceScale scale = m_options.scale;
     // The question names the unit.
     if (m_kind == ReferenceKind::Typed && scale.unit.empty())
         scale.unit = unit();
-    AXISCOMP_TRY(auto reader,
-        drivecomm::ReferenceLineReader::make(scale, plan().isAngular, m_options.pattern));
+    AXISCOMP_TRY(auto finder, drivecomm::numberPattern(m_options.pattern));
+    AXISCOMP_TRY(
+        auto reader, ReferenceLineReader::make(scale, plan().isAngular, std::move(finder)));
     switch (m_kind) {
     case ReferenceKind::Lines:
         m_lines.emplace(std::move(reader), rulesOf(m_options).dwell);
@@ -146,7 +148,7 @@ Result<void> Capture::prepare(std::span<const drivecomm::CapturedValue> taken)
     case ReferenceKind::Serial: {
         AXISCOMP_TRY(m_serial,
             drivecomm::SerialInstrument::open(m_options.reference, m_options.request,
-                drivecomm::ReferenceLines(std::move(reader), rulesOf(m_options).dwell)));
+                ReferenceLines(std::move(reader), rulesOf(m_options).dwell)));
         m_run.setInstrument([this](std::chrono::nanoseconds time) { return m_serial->at(time); });
         break;
     }
@@ -166,7 +168,7 @@ std::string Capture::dueText() const
 
 void Capture::showValue()
 {
-    const drivecomm::CapturedValue& value = m_run.value();
+    const CapturedValue& value = m_run.value();
     const Quantity deviation = fineQuantity(value.deviation, plan().isAngular);
     m_environment.print(std::to_string(value.step.step) + "/" + std::to_string(plan().steps.size())
         + "  " + planPosition(value.step.target) + " " + unit() + " "
@@ -178,7 +180,7 @@ void Capture::showValue()
 }
 
 /// A laser is set to 0 wherever the axis stands.
-void Capture::hintAtZero(const drivecomm::CapturedValue& value)
+void Capture::hintAtZero(const CapturedValue& value)
 {
     constexpr double share = 0.01;
     const std::vector<double> targets = targetsOf(plan());
@@ -225,7 +227,7 @@ void Capture::takeInput(const std::string& text)
         takeTyped(std::string_view(m_typedLine).substr(0, end));
         m_typedLine.erase(0, end + 1);
     }
-    if (m_typedLine.size() > drivecomm::ReferenceLines::longestLine)
+    if (m_typedLine.size() > ReferenceLines::longestLine)
         m_typedLine.clear();
 }
 
@@ -250,38 +252,38 @@ Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
     }
 }
 
-Result<void> Capture::show(const drivecomm::CaptureNews& news)
+Result<void> Capture::show(const CaptureNews& news)
 {
     Console& console = m_environment.console();
     if (news.isBack)
         console.note("the drive answers again");
     switch (news.kind) {
-    case drivecomm::CaptureNews::Kind::Lost:
+    case CaptureNews::Kind::Lost:
         console.note(news.text.english() + "; waiting for it, Ctrl-C ends");
         return {};
-    case drivecomm::CaptureNews::Kind::Refused:
+    case CaptureNews::Kind::Refused:
         console.note(news.text.english());
         if (m_typed)
             m_typed->forget();
         return {};
-    case drivecomm::CaptureNews::Kind::NoReference:
+    case CaptureNews::Kind::NoReference:
         if (m_typed)
             ask();
         else
             console.note(dueText() + ": " + news.text.english());
         return {};
-    case drivecomm::CaptureNews::Kind::Moving:
+    case CaptureNews::Kind::Moving:
         m_isAsked = false;
         if (m_typed)
             m_typed->forget();
         return {};
-    case drivecomm::CaptureNews::Kind::Stopped:
+    case CaptureNews::Kind::Stopped:
         return fail(ErrorCode::MeasurementState, {{"reason", news.text}});
-    case drivecomm::CaptureNews::Kind::Done:
+    case CaptureNews::Kind::Done:
         m_isDone = true;
         return {};
-    case drivecomm::CaptureNews::Kind::Taken:
-    case drivecomm::CaptureNews::Kind::Nothing:
+    case CaptureNews::Kind::Taken:
+    case CaptureNews::Kind::Nothing:
         break;
     }
     return {};
@@ -353,33 +355,32 @@ Result<std::string> registerPath(CommandSession& session, const std::string& tex
     return fail(source.error());
 }
 
-Result<drivecomm::AxisReadings> openReadings(CommandSession& session, int axis,
-    const AxisStatus& status, const MeasuringPlan& plan, CaptureOptions& options,
-    ReferenceKind kind)
+Result<AxisReadings> openReadings(CommandSession& session, int axis, const AxisStatus& status,
+    const MeasuringPlan& plan, CaptureOptions& options, ReferenceKind kind)
 {
-    drivecomm::CaptureRegisters registers;
+    CaptureRegisters registers;
     if (!options.encoder.empty()) {
         AXISCOMP_TRY(registers.encoder, registerPath(session, options.encoder));
     } else {
         AXISCOMP_TRY(
             const auto shortlist, session.compensator().sourceShortlist(session.operation()));
-        registers.encoder = drivecomm::encoderRegister(session.profile(), shortlist, axis);
+        registers.encoder = encoderRegister(session.profile(), shortlist, axis);
     }
     if (registers.encoder.empty())
         return wrongUsage("the drive profile does not say which register is the encoder of the "
                           "axis: name it with --encoder",
             options.drive.command);
-    drivecomm::ReferenceScale scale;
+    ReferenceScale scale;
     if (kind == ReferenceKind::Register) {
         AXISCOMP_TRY(options.reference, registerPath(session, options.reference));
         registers.reference = options.reference;
         scale = options.scale;
     }
-    return drivecomm::AxisReadings::open(
+    return AxisReadings::open(
         session.link(), session.profile(), status, plan, registers, scale, session.exchange());
 }
 
-void sayWhatIsRead(Environment& environment, const drivecomm::AxisReadings& readings,
+void sayWhatIsRead(Environment& environment, const AxisReadings& readings,
     const MeasuringPlan& plan, const CaptureOptions& options)
 {
     if (readings.isUnitAssumed())
@@ -398,7 +399,7 @@ void sayWhatIsRead(Environment& environment, const drivecomm::AxisReadings& read
 }
 
 /// Times go on from the last value that there is, whatever the clock says now.
-std::chrono::nanoseconds firstTime(Environment& environment, const drivecomm::RunFile& file)
+std::chrono::nanoseconds firstTime(Environment& environment, const RunFile& file)
 {
     const std::chrono::nanoseconds wall = std::chrono::system_clock::now().time_since_epoch();
     if (file.values().empty() || file.values().back().time <= wall)
@@ -420,15 +421,15 @@ Result<ExitCode> runCapture(
     const std::string state = readings.state();
     const std::string reference = shownReference(options, kind);
     AXISCOMP_TRY(auto file,
-        drivecomm::RunFile::open(options.output, plan,
+        RunFile::open(options.output, plan,
             {state, reference,
                 utcText(
                     std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()))}));
     sayWhatIsRead(environment, readings, plan, options);
     const std::size_t before = file.taken();
     const std::chrono::nanoseconds begin = firstTime(environment, file);
-    const std::vector<drivecomm::CapturedValue> taken(file.values().begin(), file.values().end());
-    drivecomm::CaptureRun run(
+    const std::vector<CapturedValue> taken(file.values().begin(), file.values().end());
+    CaptureRun run(
         session.link(), std::move(readings), std::move(file), plan, rulesOf(options), status.drive);
     Capture capture(environment, session, options, run, kind);
     AXISCOMP_CHECK(capture.prepare(taken));

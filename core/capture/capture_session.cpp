@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/capture_session.h"
+#include "core/capture/capture_session.h"
 
 #include "core/text/number_text.h"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -257,4 +257,4 @@ CaptureSession::Event CaptureSession::take(const CaptureReading& reading)
     return Event::Refused;
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

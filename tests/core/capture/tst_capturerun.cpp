@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_run.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
-#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/capture/number_pattern.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
@@ -157,7 +158,7 @@ ReferenceLineReader readerOf(const std::string& unit = {}, const std::string& pa
 {
     ReferenceScale scale;
     scale.unit = unit;
-    return ReferenceLineReader::make(scale, false, pattern).value();
+    return ReferenceLineReader::make(scale, false, numberPattern(pattern).value()).value();
 }
 
 } // namespace
@@ -465,7 +466,7 @@ private Q_SLOTS:
         scale.zeroAt = 100.0;
         const auto reader = ReferenceLineReader::make(scale, false).value();
         QCOMPARE(reader.read("-3.5 mm").position, 103.5);
-        VERIFY_ERROR(ReferenceLineReader::make({}, false, "("), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(numberPattern("("), ErrorCode::InvalidArgument);
         scale.unit = "kg";
         VERIFY_ERROR(ReferenceLineReader::make(scale, false), ErrorCode::InvalidArgument);
     }

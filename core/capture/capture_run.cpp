@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/capture_run.h"
+#include "core/capture/capture_run.h"
 
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 CaptureRun::CaptureRun(DriveLink& link, AxisReadings readings, RunFile file, MeasuringPlan plan,
     CaptureRules rules, DriveIdentity drive)
@@ -86,4 +86,4 @@ Result<CaptureNews> CaptureRun::take()
     return CaptureNews{};
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
+#include "core/capture/capture_session.h"
 #include "core/drive/drive_profile.h"
-#include "drivecomm/capture/capture_session.h"
 
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// How a number of an instrument becomes a position: reference = direction x number x unit + zero.
 struct ReferenceScale {
@@ -87,4 +87,4 @@ private:
 /// "Machine/Axes[0]/ReferencePosition [mm], inverted, 0 at 12.5": for the file of the values.
 [[nodiscard]] std::string referenceText(const std::string& source, const ReferenceScale& scale);
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

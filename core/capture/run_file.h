@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/capture_session.h"
-#include "drivecomm/virtualdrive/file_descriptor.h"
+#include "core/capture/capture_session.h"
+#include "core/io/file_descriptor.h"
 
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// Where the values of a file come from.
 struct RunOrigin {
@@ -50,4 +50,4 @@ private:
     std::vector<CapturedValue> m_values;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/axis_readings.h"
+#include "core/capture/axis_readings.h"
 
 #include "core/axis/state_words.h"
 #include "core/table/position_unit.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -236,4 +236,4 @@ std::string referenceText(const std::string& source, const ReferenceScale& scale
     return text;
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

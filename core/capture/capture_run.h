@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/reference_lines.h"
-#include "drivecomm/capture/run_file.h"
+#include "core/capture/reference_lines.h"
+#include "core/capture/run_file.h"
 
 #include <functional>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// What a reading has brought.
 struct CaptureNews {
@@ -67,4 +67,4 @@ private:
     bool m_isLost = false;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_session.h"
+#include "core/capture/run_file.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "core/metrology/judge/iso230.h"
-#include "drivecomm/capture/capture_session.h"
-#include "drivecomm/capture/run_file.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// What was read at one instant. Positions in mm or deg, as the plan has them.
 struct CaptureReading {
@@ -113,4 +113,4 @@ private:
     Text m_problem;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/run_file.h"
+#include "core/capture/run_file.h"
 
 #include "core/io/local_file.h"
 #include "core/text/number_text.h"
@@ -16,7 +16,7 @@
 #include <charconv>
 #include <optional>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr std::string_view stateKey = "// compensation: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
-tl::unexpected<Error> notWritable(const std::filesystem::path& file, Text reason)
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
 {
     return fail(
         ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", std::move(reason)}});
@@ -143,9 +143,9 @@ Result<RunFile> RunFile::open(
     FileDescriptor descriptor(
         ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, usualMode));
     if (!descriptor.isOpen())
-        return notWritable(file, fileErrorReason(errno));
+        return cannotWrite(file, fileErrorReason(errno));
     if (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0)
-        return notWritable(
+        return cannotWrite(
             file, AXISCOMP_TEXT("Error", "another program is writing measured values to it"));
     AXISCOMP_TRY(std::string content, contentOf(file, descriptor));
     RunFile made(file, std::move(descriptor));
@@ -218,7 +218,7 @@ Result<void> RunFile::goOn(
         m_size = end + 1;
     }
     if (m_size < content.size() && ::ftruncate(m_descriptor.get(), static_cast<off_t>(m_size)) != 0)
-        return notWritable(m_file, fileErrorReason(errno));
+        return cannotWrite(m_file, fileErrorReason(errno));
     return {};
 }
 
@@ -239,7 +239,7 @@ Result<void> RunFile::write(const std::string& text)
     // What was behind it is older than this; and a part of a line is none.
     const std::size_t whole = problem == 0 ? m_size + text.size() : m_size;
     if (::ftruncate(m_descriptor.get(), static_cast<off_t>(whole)) != 0 || problem != 0)
-        return notWritable(m_file, fileErrorReason(problem != 0 ? problem : errno));
+        return cannotWrite(m_file, fileErrorReason(problem != 0 ? problem : errno));
     m_size = whole;
     return {};
 }
@@ -251,4 +251,4 @@ Result<void> RunFile::append(const CapturedValue& value)
     return {};
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp
