@@ -5,14 +5,58 @@
 
 namespace axiscomp {
 
-CaptureRun::CaptureRun(DriveLink& link, AxisReadings readings, RunFile file, MeasuringPlan plan,
-    CaptureRules rules, DriveIdentity drive)
-    : m_link(link)
-    , m_readings(std::move(readings))
+CaptureRun::CaptureRun(AxisReadings readings, RunFile file, MeasuringPlan plan, CaptureRules rules,
+    DriveIdentity drive)
+    : m_readings(std::move(readings))
     , m_file(std::move(file))
     , m_session(std::move(plan), rules, m_file.values())
+    , m_window(rules.window)
     , m_drive(std::move(drive))
 {
+}
+
+void CaptureRun::setTyped(ReferenceLineReader reader)
+{
+    m_typed.emplace(std::move(reader), m_file.values(), m_window);
+}
+
+Text CaptureRun::type(std::string_view line)
+{
+    if (!m_typed || !m_isAsked)
+        return AXISCOMP_TEXT("Error",
+            "no position is asked for at the moment: wait until the axis stands at its target");
+    Text problem = m_typed->type(line, m_reading, plan().isAngular);
+    // Another number among those that are averaged would spoil them.
+    m_isAsked = !problem.isEmpty();
+    return problem;
+}
+
+Result<void> CaptureRun::undo()
+{
+    if (m_file.taken() == 0)
+        return {};
+    const auto removed = m_file.removeLast();
+    m_session.takeBack(m_file.values());
+    m_saidWords = nullptr;
+    m_isAsked = false;
+    if (m_typed)
+        m_typed->takeBack(m_file.values());
+    return removed;
+}
+
+const Text& CaptureRun::lastProblem() const
+{
+    const bool isOfInstrument =
+        m_event == CaptureSession::Event::NoReference && !m_instrumentProblem.isEmpty();
+    return isOfInstrument ? m_instrumentProblem : m_session.problem();
+}
+
+/// What was typed belongs to where the axis stood, or was not taken.
+void CaptureRun::askAgain()
+{
+    m_isAsked = false;
+    if (m_typed)
+        m_typed->forget();
 }
 
 Result<CaptureNews> CaptureRun::lost(const Error& error)
@@ -25,25 +69,26 @@ Result<CaptureNews> CaptureRun::lost(const Error& error)
 }
 
 Result<CaptureNews> CaptureRun::read(
-    const std::function<std::chrono::nanoseconds()>& now, const Exchange& exchange)
+    DriveLink& link, const std::function<std::chrono::nanoseconds()>& now, const Exchange& exchange)
 {
     const bool wasLost = m_isLost;
     if (wasLost) {
-        const auto drive = m_link.identify(exchange);
+        const auto drive = link.identify(exchange);
         if (!drive)
             return lost(drive.error());
         if (drive->serialNumber != m_drive.serialNumber)
             return fail(ErrorCode::OtherDrive,
                 {{"expected", m_drive.serialNumber}, {"found", drive->serialNumber}});
     }
-    const auto reading = m_readings.read(exchange);
+    const auto reading = m_readings.read(link, exchange);
     if (!reading)
         return lost(reading.error());
     m_isLost = false;
     m_reading = *reading;
     m_reading.time = now();
-    if (m_instrument) {
-        const InstrumentReading instrument = m_instrument(m_reading.time);
+    if (m_instrument || m_typed) {
+        const InstrumentReading instrument =
+            m_typed ? m_typed->reading() : m_instrument(m_reading.time);
         m_reading.reference = instrument.position;
         m_instrumentProblem = instrument.problem;
     }
@@ -63,21 +108,27 @@ Result<CaptureNews> CaptureRun::take()
 {
     using Event = CaptureSession::Event;
     using Kind = CaptureNews::Kind;
-    switch (m_session.take(m_reading)) {
+    m_event = m_session.take(m_reading);
+    switch (m_event) {
     case Event::Moving:
         m_saidWords = nullptr;
+        askAgain();
         return CaptureNews{.kind = Kind::Moving};
     case Event::Standing:
         return CaptureNews{};
     case Event::Taken:
         AXISCOMP_CHECK(m_file.append(m_session.value()));
+        m_isAsked = false;
+        if (m_typed)
+            m_typed->taken(m_session.value());
         return CaptureNews{
             .kind = m_file.taken() == plan().steps.size() ? Kind::Done : Kind::Taken};
     case Event::Refused:
+        askAgain();
         return said(Kind::Refused, m_session.problem());
     case Event::NoReference:
-        return said(Kind::NoReference,
-            m_instrumentProblem.isEmpty() ? m_session.problem() : m_instrumentProblem);
+        m_isAsked = m_typed.has_value();
+        return said(Kind::NoReference, lastProblem());
     case Event::Stopped:
         return CaptureNews{.kind = Kind::Stopped, .text = m_session.problem()};
     case Event::Done:

@@ -189,13 +189,22 @@ Text CaptureSession::scaleProblem(const CapturedValue& value) const
                            .with("measured", shownPosition(measured, m_plan));
     const double slope = way != 0.0 ? measured / way : 0.0;
     if (std::abs(slope + 1.0) <= share)
-        return AXISCOMP_TEXT(
-            "Error", "{found}: it counts the other way; begin a new file with --invert-reference")
+        return AXISCOMP_TEXT("Error",
+            "{found}: it counts the other way; begin a new file with the reference inverted")
             .with("found", found);
     return AXISCOMP_TEXT("Error",
         "{found}: its unit or factor is another one, or its zero was set anew, or its beam was "
-        "interrupted; put that right, or begin a new file with the right --unit")
+        "interrupted; put that right, or begin a new file with the right unit")
         .with("found", found);
+}
+
+void CaptureSession::takeBack(std::span<const CapturedValue> left)
+{
+    m_due = left.size();
+    m_before = left.empty() ? std::nullopt : std::optional(left.back());
+    m_isTaken = false;
+    m_readings.clear();
+    m_standsSince = m_last.value_or(m_standsSince);
 }
 
 CaptureSession::Event CaptureSession::average(const CaptureReading& reading)

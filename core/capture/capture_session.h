@@ -61,12 +61,18 @@ public:
         Done, ///< every step has been taken
     };
     [[nodiscard]] Event take(const CaptureReading& reading);
+    /// left: the values that are left of those that were taken; the step behind them is due again.
+    /// While the axis still stands where it gave the last value it is averaged there anew, after
+    /// another dwell.
+    void takeBack(std::span<const CapturedValue> left);
 
     [[nodiscard]] const MeasuringPlan& plan() const { return m_plan; }
     /// The step that is due, from 0; the number of steps when all have been taken.
     [[nodiscard]] std::size_t due() const { return m_due; }
     [[nodiscard]] const CapturedValue& value() const { return m_value; }
     [[nodiscard]] const Text& problem() const { return m_problem; }
+    /// How many readings of this standstill are being averaged.
+    [[nodiscard]] std::size_t averaged() const { return m_readings.size(); }
 
 private:
     /// The way since the last turn.

@@ -36,7 +36,7 @@ InstrumentReading noPosition(Text text)
 InstrumentReading noNumber(std::string_view line)
 {
     return noPosition(AXISCOMP_TEXT("Error",
-        "the instrument says {line}, where a number is expected; --pattern says where it is")
+        "the instrument says {line}, where a number is expected; a pattern says where it is")
                           .with("line", shownLine(line)));
 }
 
@@ -104,7 +104,7 @@ Result<ReferenceLineReader> ReferenceLineReader::make(
             {{"reason",
                 AXISCOMP_TEXT("Error",
                     "the instrument is in {unit}, which cannot be converted to {planned}, the unit "
-                    "of the plan: state its unit with --unit")
+                    "of the plan: state the unit of the instrument")
                     .with("unit", scale.unit)
                     .with("planned", wanted)}});
     return ReferenceLineReader(std::move(scale), wanted, std::move(finder));
@@ -134,20 +134,20 @@ InstrumentReading ReferenceLineReader::read(std::string_view line) const
     if (found.rest.size() > 1 && found.rest[0] == ',' && isLineDigit(found.rest[1]))
         return noPosition(AXISCOMP_TEXT("Error",
             "the instrument says {line}: its number has a comma; set it to a decimal point, or "
-            "say what the number is with --pattern")
+            "say what the number is with a pattern")
                               .with("line", shownLine(line)));
     const std::string_view word = wordBehind(found.rest);
     const std::string said = isPositionUnit(word) ? std::string(word) : std::string();
     if (said.empty() && m_scale.unit.empty())
-        return noPosition(AXISCOMP_TEXT("Error",
-            "the instrument says {line} without a unit: state it with --unit, such as --unit mm")
+        return noPosition(AXISCOMP_TEXT(
+            "Error", "the instrument says {line} without a unit: state the unit, such as mm")
                               .with("line", shownLine(line)));
     const bool isOther = !said.empty() && !m_scale.unit.empty() && !isSameUnit(said, m_scale.unit);
     const auto factor = unitFactor(said.empty() ? m_scale.unit : said, m_wanted);
     if (isOther || !factor)
         return noPosition(AXISCOMP_TEXT("Error",
             "the instrument says {line}, in another unit than {unit}: set the instrument, or "
-            "begin a new file with the right --unit")
+            "begin a new file with the right unit")
                               .with("line", shownLine(line))
                               .with("unit", m_scale.unit.empty() ? m_wanted : m_scale.unit));
     const double position = m_scale.position(*number, *factor);
@@ -187,8 +187,15 @@ TypedReference::TypedReference(
     : m_reader(std::move(reader))
     , m_window(window)
 {
-    for (const CapturedValue& value : taken)
-        this->taken(value);
+    takeBack(taken);
+}
+
+void TypedReference::takeBack(std::span<const CapturedValue> left)
+{
+    m_seen.reset();
+    forget();
+    for (const CapturedValue& value : left)
+        taken(value);
 }
 
 double TypedReference::differenceOf(const CapturedValue& value)

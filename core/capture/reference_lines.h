@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct InstrumentReading {
     double position = std::numeric_limits<double>::quiet_NaN(); ///< in mm or deg
     Text problem; ///< empty with a position
 };
+
+/// Asked at each reading; now: of the clock of the readings.
+using Instrument = std::function<InstrumentReading(std::chrono::nanoseconds now)>;
 
 /// The number in a line, as the line has it; empty: there is none.
 using NumberFinder = std::function<std::string(std::string_view line)>;
@@ -90,6 +94,8 @@ public:
     /// The axis moves, or what was typed was not taken.
     void forget();
     void taken(const CapturedValue& value);
+    /// left: of the values that were taken, those that still count.
+    void takeBack(std::span<const CapturedValue> left);
 
 private:
     [[nodiscard]] static double differenceOf(const CapturedValue& value);

@@ -149,6 +149,7 @@ Result<RunFile> RunFile::open(
             file, AXISCOMP_TEXT("Error", "another program is writing measured values to it"));
     AXISCOMP_TRY(std::string content, contentOf(file, descriptor));
     RunFile made(file, std::move(descriptor));
+    made.m_reference = origin.reference;
     const std::string_view known = std::string_view(content).substr(0, firstLine.size());
     if (firstLine.substr(0, known.size()) != known)
         return notOurs(file,
@@ -213,6 +214,7 @@ Result<void> RunFile::goOn(
                 return wrong(AXISCOMP_TEXT("Error", "step {step} of the plan, {begin}...")
                                  .with("step", taken() + 1)
                                  .with("begin", lineBegin(step)));
+            m_lineBegins.push_back(m_size);
             m_values.push_back(*value);
         }
         m_size = end + 1;
@@ -246,8 +248,27 @@ Result<void> RunFile::write(const std::string& text)
 
 Result<void> RunFile::append(const CapturedValue& value)
 {
+    const std::size_t begin = m_size;
     AXISCOMP_CHECK(write(lineOfValue(value)));
+    m_lineBegins.push_back(begin);
     m_values.push_back(value);
+    return {};
+}
+
+/// One cut at the end of a whole line: whenever it is interrupted the line is there or not.
+Result<void> RunFile::removeLast()
+{
+    const std::size_t begin = m_lineBegins.back();
+    if (::ftruncate(m_descriptor.get(), static_cast<off_t>(begin)) != 0)
+        return cannotWrite(m_file, fileErrorReason(errno));
+    const bool isOnDisk = ::fdatasync(m_descriptor.get()) == 0;
+    const int problem = errno;
+    // The next line comes where this one was, whether the disk has heard of it or not.
+    m_size = begin;
+    m_lineBegins.pop_back();
+    m_values.pop_back();
+    if (!isOnDisk)
+        return cannotWrite(m_file, fileErrorReason(problem));
     return {};
 }
 

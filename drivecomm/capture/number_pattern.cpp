@@ -17,7 +17,8 @@ Result<NumberFinder> numberPattern(const std::string& pattern)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",
-                    "--pattern {pattern} is no regular expression: {problem} at character {place}")
+                    "the pattern {pattern} is no regular expression: {problem} at character "
+                    "{place}")
                     .with("pattern", '"' + shownText(pattern, mostShown) + '"')
                     .with("problem", expression.errorString().toStdString())
                     .with(

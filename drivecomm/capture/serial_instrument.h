@@ -31,4 +31,9 @@ private:
     std::unique_ptr<Private> d;
 };
 
+/// The same with the lines read by a pattern and a scale, for a capture. dwell: as of CaptureRules.
+/// Errors: those of SerialInstrument::open, numberPattern and ReferenceLineReader::make.
+[[nodiscard]] Result<Instrument> openSerialInstrument(const SerialInstrumentRequest& request,
+    const ReferenceScale& scale, bool isAngular, std::chrono::nanoseconds dwell);
+
 } // namespace axiscomp::drivecomm

@@ -83,14 +83,14 @@ struct CaptureFixture {
     {
         AXISCOMP_TRY(auto opened, readings({encoder, reference}));
         AXISCOMP_TRY(auto file, RunFile::open(path, plan, {opened.state(), "laser", "now"}));
-        run.emplace(link, std::move(opened), std::move(file), plan, CaptureRules{},
+        run.emplace(std::move(opened), std::move(file), plan, CaptureRules{},
             compensator.identify().value());
         return {};
     }
     [[nodiscard]] Result<CaptureNews> step()
     {
         time += 50ms;
-        return run->read([this] { return time; }, {});
+        return run->read(link, [this] { return time; }, {});
     }
     /// Until the program has ended, or the plan has all its values.
     struct Played {
@@ -385,6 +385,48 @@ private Q_SLOTS:
         verifyComplete(speaking.path, speaking.plan);
     }
 
+    void aTypedPositionIsAskedForTakenAndTakenBack()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open({}));
+        CaptureRun& run = *fixture.run;
+        run.setTyped(readerOf("mm"));
+        QCOMPARE(run.type("0.001").english(),
+            std::string("no position is asked for at the moment: wait until the axis stands at its "
+                        "target"));
+        const auto stepUntil = [&](const std::function<bool()>& condition) {
+            for (int n = 0; n < 400 && !condition(); ++n)
+                if (!fixture.step())
+                    return false;
+            return condition();
+        };
+        QVERIFY(stepUntil([&] { return run.isAsked(); }));
+        QVERIFY(!run.type("what?").isEmpty());
+        QVERIFY(run.isAsked());
+        QVERIFY(run.type("0.002").isEmpty());
+        QVERIFY(!run.isAsked());
+        QVERIFY(stepUntil([&] { return run.taken() == 1; }));
+        QVERIFY(std::abs(run.value().deviation - 0.002) < 1e-9);
+        // A slip of the pen, while the axis still stands there
+        QVERIFY(run.undo());
+        QCOMPARE(run.taken(), std::size_t{0});
+        QVERIFY(run.values().empty());
+        QVERIFY(contentOf(fixture.path).find("0.000,+,1,") == std::string::npos);
+        QVERIFY(stepUntil([&] { return run.isAsked(); }));
+        QVERIFY(run.type("0.001").isEmpty());
+        QVERIFY(stepUntil([&] { return run.taken() == 1; }));
+        QVERIFY(std::abs(run.value().deviation - 0.001) < 1e-9);
+    }
+
+    void nothingIsTakenBackFromAFileWithoutValues()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        QVERIFY(fixture.run->undo());
+        QCOMPARE(fixture.play().kinds().back(), Kind::Done);
+        verifyComplete(fixture.path, fixture.plan);
+    }
+
     void linesAreReadOrSaidToBeWrong_data()
     {
         QTest::addColumn<QString>("line");
@@ -423,16 +465,16 @@ private Q_SLOTS:
                                   << "the instrument says \"%$!\", where a number is expected";
         QTest::newRow("no match") << "12.5"
                                   << "mm"
-                                  << "x(.*)" << none << "--pattern";
+                                  << "x(.*)" << none << "a pattern says where it is";
         QTest::newRow("match of no number") << "xERR"
                                             << "mm"
-                                            << "x(.*)" << none << "--pattern";
+                                            << "x(.*)" << none << "a pattern says where it is";
         QTest::newRow("comma") << "517,300 mm"
                                << ""
                                << "" << none << "has a comma";
         QTest::newRow("no unit") << "517.300"
                                  << ""
-                                 << "" << none << "--unit mm";
+                                 << "" << none << "without a unit: state the unit";
         QTest::newRow("another unit") << "517.300 inch"
                                       << "mm"
                                       << "" << none << "in another unit than mm";
