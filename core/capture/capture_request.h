@@ -34,6 +34,10 @@ struct SerialInstrumentRequest {
     std::string pattern; ///< regular expression for the number in a line; empty: the first one
 };
 
+/// dwell: as of CaptureRules.
+using InstrumentFactory = std::function<Result<Instrument>(const SerialInstrumentRequest& request,
+    const ReferenceScale& scale, bool isAngular, std::chrono::nanoseconds dwell)>;
+
 /// Opens the instrument of a reference that is none of the drive's registers.
 using InstrumentOpener = std::function<Result<Instrument>()>;
 

@@ -15,6 +15,15 @@ CaptureRun::CaptureRun(AxisReadings readings, RunFile file, MeasuringPlan plan, 
 {
 }
 
+void CaptureRun::useConnection(const std::shared_ptr<const void>& connection)
+{
+    if (m_connection.lock() == connection)
+        return;
+    m_mustIdentify = m_mustIdentify || m_hasConnection;
+    m_hasConnection = true;
+    m_connection = connection;
+}
+
 void CaptureRun::setTyped(ReferenceLineReader reader)
 {
     m_typed.emplace(std::move(reader), m_file.values(), m_window);
@@ -65,20 +74,21 @@ Result<CaptureNews> CaptureRun::lost(const Error& error)
         return fail(error);
     return std::exchange(m_isLost, true)
         ? CaptureNews{}
-        : CaptureNews{.kind = CaptureNews::Kind::Lost, .text = textOf(error)};
+        : CaptureNews{.kind = CaptureNews::Kind::Lost, .text = textOf(error), .error = error};
 }
 
 Result<CaptureNews> CaptureRun::read(
     DriveLink& link, const std::function<std::chrono::nanoseconds()>& now, const Exchange& exchange)
 {
     const bool wasLost = m_isLost;
-    if (wasLost) {
+    if (wasLost || m_mustIdentify) {
         const auto drive = link.identify(exchange);
         if (!drive)
             return lost(drive.error());
         if (drive->serialNumber != m_drive.serialNumber)
             return fail(ErrorCode::OtherDrive,
                 {{"expected", m_drive.serialNumber}, {"found", drive->serialNumber}});
+        m_mustIdentify = false;
     }
     const auto reading = m_readings.read(link, exchange);
     if (!reading)

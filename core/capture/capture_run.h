@@ -6,6 +6,7 @@
 #include "core/capture/run_file.h"
 
 #include <functional>
+#include <memory>
 
 namespace axiscomp {
 
@@ -24,6 +25,7 @@ struct CaptureNews {
     Kind kind = Kind::Nothing;
     Text text = {};
     bool isBack = false; ///< the drive answers again after Lost
+    std::optional<Error> error = {}; ///< of Lost
 };
 
 /// Takes the values of a plan from the readings of an axis and of an instrument, and keeps each in
@@ -39,6 +41,9 @@ public:
     /// The reference is what type() gets.
     void setTyped(ReferenceLineReader reader);
 
+    /// Over which connection the next reading is made: when it is another one than that of the last
+    /// reading, the drive must say first that it is the same.
+    void useConnection(const std::shared_ptr<const void>& connection);
     /// One reading over a link to the drive, another link than before when that was lost. now: of a
     /// clock that goes on while the computer sleeps. A drive that does not answer is news; when it
     /// is back it must be the same. Errors: OtherDrive, FileNotWritable (the value is not in the
@@ -52,6 +57,8 @@ public:
     /// follow, as long as the axis stands. Otherwise what is wrong with it, as TypedReference has
     /// it, or that no position is asked for.
     [[nodiscard]] Text type(std::string_view line);
+    /// What was typed last is to be typed once more.
+    [[nodiscard]] bool isDoubted() const { return m_typed && m_typed->isDoubted(); }
 
     /// Takes the last value off the file: its step is due again, see CaptureSession::takeBack.
     /// Nothing happens without a value. Errors: FileNotWritable.
@@ -71,6 +78,8 @@ public:
     [[nodiscard]] const Text& lastProblem() const;
     /// Of lastReading(), how many readings are averaged so far.
     [[nodiscard]] std::size_t averaged() const { return m_session.averaged(); }
+    /// The axis has not left yet where the last value was taken.
+    [[nodiscard]] bool isTaken() const { return m_session.isTaken(); }
     [[nodiscard]] bool isLost() const { return m_isLost; }
 
 private:
@@ -93,6 +102,9 @@ private:
     const char* m_saidWords = nullptr; ///< of this standstill
     bool m_isAsked = false;
     bool m_isLost = false;
+    bool m_mustIdentify = false;
+    bool m_hasConnection = false;
+    std::weak_ptr<const void> m_connection; ///< of the last reading
 };
 
 } // namespace axiscomp

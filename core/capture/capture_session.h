@@ -19,9 +19,18 @@ struct CaptureReading {
     double output = 0.0; ///< what the drive adds: the axis stands at encoder + output
     double reference = 0.0; ///< what the instrument says; NaN: nothing that can be used
     std::string state; ///< of the compensation: its state, and the table that is active
+
+    [[nodiscard]] double position() const { return encoder + output; } ///< where the axis is
+    [[nodiscard]] double difference() const { return reference - position(); }
 };
 
 struct CaptureRules {
+    static constexpr double smallestWindow = 1e-9;
+    static constexpr double largestWindow = 10.0;
+    static constexpr std::chrono::milliseconds shortestDwell{10};
+    static constexpr std::chrono::seconds longestDwell{60};
+    static constexpr int mostReadings = 1000;
+
     double window = 0.001; ///< an axis stands while its encoder stays within this, in mm or deg
     std::chrono::nanoseconds dwell = std::chrono::seconds(1); ///< for this long
     int readings = 10; ///< then so many are averaged
@@ -71,6 +80,8 @@ public:
     [[nodiscard]] std::size_t due() const { return m_due; }
     [[nodiscard]] const CapturedValue& value() const { return m_value; }
     [[nodiscard]] const Text& problem() const { return m_problem; }
+    /// This standstill has given its value.
+    [[nodiscard]] bool isTaken() const { return m_isTaken; }
     /// How many readings of this standstill are being averaged.
     [[nodiscard]] std::size_t averaged() const { return m_readings.size(); }
 

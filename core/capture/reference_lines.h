@@ -90,6 +90,7 @@ public:
     /// Empty: it counts from now on. Otherwise what is wrong with it, or the question whether it is
     /// right, to which the same number once more is the answer.
     [[nodiscard]] Text type(std::string_view line, const CaptureReading& axis, bool isAngular);
+    [[nodiscard]] bool isDoubted() const { return m_doubted.has_value(); }
     [[nodiscard]] InstrumentReading reading() const;
     /// The axis moves, or what was typed was not taken.
     void forget();

@@ -71,6 +71,7 @@ Result<CaptureRun> AxisCompensator::beginCapture(
             {readings.state(), reference.text(),
                 utcText(std::chrono::floor<std::chrono::seconds>(d->clock()))}));
     CaptureRun run(std::move(readings), std::move(file), request.plan, request.rules, status.drive);
+    run.useConnection(d->connection);
     if (instrument)
         run.setInstrument(*std::move(instrument));
     if (typed)
@@ -81,6 +82,7 @@ Result<CaptureRun> AxisCompensator::beginCapture(
 Result<CaptureNews> AxisCompensator::readCapture(CaptureRun& run,
     const std::function<std::chrono::nanoseconds()>& now, const OperationOptions& options)
 {
+    run.useConnection(d->connection);
     return run.read(d->link, now, d->access(options).exchange());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/capture/reference_lines.h"
+#include "core/capture/capture_request.h"
 
 #include <memory>
 #include <string>

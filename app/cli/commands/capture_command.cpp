@@ -372,7 +372,7 @@ void addInstrumentOptions(CLI::App& command, CaptureOptions& options)
 
 void addRuleOptions(CLI::App& command, CaptureOptions& options)
 {
-    constexpr double mostSeconds = 60.0;
+    using Seconds = std::chrono::duration<double>;
     command
         .add_option("--encoder", options.encoder,
             "Register of the raw position; the profile's unless given")
@@ -382,16 +382,17 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
             "The axis stands while its encoder stays within so many mm or deg, and readings may "
             "differ by as much (0.001 unless given)")
         ->option_text("W")
-        ->check(CLI::Range(1e-9, 10.0));
+        ->check(CLI::Range(CaptureRules::smallestWindow, CaptureRules::largestWindow));
     command
         .add_option("--dwell", options.dwellSeconds,
             "So many seconds, before anything is taken (1 unless given)")
         ->option_text("S")
-        ->check(CLI::Range(0.01, mostSeconds));
+        ->check(CLI::Range(Seconds(CaptureRules::shortestDwell).count(),
+            Seconds(CaptureRules::longestDwell).count()));
     command
         .add_option("--average", options.readings, "Readings that make a value (10 unless given)")
         ->option_text("N")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, CaptureRules::mostReadings));
     command.add_option("--rate", options.rateHz, "Readings per second, 10 to 50 (20 unless given)")
         ->option_text("HZ")
         ->check(CLI::Range(10.0, 50.0));
