@@ -16,12 +16,15 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
     if (question.purpose == FileQuestion::Purpose::OpenData
         || question.purpose == FileQuestion::Purpose::OpenMeasurement
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
-        || question.purpose == FileQuestion::Purpose::OpenBackup) {
+        || question.purpose == FileQuestion::Purpose::OpenBackup
+        || question.purpose == FileQuestion::Purpose::OpenPlan) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
     } else {
         const QFileInfo proposed(question.start);
         dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setOption(QFileDialog::DontConfirmOverwrite,
+            question.purpose == FileQuestion::Purpose::SaveValues);
         dialog->setDefaultSuffix(proposed.suffix());
         dialog->setDirectory(proposed.absolutePath());
         dialog->selectFile(proposed.fileName());

@@ -22,6 +22,10 @@ struct FileQuestion {
         SaveConfiguration,
         SaveBackup,
         SaveMeasurement,
+        OpenPlan,
+        SavePlan,
+        SaveProgram,
+        SaveValues, ///< that are captured: a file that is there goes on where it ends
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

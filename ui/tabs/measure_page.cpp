@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tabs/measure_page.h"
 
+#include "ui/controller/wizard_settings.h"
+#include "ui/measuring/measuring_actions.h"
 #include "ui/page/file_lines_view.h"
 #include "ui/page/problem_list.h"
 #include "ui/record/measurement_files_model.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
+#include "ui/tabs/capture_panel.h"
 #include "ui/tabs/column_preview.h"
+#include "ui/tabs/column_proposal.h"
 #include "ui/tabs/file_choices.h"
 #include "ui/tabs/file_facts.h"
 #include "ui/tabs/next_step.h"
@@ -33,8 +37,10 @@ namespace axiscomp::ui {
 
 namespace {
 
+constexpr int columnsTab = 1;
 constexpr int problemTab = 2;
 constexpr int valuesTab = 3;
+constexpr int captureTab = 4;
 
 } // namespace
 
@@ -42,6 +48,8 @@ MeasurePage::MeasurePage(RecordModel& record, QWidget* parent)
     : QWidget(parent)
     , m_record(record)
     , m_model(new MeasurementFilesModel(record, this))
+    , m_program(new QPushButton)
+    , m_capture(new QPushButton)
     , m_title(new PlainLabel)
     , m_add(new QPushButton)
     , m_files(new QTableView)
@@ -52,6 +60,7 @@ MeasurePage::MeasurePage(RecordModel& record, QWidget* parent)
     , m_views(new QTabWidget)
     , m_facts(new FileFacts)
     , m_columns(new ColumnPreview)
+    , m_proposal(new ColumnProposal)
     , m_values(new RunValuesView(record))
     , m_save(new QPushButton)
     , m_problemStack(new QStackedWidget)
@@ -70,7 +79,7 @@ void MeasurePage::build()
     m_problemStack->addWidget(m_lines);
     m_views->setObjectName(QStringLiteral("measureTabs"));
     m_views->addTab(m_facts, QString());
-    m_views->addTab(m_columns, QString());
+    m_views->addTab(buildColumns(), QString());
     m_views->addTab(m_problemStack, QString());
     m_views->addTab(m_values, QString());
     auto* columns = new QSplitter(Qt::Horizontal);
@@ -138,10 +147,102 @@ QWidget* MeasurePage::buildLeft()
     auto* left = new QWidget;
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, gap, 0);
+    layout->addWidget(buildMeasuring());
     layout->addWidget(scroll, 1);
     layout->addWidget(m_save);
     layout->addWidget(m_nextStep);
     return left;
+}
+
+QWidget* MeasurePage::buildMeasuring()
+{
+    m_program->setObjectName(QStringLiteral("newProgram"));
+    m_capture->setObjectName(QStringLiteral("captureValues"));
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_program);
+    layout->addWidget(m_capture);
+    layout->addStretch(1);
+    row->hide();
+    return row;
+}
+
+QWidget* MeasurePage::buildColumns()
+{
+    auto* columns = new QWidget;
+    auto* layout = new QVBoxLayout(columns);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_proposal);
+    layout->addWidget(m_columns, 1);
+    return columns;
+}
+
+void MeasurePage::setMeasuring(MeasuringActions& measuring, WizardSettings& settings)
+{
+    m_measuring = &measuring;
+    m_settings = &settings;
+    m_capturePanel = new CapturePanel(measuring.feed());
+    m_views->addTab(m_capturePanel, QString());
+    m_program->parentWidget()->show();
+    connect(m_program, &QPushButton::clicked, &measuring, &MeasuringActions::planMeasurement);
+    connect(m_capture, &QPushButton::clicked, &measuring, &MeasuringActions::captureValues);
+    connect(
+        &measuring, &MeasuringActions::captureObstacleChanged, this, &MeasurePage::showMeasuring);
+    connect(&measuring.feed(), &CaptureFeed::changed, this, &MeasurePage::showMeasuring);
+    connect(&measuring.feed(), &CaptureFeed::begun, this,
+        [this] { m_views->setCurrentIndex(captureTab); });
+    connect(&measuring.feed(), &CaptureFeed::finished, this, &MeasurePage::takeCaptured);
+    retranslate();
+}
+
+void MeasurePage::showMeasuring()
+{
+    if (!m_measuring)
+        return;
+    const CaptureView::Phase phase = m_measuring->feed().view().phase;
+    m_views->setTabVisible(
+        captureTab, phase != CaptureView::Phase::None && phase != CaptureView::Phase::Opening);
+    const QString obstacle = m_measuring->captureObstacle();
+    m_capture->setEnabled(obstacle.isEmpty());
+    m_capture->setToolTip(obstacle.isEmpty()
+            ? tr("Take the values of a plan while something else moves the axis")
+            : obstacle);
+    m_capture->setAccessibleDescription(m_capture->toolTip());
+}
+
+/// It may be among the files already, with fewer values.
+void MeasurePage::takeCaptured(const QString& path)
+{
+    if (m_measuring->feed().view().values.empty())
+        return;
+    m_record.addFiles({path});
+    m_record.readAgain();
+}
+
+void MeasurePage::chooseColumns(const std::vector<ColumnMapping>& columns)
+{
+    const auto file = currentFile();
+    if (!file)
+        return;
+    MeasurementChoices choices = m_record.record().files[*file].choices;
+    choices.columns = columns;
+    m_record.setChoices(*file, choices);
+    const QStringList header = m_columns->header();
+    if (m_settings)
+        m_settings->setColumnRoles(header, ColumnPreview::rolesOf(columns, header.size()));
+}
+
+void MeasurePage::proposeColumns()
+{
+    const auto file = currentFile();
+    const QStringList header = m_columns->header();
+    if (!file || !m_settings || header.isEmpty())
+        return m_proposal->propose({});
+    const auto columns = ColumnPreview::mappingOf(m_settings->columnRoles(header));
+    const bool isChosen = columns == m_record.record().files[*file].choices.columns;
+    m_proposal->propose(isChosen ? std::vector<ColumnMapping>() : columns);
 }
 
 void MeasurePage::connectParts()
@@ -157,15 +258,10 @@ void MeasurePage::connectParts()
         if (const auto file = currentFile())
             m_record.setChoices(*file, choices);
     });
-    connect(m_columns, &ColumnPreview::mappingChosen, this,
-        [this](const std::vector<ColumnMapping>& columns) {
-            const auto file = currentFile();
-            if (!file)
-                return;
-            MeasurementChoices choices = m_record.record().files[*file].choices;
-            choices.columns = columns;
-            m_record.setChoices(*file, choices);
-        });
+    connect(m_columns, &ColumnPreview::mappingChosen, this, &MeasurePage::chooseColumns);
+    connect(m_columns, &ColumnPreview::previewed, this, &MeasurePage::proposeColumns);
+    connect(m_proposal, &ColumnProposal::taken, this,
+        [this] { chooseColumns(m_proposal->proposed()); });
     connect(m_problems, &ProblemList::opened, this,
         [this](const QString& path, const ProblemPlace& place) {
             m_lines->showProblem(path, place);
@@ -185,6 +281,11 @@ void MeasurePage::connectParts()
 
 void MeasurePage::retranslate()
 {
+    m_program->setText(tr("New &Program…"));
+    m_program->setToolTip(
+        tr("Plan the targets of a measurement, and a program for the control of the machine"));
+    m_program->setAccessibleDescription(m_program->toolTip());
+    m_capture->setText(tr("Cap&ture…"));
     m_title->setText(tr("Files"));
     m_add->setText(tr("&Add…"));
     m_add->setToolTip(tr("Add files of a measurement; they can also be dropped here (Ctrl+O)"));
@@ -210,6 +311,12 @@ void MeasurePage::retranslate()
     m_problems->retranslate();
     m_lines->retranslate();
     m_values->retranslate();
+    m_proposal->retranslate();
+    if (m_capturePanel) {
+        m_views->setTabText(captureTab, tr("Capture"));
+        m_capturePanel->retranslate();
+    }
+    showMeasuring();
     follow();
 }
 
@@ -265,6 +372,7 @@ void MeasurePage::showFile()
     m_choices->setEnabled(file.has_value());
     m_choices->show(shown.choices);
     m_columns->show(shown.path, shown.choices);
+    proposeColumns();
     const ReadMeasurement* reading = currentReading();
     m_facts->show(reading);
     showProblems(reading);
@@ -290,7 +398,7 @@ void MeasurePage::showProblems(const ReadMeasurement* reading)
         return;
     m_problemStack->setCurrentWidget(m_problems);
     // Who gives the columns their roles sees the problems come and go.
-    if (hasErrors && m_views->currentWidget() != m_columns)
+    if (hasErrors && m_views->currentIndex() != columnsTab)
         m_views->setCurrentIndex(problemTab);
 }
 
@@ -301,7 +409,9 @@ void MeasurePage::sayNextStep()
         state.files, [](const ReadMeasurement& file) { return file.refusal.has_value(); });
     if (m_record.record().files.empty())
         m_nextStep->say(Tone::Information,
-            tr("Add the files of a measurement, or go on to Write with a table that is there."));
+            tr("Add the files of a measurement, take its values with Capture, or go on to Write "
+               "with "
+               "a table that is there."));
     else if (m_record.isEvaluating() && !m_record.isMeasurementShown())
         m_nextStep->say(Tone::Information, tr("The files are being read …"));
     else if (refused != state.files.end())

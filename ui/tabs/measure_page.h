@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/formats/measurement_format.h"
+
 #include <QWidget>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QLabel;
@@ -14,15 +18,19 @@ class QTableView;
 
 namespace axiscomp::ui {
 
+class CapturePanel;
 class ColumnPreview;
+class ColumnProposal;
 class FileChoices;
 class FileFacts;
 class FileLinesView;
 class MeasurementFilesModel;
+class MeasuringActions;
 class NextStep;
 class ProblemList;
 class RecordModel;
 class RunValuesView;
+class WizardSettings;
 struct ReadMeasurement;
 
 /// The tab Measure: the files of a measurement, how each is read, what it says and what is wrong
@@ -33,6 +41,10 @@ class MeasurePage : public QWidget {
 public:
     /// record must outlive the page.
     explicit MeasurePage(RecordModel& record, QWidget* parent = nullptr);
+
+    /// What plans measurements and takes their values, and what remembers the columns of files;
+    /// both must outlive the page. Once, before it is shown.
+    void setMeasuring(MeasuringActions& measuring, WizardSettings& settings);
 
     void retranslate();
     /// The measurement is in this file now.
@@ -46,7 +58,13 @@ Q_SIGNALS:
 private:
     void build();
     [[nodiscard]] QWidget* buildLeft();
+    [[nodiscard]] QWidget* buildMeasuring();
+    [[nodiscard]] QWidget* buildColumns();
     void connectParts();
+    void chooseColumns(const std::vector<ColumnMapping>& columns);
+    void proposeColumns();
+    void showMeasuring();
+    void takeCaptured(const QString& path);
     void follow();
     void showFile();
     void showProblems(const ReadMeasurement* reading);
@@ -56,7 +74,11 @@ private:
     [[nodiscard]] const ReadMeasurement* currentReading() const;
 
     RecordModel& m_record;
+    MeasuringActions* m_measuring = nullptr;
+    WizardSettings* m_settings = nullptr;
     MeasurementFilesModel* m_model;
+    QPushButton* m_program;
+    QPushButton* m_capture;
     QLabel* m_title;
     QPushButton* m_add;
     QTableView* m_files;
@@ -67,6 +89,8 @@ private:
     QTabWidget* m_views;
     FileFacts* m_facts;
     ColumnPreview* m_columns;
+    ColumnProposal* m_proposal;
+    CapturePanel* m_capturePanel = nullptr;
     RunValuesView* m_values;
     QPushButton* m_save;
     QStackedWidget* m_problemStack;
