@@ -5819,24 +5819,8 @@
         <translation>die Achse hat die Tabelle {found}, und die des Protokolls ist {recorded}: die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“) oder das Protokoll weglassen</translation>
     </message>
     <message>
-        <source>the plan is for axis {planned}, and this is axis {axis}: choose the axis with --axis, or make a plan with axiscomp targets --axis {axis}</source>
-        <translation>der Messplan gilt für Achse {planned}, und dies ist Achse {axis}: wählen Sie die Achse mit --axis, oder machen Sie mit axiscomp targets --axis {axis} einen Messplan</translation>
-    </message>
-    <message>
-        <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): switch it with axiscomp activate or axiscomp deactivate first</source>
-        <translation>die Kompensation von Achse {axis} ist weder ein- noch ausgeschaltet (der Antrieb meldet {state}): schalten Sie sie zuerst mit axiscomp activate oder axiscomp deactivate</translation>
-    </message>
-    <message>
         <source>the register {path} is of type {type}, which is no position</source>
         <translation>das Register {path} hat den Typ {type} und ist keine Position</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan with axiscomp targets --unit, or choose another axis</source>
-        <translation>der Messplan ist in {planned}, und Achse {axis} des Antriebs in {unit}: machen Sie mit axiscomp targets --unit einen Messplan, oder wählen Sie eine andere Achse</translation>
-    </message>
-    <message>
-        <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state its unit with --unit</source>
-        <translation>das Messgerät ist in {unit}, was sich nicht in {planned} umrechnen lässt, die Einheit des Messplans: geben Sie seine Einheit mit --unit an</translation>
     </message>
     <message>
         <source>{path} follows the encoder of the axis itself: name the register of an instrument</source>
@@ -5845,34 +5829,6 @@
     <message>
         <source>since the value before, the axis has moved by {way}, and the instrument says {measured}</source>
         <translation>seit dem Wert davor hat sich die Achse um {way} bewegt, und das Messgerät meldet {measured}</translation>
-    </message>
-    <message>
-        <source>{found}: it counts the other way; begin a new file with --invert-reference</source>
-        <translation>{found}: es zählt andersherum; beginnen Sie mit --invert-reference eine neue Datei</translation>
-    </message>
-    <message>
-        <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right --unit</source>
-        <translation>{found}: seine Einheit oder sein Faktor ist anders, oder es wurde neu auf null gesetzt, oder sein Strahl war unterbrochen; stellen Sie das richtig, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}, where a number is expected; --pattern says where it is</source>
-        <translation>das Messgerät meldet {line}, wo eine Zahl erwartet wird; --pattern sagt, wo sie steht</translation>
-    </message>
-    <message>
-        <source>--pattern {pattern} is no regular expression: {problem} at character {place}</source>
-        <translation>--pattern {pattern} ist kein regulärer Ausdruck: {problem} bei Zeichen {place}</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with --pattern</source>
-        <translation>das Messgerät meldet {line}: seine Zahl hat ein Komma; stellen Sie es auf einen Dezimalpunkt ein, oder sagen Sie mit --pattern, was die Zahl ist</translation>
-    </message>
-    <message>
-        <source>the instrument says {line} without a unit: state it with --unit, such as --unit mm</source>
-        <translation>das Messgerät meldet {line} ohne Einheit: geben Sie sie mit --unit an, zum Beispiel --unit mm</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right --unit</source>
-        <translation>das Messgerät meldet {line}, in einer anderen Einheit als {unit}: stellen Sie das Messgerät um, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
     </message>
     <message>
         <source>the instrument says nothing: look whether it sends, and whether its lines end</source>
@@ -5891,10 +5847,6 @@
         <translation>die Position des Messgeräts wird erfragt</translation>
     </message>
     <message>
-        <source>--request {text}: behind a backslash r, n, t or another backslash is expected</source>
-        <translation>--request {text}: hinter einem umgekehrten Schrägstrich wird r, n, t oder noch einer erwartet</translation>
-    </message>
-    <message>
         <source>it is one of the files of this measurement; choose another name</source>
         <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
     </message>
@@ -5907,8 +5859,80 @@
         <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle mit --lookup-at encoder neu machen</translation>
     </message>
     <message>
-        <source>the compensation of axis {axis} is on, and the drive does not say with which table: look at axiscomp status, or switch it off first</source>
-        <translation>die Kompensation von Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: axiscomp status ansehen oder sie zuerst ausschalten</translation>
+        <source>the axis would move from {lowest} to {highest}, and its travel is {low} to {high}: choose other ends, or a smaller overrun</source>
+        <translation>die Achse führe von {lowest} bis {highest}, und ihr Verfahrweg ist {low} bis {high}: andere Enden oder einen kleineren Überlauf wählen</translation>
+    </message>
+    <message>
+        <source>the plan is for axis {planned}, and this is axis {axis}: choose the other axis, or make a plan for this one</source>
+        <translation>der Messplan ist für Achse {planned}, und dies ist Achse {axis}: die andere Achse wählen oder einen Plan für diese machen</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): activate or deactivate it first</source>
+        <translation>die Kompensation der Achse {axis} ist weder ein- noch ausgeschaltet (der Antrieb sagt {state}): sie zuerst aktivieren oder deaktivieren</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
+        <translation>die Kompensation der Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: sie zuerst deaktivieren</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
+        <translation>der Messplan ist in {planned} und Achse {axis} des Antriebs in {unit}: einen Plan in ihrer Einheit machen oder eine andere Achse wählen</translation>
+    </message>
+    <message>
+        <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
+        <translation>das Messgerät ist in {unit}, was sich nicht in {planned}, die Einheit des Messplans, umrechnen lässt: die Einheit des Messgeräts angeben</translation>
+    </message>
+    <message>
+        <source>no position is asked for at the moment: wait until the axis stands at its target</source>
+        <translation>im Augenblick wird nach keiner Position gefragt: warten, bis die Achse an ihrer Zielposition steht</translation>
+    </message>
+    <message>
+        <source>{found}: it counts the other way; begin a new file with the reference inverted</source>
+        <translation>{found}: es zählt andersherum; eine neue Datei mit umgekehrter Referenz beginnen</translation>
+    </message>
+    <message>
+        <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right unit</source>
+        <translation>{found}: seine Einheit oder sein Faktor ist anders, oder sein Nullpunkt wurde neu gesetzt, oder sein Strahl war unterbrochen; das in Ordnung bringen oder eine neue Datei mit der richtigen Einheit beginnen</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, where a number is expected; a pattern says where it is</source>
+        <translation>das Messgerät sagt {line}, wo eine Zahl erwartet wird; ein Muster sagt, wo sie steht</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with a pattern</source>
+        <translation>das Messgerät sagt {line}: seine Zahl hat ein Komma; es auf Dezimalpunkt stellen oder mit einem Muster sagen, was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>the instrument says {line} without a unit: state the unit, such as mm</source>
+        <translation>das Messgerät sagt {line} ohne Einheit: die Einheit angeben, etwa mm</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right unit</source>
+        <translation>das Messgerät sagt {line}, in einer anderen Einheit als {unit}: das Messgerät umstellen oder eine neue Datei mit der richtigen Einheit beginnen</translation>
+    </message>
+    <message>
+        <source>the drive profile does not say which register is the encoder of the axis: name it</source>
+        <translation>das Profil des Antriebs sagt nicht, welches Register der Geber der Achse ist: es nennen</translation>
+    </message>
+    <message>
+        <source>name the axis as the drive or the control names it, such as X</source>
+        <translation>die Achse nennen, wie der Antrieb oder die Steuerung sie nennt, etwa X</translation>
+    </message>
+    <message>
+        <source>the pattern {pattern} is no regular expression: {problem} at character {place}</source>
+        <translation>das Muster {pattern} ist kein regulärer Ausdruck: {problem} beim Zeichen {place}</translation>
+    </message>
+    <message>
+        <source>the request {text}: behind a backslash r, n, t or another backslash is expected</source>
+        <translation>die Anfrage {text}: hinter einem Rückstrich wird r, n, t oder noch einer erwartet</translation>
+    </message>
+    <message>
+        <source>the connection was removed</source>
+        <translation>die Verbindung wurde entfernt</translation>
+    </message>
+    <message>
+        <source>its name is one of a program for a control, and a plan in it would mislead the control; choose a name that ends in .csv</source>
+        <translation>ihr Name ist der eines Programms für eine Steuerung, und ein Messplan darin führte sie in die Irre; einen Namen wählen, der auf .csv endet</translation>
     </message>
 </context>
 <context>
@@ -6334,6 +6358,13 @@
     <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlanText</name>
+    <message>
+        <source>Axis %1: %2 targets, %3 values</source>
+        <translation>Achse %1: %2 Zielpositionen, %3 Werte</translation>
     </message>
 </context>
 <context>
@@ -8006,6 +8037,427 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::CaptureDialog</name>
+    <message>
+        <source>Capture Values</source>
+        <translation>Messwerte erfassen</translation>
+    </message>
+    <message>
+        <source>a register of the drive</source>
+        <translation>ein Register des Antriebs</translation>
+    </message>
+    <message>
+        <source>an instrument on a serial port</source>
+        <translation>ein Messgerät an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>typed by hand</source>
+        <translation>von Hand eingegeben</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>Wäh&amp;len…</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>Wä&amp;hlen…</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The current one; something else moves it</source>
+        <translation>Die aktuelle; etwas anderes bewegt sie</translation>
+    </message>
+    <message>
+        <source>Pla&amp;n</source>
+        <translation>Me&amp;ssplan</translation>
+    </message>
+    <message>
+        <source>As New Program saves it</source>
+        <translation>Wie Neues Programm ihn speichert</translation>
+    </message>
+    <message>
+        <source>&amp;Reference</source>
+        <translation>&amp;Referenz</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher sie kommt</translation>
+    </message>
+    <message>
+        <source>Re&amp;gister</source>
+        <translation>Re&amp;gister</translation>
+    </message>
+    <message>
+        <source>Which says where the axis really is: chosen from the list, or a path, URI or address</source>
+        <translation>Das sagt, wo die Achse wirklich ist: aus der Liste gewählt, oder ein Pfad, eine URI oder Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Anschluss</translation>
+    </message>
+    <message>
+        <source>Of the instrument, with its speed</source>
+        <translation>Des Messgeräts, mit seiner Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest</source>
+        <translation>An&amp;frage</translation>
+    </message>
+    <message>
+        <source>Sent before each reading, with \r and \n for line ends; empty: the instrument sends by itself</source>
+        <translation>Wird vor jeder Ablesung gesendet, mit \r und \n für Zeilenenden; leer: das Messgerät sendet von selbst</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ttern</source>
+        <translation>&amp;Muster</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line; empty: the first number of the line</source>
+        <translation>Regulärer Ausdruck für die Zahl in einer Zeile; leer: die erste Zahl der Zeile</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>Of the numbers of the instrument</source>
+        <translation>Der Zahlen des Messgeräts</translation>
+    </message>
+    <message>
+        <source>&amp;Zero at</source>
+        <translation>&amp;Null bei</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0</source>
+        <translation>Position der Achse, wo das Messgerät 0 sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Ruhefens&amp;ter</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within this, and readings may differ by as much</source>
+        <translation>Die Achse steht, solange ihr Geber darin bleibt, und so viel dürfen Ablesungen sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>&amp;Dwell</source>
+        <translation>Verweil&amp;zeit</translation>
+    </message>
+    <message>
+        <source>So long the axis must have stood before its value is taken</source>
+        <translation>So lange muss die Achse gestanden haben, bevor ihr Wert genommen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Average of</source>
+        <translation>M&amp;ittel aus</translation>
+    </message>
+    <message>
+        <source>Readings that make a value</source>
+        <translation>Ablesungen, die einen Wert ergeben</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>Datei der Werte; eine, die es gibt, geht weiter, wo sie endet</translation>
+    </message>
+    <message>
+        <source>The instrument counts the &amp;other way</source>
+        <translation>Das Messgerät zählt an&amp;dersherum</translation>
+    </message>
+    <message>
+        <source>For an instrument that counts down while the axis moves up</source>
+        <translation>Für ein Messgerät, das abwärts zählt, während die Achse aufwärts fährt</translation>
+    </message>
+    <message>
+        <source>Choose the plan</source>
+        <translation>Den Messplan wählen</translation>
+    </message>
+    <message>
+        <source>Choose the file of the values</source>
+        <translation>Die Datei der Werte wählen</translation>
+    </message>
+    <message>
+        <source> readings</source>
+        <translation> Ablesungen</translation>
+    </message>
+    <message>
+        <source>Choose Plan</source>
+        <translation>Messplan wählen</translation>
+    </message>
+    <message>
+        <source>Plans (*.csv);;All files (*)</source>
+        <translation>Messpläne (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>File of the Values</source>
+        <translation>Datei der Werte</translation>
+    </message>
+    <message>
+        <source>Runs (*.csv)</source>
+        <translation>Durchläufe (*.csv)</translation>
+    </message>
+    <message>
+        <source>that of the axis</source>
+        <translation>die der Achse</translation>
+    </message>
+    <message>
+        <source>as the instrument says</source>
+        <translation>wie das Messgerät sagt</translation>
+    </message>
+    <message>
+        <source>that of the plan</source>
+        <translation>die des Messplans</translation>
+    </message>
+    <message>
+        <source>The drive does not answer.</source>
+        <translation>Der Antrieb antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Wait until the drive is free.</source>
+        <translation>Warten, bis der Antrieb frei ist.</translation>
+    </message>
+    <message>
+        <source>The plan is being read …</source>
+        <translation>Der Messplan wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Choose a plan; New Program makes one.</source>
+        <translation>Einen Messplan wählen; Neues Programm macht einen.</translation>
+    </message>
+    <message>
+        <source>Choose the register of the reference.</source>
+        <translation>Das Register der Referenz wählen.</translation>
+    </message>
+    <message>
+        <source>Name the port of the instrument, such as serial:/dev/ttyUSB1?baud=9600.</source>
+        <translation>Den Anschluss des Messgeräts nennen, etwa serial:/dev/ttyUSB1?baud=9600.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the values.</source>
+        <translation>Die Datei der Werte wählen.</translation>
+    </message>
+    <message>
+        <source>the plan just made (%1)</source>
+        <translation>der eben gemachte Messplan (%1)</translation>
+    </message>
+    <message>
+        <source>The drive is being read …</source>
+        <translation>Der Antrieb wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Values are taken while the control of the machine, or a person, moves the axis. This program never moves it.</source>
+        <translation>Werte werden genommen, während die Steuerung der Maschine oder ein Mensch die Achse bewegt. Dieses Programm bewegt sie nie.</translation>
+    </message>
+    <message>
+        <source>Read axis and instrument, and take values</source>
+        <translation>Achse und Messgerät lesen und Werte nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CapturePanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Reference - axis</source>
+        <translation>Referenz - Achse</translation>
+    </message>
+    <message>
+        <source>The reference minus where the axis is: its encoder and what the drive adds</source>
+        <translation>Die Referenz minus wo die Achse ist: ihr Geber und was der Antrieb addiert</translation>
+    </message>
+    <message>
+        <source>Steps of the plan</source>
+        <translation>Schritte des Messplans</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke</source>
+        <translation>&amp;Jetzt übernehmen</translation>
+    </message>
+    <message>
+        <source>Undo Las&amp;t</source>
+        <translation>Letzten zurückneh&amp;men</translation>
+    </message>
+    <message>
+        <source>Stop Capturin&amp;g</source>
+        <translation>Erfassun&amp;g beenden</translation>
+    </message>
+    <message>
+        <source>%1: values to %2</source>
+        <translation>%1: Werte nach %2</translation>
+    </message>
+    <message>
+        <source>T&amp;he instrument says [%1]</source>
+        <translation>Ablesu&amp;ng [%1]</translation>
+    </message>
+    <message>
+        <source>What the instrument says, in %1</source>
+        <translation>Was das Messgerät sagt, in %1</translation>
+    </message>
+    <message>
+        <source>Nothing is being taken</source>
+        <translation>Es wird nichts erfasst</translation>
+    </message>
+    <message>
+        <source>The drive does not answer</source>
+        <translation>Der Antrieb antwortet nicht</translation>
+    </message>
+    <message>
+        <source>R&amp;esume</source>
+        <translation>Wie&amp;der aufnehmen</translation>
+    </message>
+    <message>
+        <source>Paus&amp;e</source>
+        <translation>Unter&amp;brechen</translation>
+    </message>
+    <message>
+        <source>Take what was typed for the step that is due (Enter or space bar)</source>
+        <translation>Nehmen, was für den fälligen Schritt eingegeben wurde (Eingabe- oder Leertaste)</translation>
+    </message>
+    <message>
+        <source>A position is asked for as soon as the axis stands at the target that is due</source>
+        <translation>Nach einer Position wird gefragt, sobald die Achse an der fälligen Zielposition steht</translation>
+    </message>
+    <message>
+        <source>No value has been taken yet</source>
+        <translation>Es wurde noch kein Wert genommen</translation>
+    </message>
+    <message>
+        <source>Take the last value off the file; its step is due again</source>
+        <translation>Den letzten Wert aus der Datei nehmen; sein Schritt ist wieder fällig</translation>
+    </message>
+    <message>
+        <source>Go on; the axis has to come to its target once more</source>
+        <translation>Weitermachen; die Achse muss noch einmal zu ihrer Zielposition kommen</translation>
+    </message>
+    <message>
+        <source>Take nothing until Resume, such as while somebody works at the machine</source>
+        <translation>Nichts nehmen bis zur Wiederaufnahme, etwa während jemand an der Maschine arbeitet</translation>
+    </message>
+    <message>
+        <source>End here; what was taken stays in the file, and Capture goes on behind it with the same plan</source>
+        <translation>Hier aufhören; was genommen wurde, bleibt in der Datei, und Messwerte erfassen macht mit demselben Messplan dahinter weiter</translation>
+    </message>
+    <message>
+        <source>The drive does not say the unit of the axis: it is taken to be that of the plan.</source>
+        <translation>Der Antrieb sagt die Einheit der Achse nicht: die des Messplans wird angenommen.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is behind the last value of the file: times go on from there.</source>
+        <translation>Die Uhr dieses Rechners geht hinter dem letzten Wert der Datei: die Zeiten gehen von dort weiter.</translation>
+    </message>
+    <message>
+        <source>The reference is a Single: at %1 its numbers are %2 apart.</source>
+        <translation>Die Referenz ist ein Single: bei %1 liegen ihre Zahlen %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The instrument is far from the axis, as if it said 0 at %1: if that is right, begin a new file with this as the zero.</source>
+        <translation>Das Messgerät ist weit von der Achse, als sagte es 0 bei %1: wenn das stimmt, eine neue Datei mit diesem Nullpunkt beginnen.</translation>
+    </message>
+    <message>
+        <source>Step %1 is due: %2, upwards from %3.</source>
+        <translation>Schritt %1 ist fällig: %2, aufwärts von %3.</translation>
+    </message>
+    <message>
+        <source>Step %1 is due: %2, downwards from %3.</source>
+        <translation>Schritt %1 ist fällig: %2, abwärts von %3.</translation>
+    </message>
+    <message>
+        <source>The axis stands at step %1: %2 of %3 readings.</source>
+        <translation>Die Achse steht bei Schritt %1: %2 von %3 Ablesungen.</translation>
+    </message>
+    <message>
+        <source>The axis stands; it is waited until it has come to rest.</source>
+        <translation>Die Achse steht; es wird gewartet, bis sie zur Ruhe gekommen ist.</translation>
+    </message>
+    <message>
+        <source>The axis stands at step %1: read the instrument, and type what it says.</source>
+        <translation>Die Achse steht bei Schritt %1: das Messgerät ablesen und eingeben, was es sagt.</translation>
+    </message>
+    <message>
+        <source>Taken. %1</source>
+        <translation>Genommen. %1</translation>
+    </message>
+    <message>
+        <source>The axis moves. %1</source>
+        <translation>Die Achse bewegt sich. %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are in %3.</source>
+        <translation>%1 von %2 Werten sind in %3.</translation>
+    </message>
+    <message>
+        <source>Every step has its value: %1 values are in %2.</source>
+        <translation>Jeder Schritt hat seinen Wert: %1 Werte sind in %2.</translation>
+    </message>
+    <message>
+        <source>Stopped. %1 Capture goes on behind them with the same plan and file.</source>
+        <translation>Beendet. %1 Messwerte erfassen macht mit demselben Messplan und derselben Datei dahinter weiter.</translation>
+    </message>
+    <message>
+        <source>The drive is being read …</source>
+        <translation>Der Antrieb wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing is taken: %1 It goes on when the drive answers again.</source>
+        <translation>Es wird nichts genommen: %1 Es geht weiter, wenn der Antrieb wieder antwortet.</translation>
+    </message>
+    <message>
+        <source>Nothing is taken while the window does something else on this drive.</source>
+        <translation>Es wird nichts genommen, solange das Fenster etwas anderes auf diesem Antrieb tut.</translation>
+    </message>
+    <message>
+        <source>Paused: nothing is taken. %1</source>
+        <translation>Unterbrochen: es wird nichts genommen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CapturedPlot</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>aufwärts</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>abwärts</translation>
+    </message>
+    <message>
+        <source>Deviations that were taken</source>
+        <translation>Abweichungen, die genommen wurden</translation>
+    </message>
+    <message>
+        <source>The same values are in the list of steps</source>
+        <translation>Dieselben Werte stehen in der Liste der Schritte</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CertificateButton</name>
     <message>
         <source>Forget Cert&amp;ificate</source>
@@ -8180,6 +8632,25 @@
     <message>
         <source>What this column is. Once one is chosen, only chosen columns are read; until then the names of the columns say it.</source>
         <translation>Was diese Spalte ist. Sobald eine gewählt ist, werden nur gewählte Spalten gelesen; bis dahin sagen es die Namen der Spalten.</translation>
+    </message>
+    <message>
+        <source>%1 in column %2</source>
+        <translation>%1 in Spalte %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ColumnProposal</name>
+    <message>
+        <source>Proposed, as you chose it for the last file with these columns: %1.</source>
+        <translation>Vorgeschlagen, wie Sie es für die letzte Datei mit diesen Spalten gewählt haben: %1.</translation>
+    </message>
+    <message>
+        <source>Use T&amp;hese</source>
+        <translation>&amp;Diese verwenden</translation>
+    </message>
+    <message>
+        <source>Read the columns of this file in the same way</source>
+        <translation>Die Spalten dieser Datei ebenso lesen</translation>
     </message>
 </context>
 <context>
@@ -9531,10 +10002,6 @@
         <translation>Probleme (%1)</translation>
     </message>
     <message>
-        <source>Add the files of a measurement, or go on to Write with a table that is there.</source>
-        <translation>Fügen Sie die Dateien einer Messung hinzu, oder gehen Sie mit einer vorhandenen Tabelle weiter zu Schreiben.</translation>
-    </message>
-    <message>
         <source>The files are being read …</source>
         <translation>Die Dateien werden gelesen …</translation>
     </message>
@@ -9549,6 +10016,30 @@
     <message>
         <source>The measurement can be used. Save it as runs for the commands axiscomp judge and axiscomp fit.</source>
         <translation>Die Messung kann verwendet werden. Speichern Sie sie als Durchläufe für die Befehle axiscomp judge und axiscomp fit.</translation>
+    </message>
+    <message>
+        <source>Take the values of a plan while something else moves the axis</source>
+        <translation>Die Werte eines Messplans nehmen, während etwas anderes die Achse bewegt</translation>
+    </message>
+    <message>
+        <source>New &amp;Program…</source>
+        <translation>Neues &amp;Programm…</translation>
+    </message>
+    <message>
+        <source>Plan the targets of a measurement, and a program for the control of the machine</source>
+        <translation>Die Zielpositionen einer Messung planen, und ein Programm für die Steuerung der Maschine</translation>
+    </message>
+    <message>
+        <source>Cap&amp;ture…</source>
+        <translation>&amp;Messwerte erfassen…</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Erfassung</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement, take its values with Capture, or go on to Write with a table that is there.</source>
+        <translation>Dateien einer Messung hinzufügen, ihre Werte mit Messwerte erfassen nehmen, oder mit einer vorhandenen Tabelle zu Schreiben weitergehen.</translation>
     </message>
 </context>
 <context>
@@ -9614,6 +10105,17 @@
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasuringActions</name>
+    <message>
+        <source>Values are being captured: stop that first</source>
+        <translation>Es werden Messwerte erfasst: das zuerst beenden</translation>
+    </message>
+    <message>
+        <source>Choose a drive and an axis first</source>
+        <translation>Zuerst einen Antrieb und eine Achse wählen</translation>
     </message>
 </context>
 <context>
@@ -10355,6 +10857,243 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::PlanDialog</name>
+    <message>
+        <source>New Program</source>
+        <translation>Neues Programm</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Mean spacing</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>Cont&amp;rol</source>
+        <translation>S&amp;teuerung</translation>
+    </message>
+    <message>
+        <source>The control of the machine, which plays the program</source>
+        <translation>Die Steuerung der Maschine, die das Programm abspielt</translation>
+    </message>
+    <message>
+        <source>Save Pro&amp;gram…</source>
+        <translation>Pro&amp;gramm speichern…</translation>
+    </message>
+    <message>
+        <source>Save &amp;Plan…</source>
+        <translation>&amp;Plan speichern…</translation>
+    </message>
+    <message>
+        <source>Clo&amp;se</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Zielpositionen</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>A&amp;chse</translation>
+    </message>
+    <message>
+        <source>As the drive or the control names it</source>
+        <translation>Wie der Antrieb oder die Steuerung sie nennt</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>E&amp;inheit</translation>
+    </message>
+    <message>
+        <source>Of all positions of the plan</source>
+        <translation>Aller Positionen des Messplans</translation>
+    </message>
+    <message>
+        <source>&amp;First target</source>
+        <translation>&amp;Erste Zielposition</translation>
+    </message>
+    <message>
+        <source>Measured in every run</source>
+        <translation>In jedem Durchlauf gemessen</translation>
+    </message>
+    <message>
+        <source>&amp;Last target</source>
+        <translation>&amp;Letzte Zielposition</translation>
+    </message>
+    <message>
+        <source>Measured in every run; above the first</source>
+        <translation>In jedem Durchlauf gemessen; über der ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Targets</source>
+        <translation>&amp;Zielpositionen</translation>
+    </message>
+    <message>
+        <source>How many, or how far apart in the mean</source>
+        <translation>Wie viele, oder wie weit im Mittel auseinander</translation>
+    </message>
+    <message>
+        <source>&amp;Known period</source>
+        <translation>&amp;Bekannte Periode</translation>
+    </message>
+    <message>
+        <source>Of the axis&apos;s error, such as the lead of its screw: targets are spread over it</source>
+        <translation>Des Fehlers der Achse, etwa die Steigung ihrer Spindel: Zielpositionen werden darüber verteilt</translation>
+    </message>
+    <message>
+        <source>&amp;Cycles</source>
+        <translation>Z&amp;yklen</translation>
+    </message>
+    <message>
+        <source>Runs in each direction; the standard wants five</source>
+        <translation>Durchläufe in jeder Richtung; die Norm will fünf</translation>
+    </message>
+    <message>
+        <source>&amp;Overrun</source>
+        <translation>Überla&amp;uf</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target</source>
+        <translation>Wie weit die Achse vor der ersten Zielposition eines Durchlaufs in dessen Richtung fährt</translation>
+    </message>
+    <message>
+        <source>F&amp;eed</source>
+        <translation>&amp;Vorschub</translation>
+    </message>
+    <message>
+        <source>Of the moves in the program</source>
+        <translation>Der Bewegungen im Programm</translation>
+    </message>
+    <message>
+        <source>D&amp;well</source>
+        <translation>Ver&amp;weilzeit</translation>
+    </message>
+    <message>
+        <source>How long the axis stands at each target, to be measured</source>
+        <translation>Wie lange die Achse an jeder Zielposition steht, um gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>Ran&amp;dom seed</source>
+        <translation>Zu&amp;fallszahl</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same</source>
+        <translation>Eine andere Zahl gibt andere Zielpositionen, dieselbe dieselben</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>Anzahl der Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Mean spacing of targets</source>
+        <translation>Mittlerer Abstand der Zielpositionen</translation>
+    </message>
+    <message>
+        <source>none known</source>
+        <translation>keine bekannt</translation>
+    </message>
+    <message>
+        <source>by the range</source>
+        <translation>nach dem Bereich</translation>
+    </message>
+    <message>
+        <source>%1. The axis moves from %2 to %3: check that this way is free.</source>
+        <translation>%1. Die Achse fährt von %2 bis %3: prüfen, ob dieser Weg frei ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>This program never moves an axis: the control of the machine plays the program, or a person moves from target to target.</source>
+        <translation>Dieses Programm bewegt nie eine Achse: die Steuerung der Maschine spielt das Programm ab, oder ein Mensch fährt von Zielposition zu Zielposition.</translation>
+    </message>
+    <message>
+        <source>For Capture, which takes the values by it</source>
+        <translation>Für Messwerte erfassen, das die Werte danach nimmt</translation>
+    </message>
+    <message>
+        <source>G-code for the control of the machine</source>
+        <translation>G-Code für die Steuerung der Maschine</translation>
+    </message>
+    <message>
+        <source>Save Program</source>
+        <translation>Programm speichern</translation>
+    </message>
+    <message>
+        <source>Save Plan</source>
+        <translation>Messplan speichern</translation>
+    </message>
+    <message>
+        <source>Programs (*%1);;All files (*)</source>
+        <translation>Programme (*%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Plans (*.csv);;All files (*)</source>
+        <translation>Messpläne (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlanStepsModel</name>
+    <message>
+        <source>step %1, %2, target %3</source>
+        <translation>Schritt %1, %2, Zielposition %3</translation>
+    </message>
+    <message>
+        <source>due</source>
+        <translation>fällig</translation>
+    </message>
+    <message>
+        <source>not taken yet</source>
+        <translation>noch nicht genommen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>Kommt von</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlanTargetsModel</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>From the one before</source>
+        <translation>Von der vorigen</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::PreviewPanel</name>
     <message>
         <source>Save Exa&amp;mple…</source>
@@ -10496,6 +11235,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Uncertainty</source>
         <translation>Messunsicherheit</translation>
+    </message>
+    <message>
+        <source>Table in use</source>
+        <translation>Verwendete Tabelle</translation>
     </message>
 </context>
 <context>

@@ -35,9 +35,7 @@ void MeasuringActions::planMeasurement()
 {
     if (m_plan)
         return m_plan->raise();
-    const int current = m_controller.currentAxis();
-    const AxisInfo axis =
-        current < 0 ? AxisInfo() : m_controller.axes().at(static_cast<std::size_t>(current)).axis;
+    const AxisInfo axis = m_controller.status() ? m_controller.status()->axis : AxisInfo();
     m_plan = new PlanDialog(measuredAxis(axis), m_files.picker(), folder(), &m_window);
     connect(m_plan, &PlanDialog::saved, this,
         [this](

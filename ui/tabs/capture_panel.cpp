@@ -366,7 +366,7 @@ std::pair<Tone, QString> CapturePanel::runningState() const
                                     .arg(view.values.size() + 1)
                                     .arg(view.averaged)
                                     .arg(view.readingsPerValue)
-                              : tr("The axis stands; it is awaited that it comes to rest.")};
+                              : tr("The axis stands; it is waited until it has come to rest.")};
     case Event::Refused:
         return {Tone::Warning, sentenceText(view.problem)};
     case Event::NoReference:

@@ -79,12 +79,13 @@ struct CaptureFixture {
         const auto opened = readings(registers, scale, axis, of);
         return opened ? "it was taken" : sentence(opened.error());
     }
-    [[nodiscard]] Result<void> open(const std::string& reference = referenceRegister)
+    [[nodiscard]] Result<void> open(
+        const std::string& reference = referenceRegister, const CaptureRules& rules = {})
     {
         AXISCOMP_TRY(auto opened, readings({encoder, reference}));
         AXISCOMP_TRY(auto file, RunFile::open(path, plan, {opened.state(), "laser", "now"}));
-        run.emplace(std::move(opened), std::move(file), plan, CaptureRules{},
-            compensator.identify().value());
+        run.emplace(
+            std::move(opened), std::move(file), plan, rules, compensator.identify().value());
         return {};
     }
     [[nodiscard]] Result<CaptureNews> step()
@@ -388,7 +389,10 @@ private Q_SLOTS:
     void aTypedPositionIsAskedForTakenAndTakenBack()
     {
         CaptureFixture fixture;
-        QVERIFY(fixture.open({}));
+        // The program goes on after 2.5 s, and two values are taken before.
+        CaptureRules rules;
+        rules.dwell = 300ms;
+        QVERIFY(fixture.open({}, rules));
         CaptureRun& run = *fixture.run;
         run.setTyped(readerOf("mm"));
         QCOMPARE(run.type("0.001").english(),

@@ -58,7 +58,9 @@ private Q_SLOTS:
 
     void theTravelOfTheAxisIsProposedWithRoomForTheOverrun()
     {
-        PageFixture bench; // X travels from 0 to 40 mm
+        drivecomm::VirtualDriveOptions options = PageFixture::twoAxes();
+        options.axes.front().saysTravel = true; // 0 to 40 mm
+        PageFixture bench(std::move(options));
         QVERIFY(bench.open() && openDialog(bench));
         QCOMPARE(bench.user.the<QLineEdit>("planAxisField").text(), QStringLiteral("X"));
         QCOMPARE(bench.user.the<QDoubleSpinBox>("fromField").value(), 0.4);
