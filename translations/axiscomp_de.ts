@@ -11089,8 +11089,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Zielposition</translation>
     </message>
     <message>
-        <source>From the one before</source>
-        <translation>Von der vorigen</translation>
+        <source>Distance</source>
+        <translation>Abstand</translation>
     </message>
 </context>
 <context>

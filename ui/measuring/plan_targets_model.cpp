@@ -63,7 +63,7 @@ QVariant PlanTargetsModel::headerData(int section, Qt::Orientation orientation, 
     case Target:
         return withUnit(tr("Target"), unit);
     default:
-        return withUnit(tr("From the one before"), unit);
+        return withUnit(tr("Distance"), unit);
     }
 }
 

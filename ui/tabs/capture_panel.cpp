@@ -103,6 +103,7 @@ void CapturePanel::build()
     views->addWidget(m_plot);
     views->setStretchFactor(0, 1);
     views->setStretchFactor(1, 1);
+    views->setSizes({500, 400});
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_title);
     layout->addWidget(buildDigits());
@@ -245,12 +246,27 @@ void CapturePanel::showSteps()
         return;
     m_shownValues = view.values.size();
     m_model->show(view.plan, view.values);
-    if (const int due = m_model->dueRow(); due >= 0)
+    if (const int due = m_model->dueRow(); due >= 0) {
         m_steps->setCurrentIndex(m_model->index(due, 0));
+        revealDue();
+    }
     if (view.plan)
         m_plot->show(*view.plan, view.values, m_model->unit());
     else
         m_plot->clear();
+}
+
+void CapturePanel::revealDue()
+{
+    if (const int due = m_model->dueRow(); due >= 0)
+        m_steps->scrollTo(m_model->index(due, 0), QAbstractItemView::PositionAtCenter);
+}
+
+/// Rows that were chosen while there was no place for them yet are out of sight.
+void CapturePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    QMetaObject::invokeMethod(this, &CapturePanel::revealDue, Qt::QueuedConnection);
 }
 
 /// What is to be typed once more is typed, not confirmed; what was not understood is corrected.

@@ -36,6 +36,7 @@ public:
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     enum Digits { Encoder, Reference, Difference, DigitsCount };
@@ -47,6 +48,7 @@ private:
     void follow();
     void showDigits();
     void showSteps();
+    void revealDue();
     void showButtons();
     void showNotes();
     void followQuestion();
