@@ -11062,10 +11062,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Durchlauf</translation>
     </message>
     <message>
-        <source>Direction</source>
-        <translation>Richtung</translation>
-    </message>
-    <message>
         <source>Target</source>
         <translation>Zielposition</translation>
     </message>

@@ -91,9 +91,9 @@ QString PlanStepsModel::text(const QModelIndex& cell) const
         return cell.row() == dueRow() ? QStringLiteral("▶ %1").arg(step.step)
                                       : QString::number(step.step);
     case Run:
-        return QString::number(step.run);
-    case Direction:
-        return step.direction == axiscomp::Approach::Up ? QStringLiteral("↑") : QStringLiteral("↓");
+        return (step.direction == axiscomp::Approach::Up ? QStringLiteral("↑ %1")
+                                                         : QStringLiteral("↓ %1"))
+            .arg(step.run);
     case Target:
         return planPositionText(step.target);
     case Approach:
@@ -128,8 +128,7 @@ QVariant PlanStepsModel::data(const QModelIndex& index, int role) const
     if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
         return spoken(index);
     if (role == Qt::TextAlignmentRole)
-        return index.column() == Direction ? QVariant::fromValue(Qt::AlignCenter)
-                                           : QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+        return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::FontRole && index.row() == dueRow()) {
         QFont font;
         font.setBold(true);
@@ -148,8 +147,6 @@ QVariant PlanStepsModel::headerData(int section, Qt::Orientation orientation, in
         return tr("Step");
     case Run:
         return tr("Run");
-    case Direction:
-        return tr("Direction");
     case Target:
         return withUnit(tr("Target"), unit);
     case Approach:

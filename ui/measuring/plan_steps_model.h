@@ -16,7 +16,7 @@ class PlanStepsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Step, Run, Direction, Target, Approach, Deviation, ColumnCount };
+    enum Column { Step, Run, Target, Deviation, Approach, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 

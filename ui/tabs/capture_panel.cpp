@@ -94,8 +94,7 @@ void CapturePanel::build()
     m_steps->horizontalHeader()->setHighlightSections(false);
     m_steps->horizontalHeader()->setResizeContentsPrecision(20);
     m_steps->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_steps->horizontalHeader()->setSectionResizeMode(
-        PlanStepsModel::Deviation, QHeaderView::Stretch);
+    m_steps->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     auto* views = new QSplitter(Qt::Horizontal);
     views->setObjectName(QStringLiteral("captureViews"));
     views->setChildrenCollapsible(false);
@@ -103,7 +102,7 @@ void CapturePanel::build()
     views->addWidget(m_plot);
     views->setStretchFactor(0, 1);
     views->setStretchFactor(1, 1);
-    views->setSizes({500, 400});
+    views->setSizes({500, 360});
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_title);
     layout->addWidget(buildDigits());

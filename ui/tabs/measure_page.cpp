@@ -184,7 +184,14 @@ void MeasurePage::setMeasuring(MeasuringActions& measuring, WizardSettings& sett
     m_measuring = &measuring;
     m_settings = &settings;
     m_capturePanel = new CapturePanel(measuring.feed());
-    m_views->addTab(m_capturePanel, QString());
+    // Its digits are wider than a small screen has room for.
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("captureScroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_capturePanel);
+    m_views->addTab(scroll, QString());
     m_program->parentWidget()->show();
     connect(m_program, &QPushButton::clicked, &measuring, &MeasuringActions::planMeasurement);
     connect(m_capture, &QPushButton::clicked, &measuring, &MeasuringActions::captureValues);

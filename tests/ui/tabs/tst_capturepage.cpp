@@ -171,8 +171,8 @@ private Q_SLOTS:
         const auto& steps = bench.page.user.the<QTableView>("planSteps");
         QCOMPARE(steps.model()->rowCount(), 6);
         // 12 um/m at 0 and 30 mm
-        QCOMPARE(steps.model()->index(0, 5).data().toString(), QStringLiteral("0.00"));
-        QCOMPARE(steps.model()->index(2, 5).data().toString(), QStringLiteral("0.36"));
+        QCOMPARE(steps.model()->index(0, 3).data().toString(), QStringLiteral("0.00"));
+        QCOMPARE(steps.model()->index(2, 3).data().toString(), QStringLiteral("0.36"));
         QVERIFY(bench.page.user.the("captureValues").isEnabled());
     }
 
