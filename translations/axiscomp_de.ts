@@ -8266,6 +8266,10 @@
         <source>Read axis and instrument, and take values</source>
         <translation>Achse und Messgerät lesen und Werte nehmen</translation>
     </message>
+    <message>
+        <source>Take nothing and go back (Esc)</source>
+        <translation>Nichts nehmen und zurückgehen (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::CapturePanel</name>
@@ -11037,6 +11041,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>What was not saved is lost (Esc)</source>
+        <translation>Was nicht gespeichert wurde, ist verloren (Esc)</translation>
+    </message>
+    <message>
+        <source>Given b&amp;y</source>
+        <translation>&amp;Angabe</translation>
+    </message>
+    <message>
+        <source>Whether targets are counted, or their distance is given</source>
+        <translation>Ob Zielpositionen gezählt werden oder ihr Abstand gegeben ist</translation>
     </message>
 </context>
 <context>

@@ -274,6 +274,8 @@ void CaptureDialog::retranslate()
     m_chooseValues->setText(tr("C&hoose…"));
     m_begin->setText(tr("&Begin"));
     m_cancel->setText(tr("Cance&l"));
+    m_cancel->setToolTip(tr("Take nothing and go back (Esc)"));
+    m_cancel->setAccessibleDescription(m_cancel->toolTip());
     nameFields();
     showState();
 }

@@ -57,6 +57,7 @@ PlanDialog::PlanDialog(const MeasuredAxis& axis, FilePicker picker, QString fold
     , m_unit(new QComboBox)
     , m_from(positionBox(-largestPlanPosition))
     , m_to(positionBox(-largestPlanPosition))
+    , m_byLabel(new ToneLabel)
     , m_by(new QComboBox)
     , m_targets(new QStackedWidget)
     , m_count(new QSpinBox)
@@ -140,7 +141,7 @@ QWidget* PlanDialog::buildFields()
     addField(FeedField, m_feed, "feedField");
     addField(DwellField, m_dwell, "dwellField");
     addField(SeedField, m_seed, "seedField");
-    m_labels[TargetsField]->setBuddy(m_by);
+    m_labels[TargetsField]->setBuddy(m_count);
     auto* fields = new QWidget;
     fields->setLayout(m_form);
     return fields;
@@ -157,12 +158,9 @@ QWidget* PlanDialog::buildTargets()
     m_targets->addWidget(m_count);
     m_targets->addWidget(m_spacing);
     m_targets->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    auto* editor = new QWidget;
-    auto* layout = new QHBoxLayout(editor);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_by);
-    layout->addWidget(m_targets, 1);
-    return editor;
+    m_byLabel->setBuddy(m_by);
+    m_form->addRow(m_byLabel, m_by);
+    return m_targets;
 }
 
 QWidget* PlanDialog::buildPreview()
@@ -219,6 +217,7 @@ void PlanDialog::follow()
     connect(m_unit, &QComboBox::currentIndexChanged, this, &PlanDialog::showUnits);
     connect(m_by, &QComboBox::currentIndexChanged, this, [this](int page) {
         m_targets->setCurrentIndex(page);
+        m_labels[TargetsField]->setBuddy(m_targets->currentWidget());
         compute();
     });
     for (QDoubleSpinBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
@@ -254,6 +253,8 @@ void PlanDialog::retranslate()
     m_saveProgram->setText(tr("Save Pro&gram…"));
     m_savePlan->setText(tr("Save &Plan…"));
     m_close->setText(tr("Clo&se"));
+    m_close->setToolTip(tr("What was not saved is lost (Esc)"));
+    m_close->setAccessibleDescription(m_close->toolTip());
     m_preview->setAccessibleName(tr("Targets"));
     m_model->retranslate();
     showUnits();
@@ -282,8 +283,14 @@ void PlanDialog::nameFields()
     name(DwellField, tr("D&well"), tr("How long the axis stands at each target, to be measured"));
     name(SeedField, tr("Ran&dom seed"),
         tr("Another number gives other targets, the same number the same"));
-    m_by->setAccessibleName(plainName(m_labels[TargetsField]->text()));
-    m_by->setAccessibleDescription(m_editors[TargetsField]->toolTip());
+    m_byLabel->setText(tr("Given b&y"));
+    m_by->setAccessibleName(plainName(m_byLabel->text()));
+    m_by->setToolTip(tr("Whether targets are counted, or their distance is given"));
+    m_by->setAccessibleDescription(m_by->toolTip());
+    for (QWidget* box : {static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_spacing)}) {
+        box->setToolTip(m_editors[TargetsField]->toolTip());
+        box->setAccessibleDescription(box->toolTip());
+    }
     m_count->setAccessibleName(tr("Number of targets"));
     m_spacing->setAccessibleName(tr("Mean spacing of targets"));
     m_period->setSpecialValueText(tr("none known"));

@@ -99,6 +99,7 @@ private:
     QComboBox* m_unit;
     QDoubleSpinBox* m_from;
     QDoubleSpinBox* m_to;
+    ToneLabel* m_byLabel;
     QComboBox* m_by;
     QStackedWidget* m_targets;
     QSpinBox* m_count;
