@@ -9,6 +9,7 @@
 #include "ui/dialogs/multi_axis_dialog.h"
 #include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
+#include "ui/measuring/measuring_actions.h"
 #include "ui/overview/overview_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
@@ -123,6 +124,7 @@ struct CompensationWizard::Private {
     WizardPage* page;
     DropFrame* dropFrame;
     FileActions files;
+    MeasuringActions measuring;
     WriteFlow writeFlow;
     UnsavedChangesGuard guard;
     MessagePresenter messages;
@@ -148,6 +150,7 @@ CompensationWizard::Private::Private(
           recordActions.prove(), recordActions.bar(), &wizard))
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
+    , measuring(controller, options, files, settings, wizard)
     , writeFlow(controller, *page->preview)
     , guard(controller, *page->messages)
     , messages(controller, *page->messages)
@@ -156,6 +159,7 @@ CompensationWizard::Private::Private(
     menu->showLanguage(settings.language());
     page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
     menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());
+    measure->setMeasuring(measuring, settings);
     page->restoreSplitters(settings);
 }
 

@@ -7,6 +7,7 @@
 #include "app/wizard/first_paint.h"
 #include "app/wizard/wizard_window.h"
 #include "core/store/drive_store.h"
+#include "drivecomm/capture/serial_instrument.h"
 #include "drivecomm/drive_candidates.h"
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
@@ -85,6 +86,7 @@ ui::WizardOptions wizardOptions(const WizardArguments& arguments, const DrivePro
         return drivecomm::candidatesIn(range, otherThan);
     };
     options.network.mostAtOnce = drivecomm::addressesAtOnce;
+    options.instrumentFactory = drivecomm::openSerialInstrument;
     const auto certificates = std::make_shared<TrustedCertificates>(options.storeRoot);
     options.linkFactory = drivecomm::linkFactory(
         profile, [certificates](const std::string& endpoint, const std::string& fingerprint) {

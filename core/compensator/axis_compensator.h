@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_status.h"
 #include "core/axis/proof.h"
+#include "core/capture/capture_request.h"
 #include "core/drive/drive_link.h"
 #include "core/drive/drive_profile.h"
 #include "core/drive/operation.h"
@@ -102,6 +103,16 @@ public:
     /// the user stops it, the state from before is put back, also when it was Evaluating.
     [[nodiscard]] Result<Activation> switchTo(
         int axis, Switch wanted, int samples = 5, const OperationOptions& options = {});
+
+    /// Begins to take the values of a plan, or goes on in their file; what comes of it may be used
+    /// with the next instance for the same drive, after a lost connection. The profile must outlive
+    /// it. Errors: InvalidArgument, NotHomed, MeasurementState, those of AxisReadings::open,
+    /// resolveSource, RunFile::open and of the request's instrument.
+    [[nodiscard]] Result<CaptureRun> beginCapture(
+        int axis, const CaptureRequest& request, const OperationOptions& options = {});
+    /// One reading. now: as CaptureClock has it. Errors: those of CaptureRun::read.
+    [[nodiscard]] Result<CaptureNews> readCapture(CaptureRun& run,
+        const std::function<std::chrono::nanoseconds()>& now, const OperationOptions& options = {});
 
     /// The table that the axis uses. Errors: NoTable, InvalidTable.
     [[nodiscard]] Result<CompensationTable> readTable(

@@ -16,6 +16,8 @@ struct AxisCompensator::Private {
     DriveStore& store;
     std::function<WallTime()> clock;
     SourceDirectory sources;
+    /// Tells this instance, and with it the link, from every other one.
+    std::shared_ptr<const int> connection = std::make_shared<const int>(0);
 
     [[nodiscard]] RegisterAccess access(const OperationOptions& options) const
     {

@@ -44,4 +44,11 @@ Quantity placeOf(double position, bool isAngular)
     return {roundedText(std::round(position * finest) / finest), isAngular ? "deg" : "mm"};
 }
 
+std::string placeDigits(double position, bool isAngular)
+{
+    constexpr int decimals = 6;
+    constexpr int angularDecimals = 7;
+    return fixedDigits(position, isAngular ? angularDecimals : decimals);
+}
+
 } // namespace axiscomp

@@ -29,5 +29,7 @@ struct FineUnit {
 [[nodiscard]] Quantity fineQuantity(double value, bool isAngular);
 /// A position in mm or deg, to a nanometre, or 1e-7 deg.
 [[nodiscard]] Quantity placeOf(double position, bool isAngular);
+/// The same with every decimal, so that digits which change stay in their place: "25.310000".
+[[nodiscard]] std::string placeDigits(double position, bool isAngular);
 
 } // namespace axiscomp

@@ -2,6 +2,7 @@
 #include "core/metrology/gcode.h"
 
 #include "core/text/number_text.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <array>
@@ -107,16 +108,12 @@ private:
     {
         const std::string unit = m_plan.isAngular ? " DEG" : " MM";
         const std::vector<double> targets = targetsOf(m_plan);
-        double lowest = targets.front();
-        double highest = targets.back();
-        for (const MeasuringStep& step : m_plan.steps) {
-            lowest = std::min(lowest, step.approach);
-            highest = std::max(highest, step.approach);
-        }
+        const PlanTravel travel = planTravel(m_plan);
         comment("AXISCOMP MEASURING PROGRAM FOR AXIS " + m_plan.axis);
         comment("TARGETS " + std::to_string(targets.size()) + " POSITIONS "
             + std::to_string(m_plan.steps.size()) + " SEED " + std::to_string(m_plan.seed));
-        comment("MOVES FROM " + planPosition(lowest) + " TO " + planPosition(highest) + unit);
+        comment("MOVES FROM " + planPosition(travel.lowest) + " TO " + planPosition(travel.highest)
+            + unit);
         comment("DWELL " + toText(m_plan.dwellSeconds) + " S AT EACH TARGET");
     }
     void move(double position)
@@ -145,6 +142,20 @@ std::optional<GcodeDialect> gcodeDialectNamed(std::string_view name)
     if (found == dialectNames.end())
         return std::nullopt;
     return static_cast<GcodeDialect>(found - dialectNames.begin());
+}
+
+std::string_view gcodeExtension(GcodeDialect dialect)
+{
+    constexpr std::array<std::string_view, 3> extensions{".ngc", ".nc", ".mpf"};
+    return extensions.at(static_cast<std::size_t>(dialect));
+}
+
+bool isProgramFile(const std::filesystem::path& file)
+{
+    constexpr std::array<std::string_view, 5> extensions{".ngc", ".nc", ".mpf", ".tap", ".gcode"};
+    const std::string extension = file.extension().string();
+    return std::ranges::any_of(
+        extensions, [&](std::string_view known) { return sameLetters(extension, known); });
 }
 
 Result<std::string> gcodeProgram(const MeasuringPlan& plan, GcodeDialect dialect)

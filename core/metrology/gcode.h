@@ -3,6 +3,7 @@
 
 #include "core/metrology/measuring_plan.h"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,10 @@ enum class GcodeDialect { LinuxCnc, Fanuc, Siemens };
 [[nodiscard]] std::span<const std::string_view> gcodeDialectNames(); ///< "linuxcnc", ...
 /// Nothing for another name.
 [[nodiscard]] std::optional<GcodeDialect> gcodeDialectNamed(std::string_view name);
+
+[[nodiscard]] std::string_view gcodeExtension(GcodeDialect dialect); ///< ".ngc", ".nc", ".mpf"
+/// Named as a program for a control: a plan in it would mislead the control.
+[[nodiscard]] bool isProgramFile(const std::filesystem::path& file);
 
 /// The plan as a program for the machine's own control: absolute positions, the feed in each move,
 /// the dwell at each target, the plan in comments, and no word for a tool, a spindle or coolant.

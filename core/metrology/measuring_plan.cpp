@@ -3,6 +3,7 @@
 
 #include "core/base/fixed_random.h"
 #include "core/text/number_text.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
@@ -35,9 +36,12 @@ bool isWholeThousandth(double position)
     return std::abs(position * stepsPerUnit - std::round(position * stepsPerUnit)) < rounding;
 }
 
-tl::unexpected<Error> impossiblePlan(Text reason)
+using PlanField = MeasuringPlanField;
+using PlanFault = std::optional<MeasuringPlanFault>;
+
+PlanFault impossiblePlan(PlanField field, Text reason)
 {
-    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+    return MeasuringPlanFault{field, std::move(reason)};
 }
 
 Quantity planQuantity(double value, bool isAngular)
@@ -45,87 +49,113 @@ Quantity planQuantity(double value, bool isAngular)
     return {roundedText(value), isAngular ? "deg" : "mm"};
 }
 
-Result<void> checkEnds(const MeasuringPlanRequest& request)
+PlanFault faultOfAxis(const MeasuringPlanRequest& request)
 {
-    for (const double end : {request.from, request.to}) {
+    if (request.axis.find_first_not_of(' ') == std::string::npos
+        || shownText(request.axis, request.axis.size()) != request.axis)
+        return impossiblePlan(PlanField::Axis,
+            AXISCOMP_TEXT(
+                "Error", "name the axis as the drive or the control names it, such as X"));
+    return std::nullopt;
+}
+
+PlanFault faultOfEnds(const MeasuringPlanRequest& request)
+{
+    for (const PlanField field : {PlanField::From, PlanField::To}) {
+        const double end = field == PlanField::From ? request.from : request.to;
         if (!(std::abs(end) <= largestPlanPosition))
-            return impossiblePlan(
+            return impossiblePlan(field,
                 AXISCOMP_TEXT("Error", "a target must lie within {limit} of zero")
                     .with("limit", planQuantity(largestPlanPosition, request.isAngular)));
         if (!isWholeThousandth(end))
-            return impossiblePlan(AXISCOMP_TEXT("Error",
-                "{position} has more than the three decimals that a program prints; choose an end "
-                "with fewer")
-                                      .with("position", planQuantity(end, request.isAngular)));
+            return impossiblePlan(field,
+                AXISCOMP_TEXT("Error",
+                    "{position} has more than the three decimals that a program prints; choose an "
+                    "end with fewer")
+                    .with("position", planQuantity(end, request.isAngular)));
     }
     if (!(request.from < request.to))
-        return impossiblePlan(AXISCOMP_TEXT("Error",
-            "the last target ({to}) must be above the first ({from}); exchange the two, or choose "
-            "other ends")
-                                  .with("from", planQuantity(request.from, request.isAngular))
-                                  .with("to", planQuantity(request.to, request.isAngular)));
-    return {};
+        return impossiblePlan(PlanField::To,
+            AXISCOMP_TEXT("Error",
+                "the last target ({to}) must be above the first ({from}); exchange the two, or "
+                "choose other ends")
+                .with("from", planQuantity(request.from, request.isAngular))
+                .with("to", planQuantity(request.to, request.isAngular)));
+    return std::nullopt;
 }
 
-Result<void> checkRest(const MeasuringPlanRequest& request)
+PlanFault faultOfRest(const MeasuringPlanRequest& request)
 {
     const auto isPositive = [](double value, double most) { return value > 0.0 && value <= most; };
     if (request.period && !isPositive(*request.period, largestPlanPosition))
-        return impossiblePlan(
+        return impossiblePlan(PlanField::Period,
             AXISCOMP_TEXT("Error", "a period is above 0; leave it out if none is known"));
     if (request.overrun && !isPositive(*request.overrun, largestPlanPosition))
-        return impossiblePlan(AXISCOMP_TEXT("Error",
-            "the overrun must be above 0: without it the first target of a run would not be "
-            "approached in the direction of the run"));
+        return impossiblePlan(PlanField::Overrun,
+            AXISCOMP_TEXT("Error",
+                "the overrun must be above 0: without it the first target of a run would not be "
+                "approached in the direction of the run"));
     if (request.overrun && !isWholeThousandth(*request.overrun))
-        return impossiblePlan(
+        return impossiblePlan(PlanField::Overrun,
             AXISCOMP_TEXT("Error", "the overrun has more than three decimals; round it"));
     constexpr double fastest = 1e6;
     if (!isPositive(request.feedPerMinute, fastest))
-        return impossiblePlan(
+        return impossiblePlan(PlanField::Feed,
             AXISCOMP_TEXT("Error", "the feed must be above 0 and at most {most}")
                 .with("most",
                     Quantity{roundedText(fastest), request.isAngular ? "deg/min" : "mm/min"}));
     constexpr double longestSeconds = 3600.0;
     if (!isPositive(request.dwellSeconds, longestSeconds))
-        return impossiblePlan(AXISCOMP_TEXT("Error",
-            "the dwell must be above 0 s and at most {most}: the axis stands still while it is "
-            "measured")
-                                  .with("most", Quantity{roundedText(longestSeconds), "s"}));
+        return impossiblePlan(PlanField::Dwell,
+            AXISCOMP_TEXT("Error",
+                "the dwell must be above 0 s and at most {most}: the axis stands still while it is "
+                "measured")
+                .with("most", Quantity{roundedText(longestSeconds), "s"}));
     if (request.cycles < 1)
-        return impossiblePlan(AXISCOMP_TEXT("Error", "at least one cycle is needed"));
-    return {};
+        return impossiblePlan(
+            PlanField::Cycles, AXISCOMP_TEXT("Error", "at least one cycle is needed"));
+    return std::nullopt;
 }
 
-Result<int> planTargetCount(const MeasuringPlanRequest& request)
+/// By count or by spacing, not checked.
+double wantedTargets(const MeasuringPlanRequest& request)
+{
+    const double range = request.to - request.from;
+    return request.spacing ? std::round(range / *request.spacing) + 1.0 : *request.count;
+}
+
+PlanFault faultOfCount(const MeasuringPlanRequest& request)
 {
     if (request.count.has_value() == request.spacing.has_value())
-        return impossiblePlan(
+        return impossiblePlan(PlanField::Targets,
             AXISCOMP_TEXT("Error", "give the number of targets or their spacing, one of the two"));
     const double range = request.to - request.from;
     if (request.spacing && !(*request.spacing > 0.0 && *request.spacing <= range))
-        return impossiblePlan(AXISCOMP_TEXT(
-            "Error", "the spacing must be above 0 and at most the distance of the ends, {range}")
-                                  .with("range", planQuantity(range, request.isAngular)));
-    const double wanted =
-        request.spacing ? std::round(range / *request.spacing) + 1.0 : *request.count;
+        return impossiblePlan(PlanField::Targets,
+            AXISCOMP_TEXT("Error",
+                "the spacing must be above 0 and at most the distance of the ends, {range}")
+                .with("range", planQuantity(range, request.isAngular)));
+    const double wanted = wantedTargets(request);
     if (!(wanted >= 2.0 && wanted <= mostTargets))
-        return impossiblePlan(AXISCOMP_TEXT("Error", "a plan has 2 to {most} targets, not {count}")
-                                  .with("most", mostTargets)
-                                  .with("count", Quantity{roundedText(wanted)}));
+        return impossiblePlan(PlanField::Targets,
+            AXISCOMP_TEXT("Error", "a plan has 2 to {most} targets, not {count}")
+                .with("most", mostTargets)
+                .with("count", Quantity{roundedText(wanted)}));
     const int count = static_cast<int>(wanted);
     if (range / (count - 1) < smallestSpacing)
-        return impossiblePlan(AXISCOMP_TEXT("Error",
-            "{count} targets would be closer than {least}, which three decimals cannot keep "
-            "uneven; choose fewer")
-                                  .with("count", count)
-                                  .with("least", planQuantity(smallestSpacing, request.isAngular)));
+        return impossiblePlan(PlanField::Targets,
+            AXISCOMP_TEXT("Error",
+                "{count} targets would be closer than {least}, which three decimals cannot keep "
+                "uneven; choose fewer")
+                .with("count", count)
+                .with("least", planQuantity(smallestSpacing, request.isAngular)));
     if (static_cast<std::size_t>(count) * 2 * static_cast<std::size_t>(request.cycles)
         > mostPlanSteps)
-        return impossiblePlan(AXISCOMP_TEXT(
-            "Error", "the plan would have more than {most} steps; choose fewer targets or cycles")
-                                  .with("most", mostPlanSteps));
-    return count;
+        return impossiblePlan(PlanField::Cycles,
+            AXISCOMP_TEXT("Error",
+                "the plan would have more than {most} steps; choose fewer targets or cycles")
+                .with("most", mostPlanSteps));
+    return std::nullopt;
 }
 
 /// Each target in turn is drawn evenly from where its neighbours leave it, over and over: with
@@ -172,11 +202,19 @@ Thousandths overrunOf(const MeasuringPlanRequest& request, int count)
 
 } // namespace
 
+std::optional<MeasuringPlanFault> measuringPlanFault(const MeasuringPlanRequest& request)
+{
+    for (const auto faultOf : {faultOfAxis, faultOfEnds, faultOfRest, faultOfCount})
+        if (auto fault = faultOf(request))
+            return fault;
+    return std::nullopt;
+}
+
 Result<MeasuringPlan> makeMeasuringPlan(const MeasuringPlanRequest& request)
 {
-    AXISCOMP_CHECK(checkEnds(request));
-    AXISCOMP_CHECK(checkRest(request));
-    AXISCOMP_TRY(const auto count, planTargetCount(request));
+    if (auto fault = measuringPlanFault(request))
+        return fail(ErrorCode::InvalidArgument, {{"reason", std::move(fault->reason)}});
+    const int count = static_cast<int>(wantedTargets(request));
     std::vector<Thousandths> targets = unevenTargets(request, count);
     const Thousandths overrun = overrunOf(request, count);
     MeasuringPlan plan{request.axis, request.isAngular, planPositionOf(overrun),
@@ -193,6 +231,17 @@ Result<MeasuringPlan> makeMeasuringPlan(const MeasuringPlanRequest& request)
             std::ranges::reverse(targets);
         }
     return plan;
+}
+
+PlanTravel planTravel(const MeasuringPlan& plan)
+{
+    const std::vector<double> targets = targetsOf(plan);
+    PlanTravel travel{targets.front(), targets.back()};
+    for (const MeasuringStep& step : plan.steps) {
+        travel.lowest = std::min(travel.lowest, step.approach);
+        travel.highest = std::max(travel.highest, step.approach);
+    }
+    return travel;
 }
 
 std::string planPosition(double position)

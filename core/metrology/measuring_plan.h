@@ -58,6 +58,16 @@ struct MeasuringPlanRequest {
     double dwellSeconds = 5.0;
 };
 
+/// What of a request is impossible. Targets: their count or spacing.
+enum class MeasuringPlanField { Axis, From, To, Targets, Period, Cycles, Overrun, Feed, Dwell };
+struct MeasuringPlanFault {
+    MeasuringPlanField field = MeasuringPlanField::From;
+    Text reason; ///< has the way out
+};
+/// The first one; none: makeMeasuringPlan() makes the plan.
+[[nodiscard]] std::optional<MeasuringPlanFault> measuringPlanFault(
+    const MeasuringPlanRequest& request);
+
 /// Bidirectional runs over uneven targets, as ISO 230-2 asks for:
 ///     P_i = from + (i - 1) p + r_i,  p = (to - from) / (count - 1),  r_1 = r_m = 0
 /// r_i is even within +-period, where there is one, else within +-0.3 p (ours), as far as
@@ -68,6 +78,12 @@ struct MeasuringPlanRequest {
 
 /// "25.310": as plans and programs print positions.
 [[nodiscard]] std::string planPosition(double position);
+/// How far the axis goes, overrun included.
+struct PlanTravel {
+    double lowest = 0.0;
+    double highest = 0.0;
+};
+[[nodiscard]] PlanTravel planTravel(const MeasuringPlan& plan);
 /// The targets, ascending, each once.
 [[nodiscard]] std::vector<double> targetsOf(const MeasuringPlan& plan);
 

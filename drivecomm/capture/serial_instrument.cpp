@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drivecomm/capture/serial_instrument.h"
 
+#include "drivecomm/capture/number_pattern.h"
 #include "drivecomm/serial/serial_port.h"
 
 #include <utility>
@@ -24,7 +25,7 @@ Result<std::string> requestBytes(std::string_view text)
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
                     AXISCOMP_TEXT("Error",
-                        "--request {text}: behind a backslash r, n, t or another backslash is "
+                        "the request {text}: behind a backslash r, n, t or another backslash is "
                         "expected")
                         .with("text", text)}});
         bytes += meanings[letter];
@@ -93,6 +94,18 @@ InstrumentReading SerialInstrument::at(std::chrono::nanoseconds now)
     if (!d->problem.isEmpty())
         reading = {std::numeric_limits<double>::quiet_NaN(), d->problem};
     return reading;
+}
+
+Result<Instrument> openSerialInstrument(const SerialInstrumentRequest& request,
+    const ReferenceScale& scale, bool isAngular, std::chrono::nanoseconds dwell)
+{
+    AXISCOMP_TRY(auto finder, numberPattern(request.pattern));
+    AXISCOMP_TRY(auto reader, ReferenceLineReader::make(scale, isAngular, std::move(finder)));
+    AXISCOMP_TRY(auto opened,
+        SerialInstrument::open(
+            request.endpoint, request.request, ReferenceLines(std::move(reader), dwell)));
+    return Instrument([instrument = std::shared_ptr<SerialInstrument>(std::move(opened))](
+                          std::chrono::nanoseconds now) { return instrument->at(now); });
 }
 
 } // namespace axiscomp::drivecomm

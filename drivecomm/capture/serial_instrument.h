@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/reference_lines.h"
+#include "core/capture/capture_request.h"
 
 #include <memory>
 #include <string>
@@ -30,5 +30,10 @@ private:
     explicit SerialInstrument(std::unique_ptr<Private> d);
     std::unique_ptr<Private> d;
 };
+
+/// The same with the lines read by a pattern and a scale, for a capture. dwell: as of CaptureRules.
+/// Errors: those of SerialInstrument::open, numberPattern and ReferenceLineReader::make.
+[[nodiscard]] Result<Instrument> openSerialInstrument(const SerialInstrumentRequest& request,
+    const ReferenceScale& scale, bool isAngular, std::chrono::nanoseconds dwell);
 
 } // namespace axiscomp::drivecomm

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/reference_lines.h"
+#include "core/capture/reference_lines.h"
+#include "drivecomm/capture/number_pattern.h"
 #include "tests/fuzz/expect.h"
 
 #include <cmath>
 #include <cstdint>
 
-using namespace axiscomp::drivecomm;
+using namespace axiscomp;
 
 namespace {
 
@@ -16,7 +17,8 @@ InstrumentReading said(
 {
     ReferenceScale scale;
     scale.unit = unit;
-    auto reader = ReferenceLineReader::make(scale, false, pattern);
+    auto reader =
+        ReferenceLineReader::make(scale, false, drivecomm::numberPattern(pattern).value());
     FUZZ_EXPECT(reader.has_value());
     ReferenceLines lines(*std::move(reader), std::chrono::seconds(1));
     for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size())))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/virtualdrive/file_descriptor.h"
+#include "core/io/file_descriptor.h"
 #include "drivecomm/virtualdrive/serial/pseudo_terminal.h"
 
 #include <fcntl.h>
@@ -67,7 +67,7 @@ private:
     }
 
     drivecomm::PseudoTerminal m_terminal{drivecomm::PseudoTerminal::open({}).value()};
-    drivecomm::FileDescriptor m_ending{::eventfd(0, EFD_CLOEXEC)};
+    FileDescriptor m_ending{::eventfd(0, EFD_CLOEXEC)};
     std::function<std::string(const std::string&)> m_answer;
     mutable std::mutex m_mutex;
     std::string m_heard;
@@ -110,7 +110,7 @@ private:
                 pass(m_far, m_near.master());
         }
     }
-    void pass(const drivecomm::FileDescriptor& from, const drivecomm::FileDescriptor& to)
+    void pass(const FileDescriptor& from, const drivecomm::FileDescriptor& to)
     {
         std::array<char, 1024> buffer{};
         const ssize_t size = ::read(from.get(), buffer.data(), buffer.size());
@@ -136,8 +136,8 @@ private:
     }
 
     drivecomm::PseudoTerminal m_near{drivecomm::PseudoTerminal::open({}).value()};
-    drivecomm::FileDescriptor m_far;
-    drivecomm::FileDescriptor m_ending{::eventfd(0, EFD_CLOEXEC)};
+    FileDescriptor m_far;
+    FileDescriptor m_ending{::eventfd(0, EFD_CLOEXEC)};
     std::mt19937 m_random;
     std::bernoulli_distribution m_hit;
     std::atomic<int> m_flips = 0;

@@ -71,7 +71,7 @@ private:
     std::unique_ptr<drivecomm::SerialServer> m_server;
     /// Held, so that a port that was cut off is nobody else's until the link has let it go: the
     /// lock of a port goes by its name.
-    drivecomm::FileDescriptor m_port;
+    FileDescriptor m_port;
     std::unique_ptr<DriveLink> m_link;
 };
 

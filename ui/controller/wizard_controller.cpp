@@ -198,6 +198,11 @@ void WizardController::setEndpoints(const QStringList& endpoints)
     m_parts->drives.setEndpoints(endpoints);
 }
 
+DriveConnection* WizardController::connection() const
+{
+    return m_parts->drives.connection();
+}
+
 QStringList WizardController::endpoints() const
 {
     return m_parts->drives.endpoints();

@@ -25,6 +25,7 @@
 namespace axiscomp::ui {
 
 class AxisOverview;
+class DriveConnection;
 class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] int usableAxisOf(const QString& endpoint) const;
     /// Whether the current axis is of the drive that this entry was of; it may be lost.
     [[nodiscard]] bool isCurrentDrive(const AxisEntry& entry) const;
+    /// Of the current axis; null: there is none. Goes away with the drive.
+    [[nodiscard]] DriveConnection* connection() const;
     /// The drive of the current axis answers.
     [[nodiscard]] bool isConnected() const;
     /// Drops unwritten changes; the page asks first when setup().isDirty().

@@ -5,7 +5,12 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace axiscomp::ui {
 
@@ -19,6 +24,26 @@ const QLatin1StringView recentKey("recentFiles");
 const QLatin1StringView languageKey("language");
 const QLatin1StringView skipPreviewKey("skipPreviewForVolatile");
 const QLatin1StringView splitterKey("splitter/");
+const QLatin1StringView columnsKey("columnRoles");
+constexpr qsizetype mostHeaders = 32;
+constexpr qsizetype mostKnownColumns = 256;
+const QLatin1StringView headerName("header");
+const QLatin1StringView rolesName("roles");
+
+QByteArray columnsEntry(const QStringList& header, const QStringList& roles)
+{
+    return QJsonDocument(QJsonObject{{headerName, QJsonArray::fromStringList(header)},
+                             {rolesName, QJsonArray::fromStringList(roles)}})
+        .toJson(QJsonDocument::Compact);
+}
+
+QStringList stringsOf(const QJsonValue& list)
+{
+    QStringList strings;
+    for (const QJsonValue& each : list.toArray())
+        strings += each.toString();
+    return strings;
+}
 
 /// A list that anybody may have edited.
 QStringList limited(QStringList list, qsizetype most)
@@ -113,6 +138,37 @@ void WizardSettings::setSplitter(const QString& name, const QByteArray& state)
 {
     if (m_settings)
         m_settings->setValue(key(splitterKey) + name, state);
+}
+
+QStringList WizardSettings::columnRoles(const QStringList& header) const
+{
+    if (!m_settings || header.isEmpty())
+        return {};
+    const QStringList entries =
+        limited(m_settings->value(key(columnsKey)).toStringList(), mostHeaders);
+    for (const QString& entry : entries) {
+        const QJsonObject known = QJsonDocument::fromJson(entry.toUtf8()).object();
+        QStringList roles = stringsOf(known[rolesName]);
+        if (stringsOf(known[headerName]) == header && roles.size() == header.size())
+            return roles;
+    }
+    return {};
+}
+
+void WizardSettings::setColumnRoles(const QStringList& header, const QStringList& roles)
+{
+    if (!m_settings || header.isEmpty() || header.size() > mostKnownColumns)
+        return;
+    QStringList entries = limited(m_settings->value(key(columnsKey)).toStringList(), mostHeaders);
+    entries.removeIf([&](const QString& entry) {
+        const QJsonObject known = QJsonDocument::fromJson(entry.toUtf8()).object();
+        return stringsOf(known[headerName]) == header;
+    });
+    const bool isChosen =
+        std::ranges::any_of(roles, [](const QString& role) { return !role.isEmpty(); });
+    if (isChosen)
+        entries.prepend(QString::fromUtf8(columnsEntry(header, roles)));
+    m_settings->setValue(key(columnsKey), entries.mid(0, mostHeaders));
 }
 
 } // namespace axiscomp::ui

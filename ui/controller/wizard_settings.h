@@ -32,6 +32,12 @@ public:
     [[nodiscard]] QByteArray splitter(const QString& name) const;
     void setSplitter(const QString& name, const QByteArray& state);
 
+    /// The roles that were chosen last for the columns of files with this header, one for each
+    /// column, empty ones among them; empty: none were.
+    [[nodiscard]] QStringList columnRoles(const QStringList& header) const;
+    /// Empty: they are forgotten.
+    void setColumnRoles(const QStringList& header, const QStringList& roles);
+
 private:
     [[nodiscard]] QString key(QLatin1StringView name) const;
 

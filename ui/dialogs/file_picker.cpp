@@ -19,12 +19,15 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
         || question.purpose == FileQuestion::Purpose::OpenActiveTable
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
         || question.purpose == FileQuestion::Purpose::OpenBackup
-        || question.purpose == FileQuestion::Purpose::OpenRecord) {
+        || question.purpose == FileQuestion::Purpose::OpenRecord
+        || question.purpose == FileQuestion::Purpose::OpenPlan) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
     } else {
         const QFileInfo proposed(question.start);
         dialog->setAcceptMode(QFileDialog::AcceptSave);
+        dialog->setOption(QFileDialog::DontConfirmOverwrite,
+            question.purpose == FileQuestion::Purpose::SaveValues);
         dialog->setDefaultSuffix(proposed.suffix());
         // The page asks that itself, and says what is there.
         dialog->setOption(QFileDialog::DontConfirmOverwrite,

@@ -28,6 +28,10 @@ struct FileQuestion {
         SaveReport,
         OpenActiveTable,
         SaveTable,
+        OpenPlan,
+        SavePlan,
+        SaveProgram,
+        SaveValues, ///< that are captured: a file that is there goes on where it ends
     } purpose = Purpose::OpenData;
     QString title;
     QString filter;

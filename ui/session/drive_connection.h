@@ -32,6 +32,8 @@ public:
     {
         return m_state.connection == DriveState::Connection::Connected;
     }
+    /// Why it does not answer, while it is lost.
+    [[nodiscard]] const std::optional<Error>& problem() const { return m_problem; }
     /// What was found last; kept while the drive is lost.
     [[nodiscard]] const std::optional<DriveFindings>& findings() const { return m_findings; }
     [[nodiscard]] DriveAxes axes() const;

@@ -180,6 +180,8 @@ void DriveSession::stop()
 
 void DriveSession::close()
 {
+    if (!d->shared->isEnding)
+        Q_EMIT closing();
     d->shared->isEnding = true;
     d->shared->stopRunning();
     d->thread.quit();

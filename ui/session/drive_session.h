@@ -74,6 +74,9 @@ public:
 Q_SIGNALS:
     /// Of the operation that runs, at most 30 times a second.
     void progressed(const QString& step, double fraction);
+    /// close() was called: what is asked for now is the last that gets to the session's thread,
+    /// where it is destroyed without having been carried out.
+    void closing();
     void closed();
 
 private:

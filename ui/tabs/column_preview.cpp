@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t previewRows = 100;
 constexpr qint64 previewBytes = 64 * 1024;
-constexpr std::array columnRoles{"target", "direction", "run", "deviation", "reference", "encoder",
-    "output", "time", "temperature", "use"};
+constexpr std::array<std::string_view, 10> columnRoles{"target", "direction", "run", "deviation",
+    "reference", "encoder", "output", "time", "temperature", "use"};
 
 QString roleText(const char* role)
 {
@@ -73,6 +73,7 @@ void ColumnPreview::show(const QString& path, const MeasurementChoices& choices)
     m_columns = choices.columns;
     if (isShown)
         return choose(m_columns);
+    m_preview.reset();
     m_job.start(
         [path, lines = m_skippedLines](const std::stop_token&) { return previewOf(path, lines); });
 }
@@ -85,13 +86,10 @@ void ColumnPreview::fill(const Preview& preview)
     setRowCount(0);
     setColumnCount(0);
     if (!preview)
-        return;
+        return Q_EMIT previewed();
     setColumnCount(static_cast<int>(preview->columns.size()));
     setRowCount(static_cast<int>(preview->rows.size()) + 1);
-    QStringList names;
-    for (const std::string& name : preview->columns)
-        names += qString(name);
-    setHorizontalHeaderLabels(names);
+    setHorizontalHeaderLabels(header());
     for (int column = 0; column < columnCount(); ++column)
         addList(column);
     for (std::size_t row = 0; row < preview->rows.size(); ++row)
@@ -100,6 +98,46 @@ void ColumnPreview::fill(const Preview& preview)
                 new QTableWidgetItem(qString(preview->rows[row][column])));
     retranslate();
     choose(m_columns);
+    Q_EMIT previewed();
+}
+
+std::vector<ColumnMapping> ColumnPreview::mappingOf(const QStringList& roles)
+{
+    std::vector<ColumnMapping> columns;
+    for (qsizetype n = 0; n < roles.size(); ++n) {
+        const std::string role = roles[n].toStdString();
+        if (std::ranges::find(columnRoles, role) != columnRoles.end())
+            columns.push_back({role, std::to_string(n + 1)});
+    }
+    return columns;
+}
+
+QStringList ColumnPreview::rolesOf(const std::vector<ColumnMapping>& columns, qsizetype count)
+{
+    QStringList roles;
+    for (qsizetype n = 0; n < count; ++n) {
+        const auto mapped =
+            std::ranges::find(columns, std::to_string(n + 1), &ColumnMapping::column);
+        roles += mapped == columns.end() ? QString() : qString(mapped->role);
+    }
+    return roles;
+}
+
+QStringList ColumnPreview::header() const
+{
+    QStringList names;
+    if (m_preview)
+        for (const std::string& name : m_preview->columns)
+            names += qString(name);
+    return names;
+}
+
+QString ColumnPreview::mappingText(const std::vector<ColumnMapping>& columns)
+{
+    QStringList words;
+    for (const ColumnMapping& mapped : columns)
+        words += tr("%1 in column %2").arg(roleText(mapped.role.c_str()), qString(mapped.column));
+    return words.join(QStringLiteral(", "));
 }
 
 void ColumnPreview::addList(int column)
@@ -108,8 +146,8 @@ void ColumnPreview::addList(int column)
     list->setObjectName(QStringLiteral("roleOfColumn%1").arg(column + 1));
     list->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     list->addItem(QString());
-    for (const char* role : columnRoles)
-        list->addItem(QString(), QString::fromLatin1(role));
+    for (const std::string_view role : columnRoles)
+        list->addItem(QString(), qString(role));
     connect(list, &QComboBox::activated, this, &ColumnPreview::report);
     setCellWidget(0, column, list);
     m_lists.push_back(list);
@@ -143,7 +181,7 @@ void ColumnPreview::retranslate()
         QComboBox* list = m_lists[n];
         list->setItemText(0, tr("by its name"));
         for (std::size_t role = 0; role < columnRoles.size(); ++role)
-            list->setItemText(static_cast<int>(role) + 1, roleText(columnRoles.at(role)));
+            list->setItemText(static_cast<int>(role) + 1, roleText(columnRoles.at(role).data()));
         list->setAccessibleName(tr("What column %1 is").arg(n + 1));
         list->setToolTip(tr("What this column is. Once one is chosen, only chosen columns are "
                             "read; until then the names of the columns say it."));

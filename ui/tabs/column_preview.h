@@ -22,10 +22,20 @@ public:
     /// Reads the beginning of the file on another thread. An empty path: nothing is shown.
     void show(const QString& path, const MeasurementChoices& choices);
     void retranslate();
+    /// The names of the columns; empty: the file is being read, or has none.
+    [[nodiscard]] QStringList header() const;
+    /// roles: one for each column; empty ones, and those that there are not, give nothing.
+    [[nodiscard]] static std::vector<ColumnMapping> mappingOf(const QStringList& roles);
+    [[nodiscard]] static QStringList rolesOf(
+        const std::vector<ColumnMapping>& columns, qsizetype count);
+    /// "target in column 1, deviation in column 4"
+    [[nodiscard]] static QString mappingText(const std::vector<ColumnMapping>& columns);
 
 Q_SIGNALS:
     /// Every role that was chosen, of columns by their numbers; empty: the header names them.
     void mappingChosen(const std::vector<axiscomp::ColumnMapping>& columns);
+    /// header() is that of the file that is shown.
+    void previewed();
 
 private:
     using Preview = std::optional<MeasurementPreview>;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tabs/measure_page.h"
 
+#include "ui/controller/wizard_settings.h"
+#include "ui/measuring/measuring_actions.h"
 #include "ui/record/record_model.h"
 #include "ui/style/symbols.h"
+#include "ui/tabs/capture_panel.h"
 #include "ui/tabs/file_views.h"
 #include "ui/tabs/measurement_files.h"
 #include "ui/tabs/next_step.h"
@@ -12,6 +15,7 @@
 #include <QBoxLayout>
 #include <QFileInfo>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 
 #include <algorithm>
@@ -21,6 +25,8 @@ namespace axiscomp::ui {
 MeasurePage::MeasurePage(RecordModel& record, QWidget* parent)
     : QWidget(parent)
     , m_record(record)
+    , m_program(new QPushButton)
+    , m_capture(new QPushButton)
     , m_files(new MeasurementFiles(record))
     , m_nextStep(new NextStep(QStringLiteral("measureHint")))
     , m_views(new FileViews)
@@ -58,10 +64,75 @@ QWidget* MeasurePage::buildLeft()
     auto* left = new QWidget;
     auto* layout = new QVBoxLayout(left);
     layout->setContentsMargins(0, 0, gap, 0);
+    layout->addWidget(buildMeasuring());
     layout->addWidget(m_files, 1);
     layout->addWidget(m_save);
     layout->addWidget(m_nextStep);
     return left;
+}
+
+QWidget* MeasurePage::buildMeasuring()
+{
+    m_program->setObjectName(QStringLiteral("newProgram"));
+    m_capture->setObjectName(QStringLiteral("captureValues"));
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_program);
+    layout->addWidget(m_capture);
+    layout->addStretch(1);
+    row->hide();
+    return row;
+}
+
+void MeasurePage::setMeasuring(MeasuringActions& measuring, WizardSettings& settings)
+{
+    m_measuring = &measuring;
+    m_views->remember(settings);
+    m_capturePanel = new CapturePanel(measuring.feed());
+    // Its digits are wider than a small screen has room for.
+    auto* scroll = new QScrollArea;
+    scroll->setObjectName(QStringLiteral("captureScroll"));
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_capturePanel);
+    m_captureView = scroll;
+    m_views->addTab(scroll, QString());
+    m_program->parentWidget()->show();
+    connect(m_program, &QPushButton::clicked, &measuring, &MeasuringActions::planMeasurement);
+    connect(m_capture, &QPushButton::clicked, &measuring, &MeasuringActions::captureValues);
+    connect(
+        &measuring, &MeasuringActions::captureObstacleChanged, this, &MeasurePage::showMeasuring);
+    connect(&measuring.feed(), &CaptureFeed::changed, this, &MeasurePage::showMeasuring);
+    connect(&measuring.feed(), &CaptureFeed::begun, this,
+        [this] { m_views->setCurrentWidget(m_captureView); });
+    connect(&measuring.feed(), &CaptureFeed::finished, this, &MeasurePage::takeCaptured);
+    retranslate();
+}
+
+void MeasurePage::showMeasuring()
+{
+    if (!m_measuring)
+        return;
+    const CaptureView::Phase phase = m_measuring->feed().view().phase;
+    m_views->setTabVisible(m_views->indexOf(m_captureView),
+        phase != CaptureView::Phase::None && phase != CaptureView::Phase::Opening);
+    const QString obstacle = m_measuring->captureObstacle();
+    m_capture->setEnabled(obstacle.isEmpty());
+    m_capture->setToolTip(obstacle.isEmpty()
+            ? tr("Take the values of a plan while something else moves the axis")
+            : obstacle);
+    m_capture->setAccessibleDescription(m_capture->toolTip());
+}
+
+/// It may be among the files already, with fewer values.
+void MeasurePage::takeCaptured(const QString& path)
+{
+    if (m_measuring->feed().view().values.empty())
+        return;
+    m_record.addFiles({path});
+    m_record.readAgain();
 }
 
 void MeasurePage::connectParts()
@@ -80,6 +151,11 @@ void MeasurePage::connectParts()
 
 void MeasurePage::retranslate()
 {
+    m_program->setText(tr("New &Program…"));
+    m_program->setToolTip(
+        tr("Plan the targets of a measurement, and a program for the control of the machine"));
+    m_program->setAccessibleDescription(m_program->toolTip());
+    m_capture->setText(tr("Cap&ture…"));
     m_save->setText(tr("&Save as Runs…"));
     m_save->setToolTip(tr("All files as one CSV file, with what is excluded marked in it"));
     m_save->setAccessibleDescription(m_save->toolTip());
@@ -88,6 +164,11 @@ void MeasurePage::retranslate()
     m_views->retranslate();
     m_files->retranslate();
     m_values->retranslate();
+    if (m_capturePanel) {
+        m_views->setTabText(m_views->indexOf(m_captureView), tr("Capture"));
+        m_capturePanel->retranslate();
+    }
+    showMeasuring();
     follow();
 }
 
@@ -107,7 +188,8 @@ void MeasurePage::sayNextStep()
         state.files, [](const ReadMeasurement& file) { return file.refusal.has_value(); });
     if (m_record.record().files.empty())
         m_nextStep->say(Tone::Information,
-            tr("Add the files of a measurement, or go on to Write with a table that is there."));
+            tr("Add the files of a measurement, take its values with Capture, or go on to Write "
+               "with a table that is there."));
     else if (m_record.isEvaluating() && !m_record.isMeasurementShown())
         m_nextStep->say(Tone::Information, tr("The files are being read …"));
     else if (refused != state.files.end())
@@ -116,9 +198,7 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
     else if (m_saved && m_saved == state.measurement && !m_record.isEvaluating())
         m_nextStep->say(Tone::Success,
-            tr("Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table "
-               "of "
-               "it for Write.")
+            tr("Saved as %1. Judge says what it is worth, and Fit makes a table of it.")
                 .arg(m_savedName));
     else if (!state.measurement->hasTargets())
         m_nextStep->say(Tone::Information,

@@ -13,11 +13,14 @@ struct Measurement;
 
 namespace axiscomp::ui {
 
+class CapturePanel;
 class FileViews;
 class MeasurementFiles;
+class MeasuringActions;
 class NextStep;
 class RecordModel;
 class RunValuesView;
+class WizardSettings;
 
 /// The tab Measure: the files of a measurement, how each is read, what it says and what is wrong
 /// with it.
@@ -27,6 +30,10 @@ class MeasurePage : public QWidget {
 public:
     /// record must outlive the page.
     explicit MeasurePage(RecordModel& record, QWidget* parent = nullptr);
+
+    /// What plans measurements and takes their values, and what remembers the columns of files;
+    /// both must outlive the page. Once, before it is shown.
+    void setMeasuring(MeasuringActions& measuring, WizardSettings& settings);
 
     void retranslate();
     /// The measurement is in this file now.
@@ -40,14 +47,22 @@ Q_SIGNALS:
 private:
     void build();
     [[nodiscard]] QWidget* buildLeft();
+    [[nodiscard]] QWidget* buildMeasuring();
+    void showMeasuring();
+    void takeCaptured(const QString& path);
     void connectParts();
     void follow();
     void sayNextStep();
 
     RecordModel& m_record;
+    MeasuringActions* m_measuring = nullptr;
+    QPushButton* m_program;
+    QPushButton* m_capture;
     MeasurementFiles* m_files;
     NextStep* m_nextStep;
     FileViews* m_views;
+    CapturePanel* m_capturePanel = nullptr;
+    QWidget* m_captureView = nullptr; ///< with the panel
     RunValuesView* m_values;
     QPushButton* m_save;
     QString m_savedName; ///< of the file that has m_saved

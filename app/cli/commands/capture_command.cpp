@@ -5,14 +5,11 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
-#include "core/base/wall_time.h"
+#include "core/capture/capture_request.h"
 #include "core/io/local_file.h"
 #include "core/metrology/fine_quantity.h"
-#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/capture/number_pattern.h"
 #include "drivecomm/capture/serial_instrument.h"
-
-#include <cmath>
-#include <ctime>
 
 namespace axiscomp::app {
 
@@ -26,7 +23,7 @@ struct CaptureOptions {
     std::string pattern;
     std::string request;
     std::string output;
-    drivecomm::ReferenceScale scale;
+    ReferenceScale scale;
     double window = 0.001; ///< in mm or deg
     double dwellSeconds = 1.0;
     int readings = 10;
@@ -35,8 +32,7 @@ struct CaptureOptions {
 
 constexpr std::string_view typedReference = "typed";
 
-/// Where the reference comes from.
-enum class ReferenceKind { Register, Lines, Typed, Serial };
+using ReferenceKind = CaptureReference::Kind;
 
 ReferenceKind kindOf(const std::string& reference)
 {
@@ -47,21 +43,7 @@ ReferenceKind kindOf(const std::string& reference)
     return reference.starts_with("serial:") ? ReferenceKind::Serial : ReferenceKind::Register;
 }
 
-std::string shownReference(const CaptureOptions& options, ReferenceKind kind)
-{
-    switch (kind) {
-    case ReferenceKind::Lines:
-        return drivecomm::referenceText("standard input", options.scale);
-    case ReferenceKind::Typed:
-        return drivecomm::referenceText("typed", options.scale);
-    case ReferenceKind::Serial:
-    case ReferenceKind::Register:
-        break;
-    }
-    return drivecomm::referenceText(options.reference, options.scale);
-}
-
-drivecomm::CaptureRules rulesOf(const CaptureOptions& options)
+CaptureRules rulesOf(const CaptureOptions& options)
 {
     return {options.window,
         std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -69,36 +51,26 @@ drivecomm::CaptureRules rulesOf(const CaptureOptions& options)
         options.readings};
 }
 
-/// Of a clock that no person sets, and that goes on while the computer sleeps.
-std::chrono::nanoseconds timeSinceStart()
-{
-    timespec now{};
-    ::clock_gettime(CLOCK_BOOTTIME, &now);
-    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
-}
-
 /// One capture: what it works with, and what it tells.
 class Capture {
 public:
-    Capture(Environment& environment, CommandSession& session, CaptureOptions& options,
-        drivecomm::CaptureRun& run, ReferenceKind kind)
+    Capture(Environment& environment, CommandSession& session, CaptureOptions& options)
         : m_environment(environment)
         , m_session(session)
         , m_options(options)
-        , m_run(run)
-        , m_kind(kind)
+        , m_kind(kindOf(options.reference))
     {
     }
 
-    /// Everything that only one kind of reference has.
-    [[nodiscard]] Result<void> prepare(std::span<const drivecomm::CapturedValue> taken);
-    /// Times of readings follow this one.
-    void beginAt(std::chrono::nanoseconds time) { m_offset = time - timeSinceStart(); }
+    /// Opens the instrument and the file, and says what is read.
+    [[nodiscard]] Result<void> begin(int axis, const MeasuringPlan& plan);
     [[nodiscard]] Result<void> follow();
+    [[nodiscard]] const CaptureRun& run() const { return *m_run; }
 
 private:
-    [[nodiscard]] std::chrono::nanoseconds now() const { return timeSinceStart() + m_offset; }
-    [[nodiscard]] const MeasuringPlan& plan() const { return m_run.plan(); }
+    [[nodiscard]] Result<Instrument> openInstrument(bool isAngular);
+    void sayWhatIsRead();
+    [[nodiscard]] const MeasuringPlan& plan() const { return m_run->plan(); }
     [[nodiscard]] std::string unit() const { return plan().isAngular ? "deg" : "mm"; }
     [[nodiscard]] Result<void> readOnce();
     [[nodiscard]] Result<void> waitUntil(std::chrono::steady_clock::time_point moment);
@@ -106,59 +78,73 @@ private:
     void takeTyped(std::string_view line);
     void ask();
     void showValue();
-    void hintAtZero(const drivecomm::CapturedValue& value);
-    [[nodiscard]] Result<void> show(const drivecomm::CaptureNews& news);
+    void hintAtZero(const CapturedValue& value);
+    [[nodiscard]] Result<void> show(const CaptureNews& news);
     [[nodiscard]] std::string dueText() const;
 
     Environment& m_environment;
     CommandSession& m_session;
     CaptureOptions& m_options;
-    drivecomm::CaptureRun& m_run;
     ReferenceKind m_kind;
-    std::chrono::nanoseconds m_offset{0};
-    std::optional<drivecomm::ReferenceLines> m_lines;
-    std::optional<drivecomm::TypedReference> m_typed;
-    std::unique_ptr<drivecomm::SerialInstrument> m_serial;
+    std::optional<CaptureRun> m_run;
+    std::optional<CaptureClock> m_clock;
+    std::optional<ReferenceLines> m_lines;
     std::string m_typedLine; ///< that has not ended
-    bool m_isAsked = false; ///< for a typed reference
     bool m_isDone = false;
 };
 
-Result<void> Capture::prepare(std::span<const drivecomm::CapturedValue> taken)
+Result<Instrument> Capture::openInstrument(bool isAngular)
 {
-    if (m_kind == ReferenceKind::Register)
-        return {};
-    drivecomm::ReferenceScale scale = m_options.scale;
-    // The question names the unit.
-    if (m_kind == ReferenceKind::Typed && scale.unit.empty())
-        scale.unit = unit();
-    AXISCOMP_TRY(auto reader,
-        drivecomm::ReferenceLineReader::make(scale, plan().isAngular, m_options.pattern));
-    switch (m_kind) {
-    case ReferenceKind::Lines:
-        m_lines.emplace(std::move(reader), rulesOf(m_options).dwell);
-        m_run.setInstrument([this](std::chrono::nanoseconds time) { return m_lines->at(time); });
-        break;
-    case ReferenceKind::Typed:
-        m_typed.emplace(std::move(reader), taken, m_options.window);
-        m_run.setInstrument([this](std::chrono::nanoseconds) { return m_typed->reading(); });
-        break;
-    case ReferenceKind::Serial: {
-        AXISCOMP_TRY(m_serial,
-            drivecomm::SerialInstrument::open(m_options.reference, m_options.request,
-                drivecomm::ReferenceLines(std::move(reader), rulesOf(m_options).dwell)));
-        m_run.setInstrument([this](std::chrono::nanoseconds time) { return m_serial->at(time); });
-        break;
-    }
-    case ReferenceKind::Register:
-        break;
-    }
+    const auto dwell = rulesOf(m_options).dwell;
+    if (m_kind == ReferenceKind::Serial)
+        return drivecomm::openSerialInstrument(
+            {m_options.reference, m_options.request, m_options.pattern}, m_options.scale, isAngular,
+            dwell);
+    AXISCOMP_TRY(auto finder, drivecomm::numberPattern(m_options.pattern));
+    AXISCOMP_TRY(
+        auto reader, ReferenceLineReader::make(m_options.scale, isAngular, std::move(finder)));
+    m_lines.emplace(std::move(reader), dwell);
+    return Instrument([this](std::chrono::nanoseconds time) { return m_lines->at(time); });
+}
+
+Result<void> Capture::begin(int axis, const MeasuringPlan& plan)
+{
+    CaptureRequest request;
+    request.plan = plan;
+    request.file = m_options.output;
+    request.reference = {m_kind, m_options.reference, m_options.scale};
+    request.encoder = m_options.encoder;
+    request.rules = rulesOf(m_options);
+    request.openInstrument = [this, isAngular = plan.isAngular] {
+        return openInstrument(isAngular);
+    };
+    AXISCOMP_TRY(request.finder, drivecomm::numberPattern(m_options.pattern));
+    AXISCOMP_TRY(m_run, m_session.compensator().beginCapture(axis, request, m_session.operation()));
+    m_environment.console().clearProgress();
+    sayWhatIsRead();
+    m_clock.emplace(m_run->values(), std::chrono::system_clock::now().time_since_epoch());
+    if (m_clock->isBehind())
+        m_environment.warn("the clock of this computer is behind the last value of the file: "
+                           "times go on from there");
     return {};
+}
+
+void Capture::sayWhatIsRead()
+{
+    if (m_run->readings().isUnitAssumed())
+        m_environment.warn("the drive does not say the unit of the axis: it is taken to be that "
+                           "of the plan");
+    if (const auto resolution = farthestResolution(m_run->readings(), plan())) {
+        const Quantity step = fineQuantity(resolution->step, plan().isAngular);
+        m_environment.console().note(m_run->readings().referenceRegister() + " is a Single: at "
+            + planPosition(resolution->target) + (plan().isAngular ? " deg" : " mm")
+            + " its numbers are " + step.digits + " " + step.unit + " apart");
+    }
 }
 
 std::string Capture::dueText() const
 {
-    const MeasuringStep& due = plan().steps[m_run.taken()];
+    const MeasuringStep& due = plan().steps[m_run->taken()];
     return "step " + std::to_string(due.step) + " is due: " + planPosition(due.target) + " "
         + unit() + (due.direction == Approach::Up ? ", upwards from " : ", downwards from ")
         + planPosition(due.approach) + " " + unit();
@@ -166,7 +152,7 @@ std::string Capture::dueText() const
 
 void Capture::showValue()
 {
-    const drivecomm::CapturedValue& value = m_run.value();
+    const CapturedValue& value = m_run->value();
     const Quantity deviation = fineQuantity(value.deviation, plan().isAngular);
     m_environment.print(std::to_string(value.step.step) + "/" + std::to_string(plan().steps.size())
         + "  " + planPosition(value.step.target) + " " + unit() + " "
@@ -177,23 +163,19 @@ void Capture::showValue()
         hintAtZero(value);
 }
 
-/// A laser is set to 0 wherever the axis stands.
-void Capture::hintAtZero(const drivecomm::CapturedValue& value)
+void Capture::hintAtZero(const CapturedValue& value)
 {
-    constexpr double share = 0.01;
-    const std::vector<double> targets = targetsOf(plan());
-    if (std::abs(value.deviation) <= share * (targets.back() - targets.front()))
+    const auto zero = proposedZero(value, plan(), m_options.scale);
+    if (!zero)
         return;
-    const double zero = m_options.scale.zeroAt - value.deviation;
     m_environment.console().note("the instrument is far from the axis, as if it said 0 at "
-        + planPosition(zero) + " " + unit() + ": if that is right, begin a new file with --zero-at "
-        + planPosition(zero));
+        + planPosition(*zero) + " " + unit()
+        + ": if that is right, begin a new file with --zero-at " + planPosition(*zero));
 }
 
 void Capture::ask()
 {
-    const MeasuringStep& due = plan().steps[m_run.taken()];
-    m_isAsked = true;
+    const MeasuringStep& due = plan().steps[m_run->taken()];
     m_environment.console().note(planPosition(due.target) + " " + unit() + " "
         + std::string(approachName(due.direction)) + ": what does the instrument say, in "
         + (m_options.scale.unit.empty() ? unit() : m_options.scale.unit) + "?");
@@ -203,12 +185,7 @@ void Capture::takeTyped(std::string_view line)
 {
     if (line.find_first_not_of(" \t\r") == std::string_view::npos)
         return;
-    if (!m_isAsked) {
-        m_environment.console().note(
-            "no position is asked for at the moment: wait until the axis stands at its target");
-        return;
-    }
-    const Text problem = m_typed->type(line, m_run.lastReading(), plan().isAngular);
+    const Text problem = m_run->type(line);
     if (!problem.isEmpty())
         m_environment.console().note(problem.english());
 }
@@ -216,7 +193,7 @@ void Capture::takeTyped(std::string_view line)
 void Capture::takeInput(const std::string& text)
 {
     if (m_lines) {
-        m_lines->feed(text, now());
+        m_lines->feed(text, m_clock->now());
         return;
     }
     m_typedLine += text;
@@ -225,7 +202,7 @@ void Capture::takeInput(const std::string& text)
         takeTyped(std::string_view(m_typedLine).substr(0, end));
         m_typedLine.erase(0, end + 1);
     }
-    if (m_typedLine.size() > drivecomm::ReferenceLines::longestLine)
+    if (m_typedLine.size() > ReferenceLines::longestLine)
         m_typedLine.clear();
 }
 
@@ -250,38 +227,32 @@ Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
     }
 }
 
-Result<void> Capture::show(const drivecomm::CaptureNews& news)
+Result<void> Capture::show(const CaptureNews& news)
 {
     Console& console = m_environment.console();
     if (news.isBack)
         console.note("the drive answers again");
     switch (news.kind) {
-    case drivecomm::CaptureNews::Kind::Lost:
+    case CaptureNews::Kind::Lost:
         console.note(news.text.english() + "; waiting for it, Ctrl-C ends");
         return {};
-    case drivecomm::CaptureNews::Kind::Refused:
+    case CaptureNews::Kind::Refused:
         console.note(news.text.english());
-        if (m_typed)
-            m_typed->forget();
         return {};
-    case drivecomm::CaptureNews::Kind::NoReference:
-        if (m_typed)
+    case CaptureNews::Kind::NoReference:
+        if (m_kind == ReferenceKind::Typed)
             ask();
         else
             console.note(dueText() + ": " + news.text.english());
         return {};
-    case drivecomm::CaptureNews::Kind::Moving:
-        m_isAsked = false;
-        if (m_typed)
-            m_typed->forget();
-        return {};
-    case drivecomm::CaptureNews::Kind::Stopped:
+    case CaptureNews::Kind::Stopped:
         return fail(ErrorCode::MeasurementState, {{"reason", news.text}});
-    case drivecomm::CaptureNews::Kind::Done:
+    case CaptureNews::Kind::Done:
         m_isDone = true;
         return {};
-    case drivecomm::CaptureNews::Kind::Taken:
-    case drivecomm::CaptureNews::Kind::Nothing:
+    case CaptureNews::Kind::Taken:
+    case CaptureNews::Kind::Moving:
+    case CaptureNews::Kind::Nothing:
         break;
     }
     return {};
@@ -289,21 +260,19 @@ Result<void> Capture::show(const drivecomm::CaptureNews& news)
 
 Result<void> Capture::readOnce()
 {
-    const std::size_t before = m_run.taken();
-    AXISCOMP_TRY(const auto news, m_run.read([this] { return now(); }, m_session.exchange()));
-    if (m_run.taken() > before) {
+    const std::size_t before = m_run->taken();
+    AXISCOMP_TRY(const auto news,
+        m_session.compensator().readCapture(
+            *m_run, [this] { return m_clock->now(); }, m_session.quietOperation()));
+    if (m_run->taken() > before)
         showValue();
-        m_isAsked = false;
-        if (m_typed)
-            m_typed->taken(m_run.value());
-    }
     AXISCOMP_CHECK(show(news));
     return m_environment.console().flush();
 }
 
 Result<void> Capture::follow()
 {
-    if (m_run.taken() == plan().steps.size())
+    if (m_run->taken() == plan().steps.size())
         return {};
     m_environment.print(dueText() + "\n");
     const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -314,7 +283,7 @@ Result<void> Capture::follow()
         AXISCOMP_CHECK(readOnce());
         // A drive that is slower than the rate sets the pace; nothing is made up for.
         due = std::max(due + period, std::chrono::steady_clock::now());
-        if (m_run.isLost())
+        if (m_run->isLost())
             due = std::chrono::steady_clock::now() + retry;
         if (!m_isDone)
             AXISCOMP_CHECK(waitUntil(due));
@@ -341,99 +310,18 @@ Result<void> checkUsage(const CaptureOptions& options, ReferenceKind kind)
     return {};
 }
 
-/// The path of a register that is named as those of sources are.
-Result<std::string> registerPath(CommandSession& session, const std::string& text)
-{
-    const auto source = session.compensator().resolveSource(text, session.operation());
-    if (source)
-        return source->path;
-    // It is there, and what it is not good for is said of an instrument, not of a source.
-    if (source.error().code == ErrorCode::SourceWrongType)
-        return normalisedPath(text);
-    return fail(source.error());
-}
-
-Result<drivecomm::AxisReadings> openReadings(CommandSession& session, int axis,
-    const AxisStatus& status, const MeasuringPlan& plan, CaptureOptions& options,
-    ReferenceKind kind)
-{
-    drivecomm::CaptureRegisters registers;
-    if (!options.encoder.empty()) {
-        AXISCOMP_TRY(registers.encoder, registerPath(session, options.encoder));
-    } else {
-        AXISCOMP_TRY(
-            const auto shortlist, session.compensator().sourceShortlist(session.operation()));
-        registers.encoder = drivecomm::encoderRegister(session.profile(), shortlist, axis);
-    }
-    if (registers.encoder.empty())
-        return wrongUsage("the drive profile does not say which register is the encoder of the "
-                          "axis: name it with --encoder",
-            options.drive.command);
-    drivecomm::ReferenceScale scale;
-    if (kind == ReferenceKind::Register) {
-        AXISCOMP_TRY(options.reference, registerPath(session, options.reference));
-        registers.reference = options.reference;
-        scale = options.scale;
-    }
-    return drivecomm::AxisReadings::open(
-        session.link(), session.profile(), status, plan, registers, scale, session.exchange());
-}
-
-void sayWhatIsRead(Environment& environment, const drivecomm::AxisReadings& readings,
-    const MeasuringPlan& plan, const CaptureOptions& options)
-{
-    if (readings.isUnitAssumed())
-        environment.warn("the drive does not say the unit of the axis: it is taken to be that of "
-                         "the plan");
-    double farthest = 0.0;
-    for (const double target : targetsOf(plan))
-        if (std::abs(target) > std::abs(farthest))
-            farthest = target;
-    if (const auto resolution = readings.resolutionAt(farthest)) {
-        const Quantity step = fineQuantity(*resolution, plan.isAngular);
-        environment.console().note(options.reference + " is a Single: at " + planPosition(farthest)
-            + (plan.isAngular ? " deg" : " mm") + " its numbers are " + step.digits + " "
-            + step.unit + " apart");
-    }
-}
-
-/// Times go on from the last value that there is, whatever the clock says now.
-std::chrono::nanoseconds firstTime(Environment& environment, const drivecomm::RunFile& file)
-{
-    const std::chrono::nanoseconds wall = std::chrono::system_clock::now().time_since_epoch();
-    if (file.values().empty() || file.values().back().time <= wall)
-        return wall;
-    environment.warn("the clock of this computer is behind the last value of the file: times go on "
-                     "from there");
-    return file.values().back().time;
-}
-
 Result<ExitCode> runCapture(
     Environment& environment, CommandSession& session, int axis, CaptureOptions& options)
 {
     const ReferenceKind kind = kindOf(options.reference);
     AXISCOMP_CHECK(checkUsage(options, kind));
     AXISCOMP_TRY(const auto plan, readPlan(options));
-    AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
-    environment.console().clearProgress();
-    AXISCOMP_TRY(auto readings, openReadings(session, axis, status, plan, options, kind));
-    const std::string state = readings.state();
-    const std::string reference = shownReference(options, kind);
-    AXISCOMP_TRY(auto file,
-        drivecomm::RunFile::open(options.output, plan,
-            {state, reference,
-                utcText(
-                    std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()))}));
-    sayWhatIsRead(environment, readings, plan, options);
-    const std::size_t before = file.taken();
-    const std::chrono::nanoseconds begin = firstTime(environment, file);
-    const std::vector<drivecomm::CapturedValue> taken(file.values().begin(), file.values().end());
-    drivecomm::CaptureRun run(
-        session.link(), std::move(readings), std::move(file), plan, rulesOf(options), status.drive);
-    Capture capture(environment, session, options, run, kind);
-    AXISCOMP_CHECK(capture.prepare(taken));
-    capture.beginAt(begin);
-    environment.print("axis " + plan.axis + " of " + status.drive.name + ", compensation " + state
+    Capture capture(environment, session, options);
+    AXISCOMP_CHECK(capture.begin(axis, plan));
+    const CaptureRun& run = capture.run();
+    const std::size_t before = run.taken();
+    const std::string& state = run.readings().state();
+    environment.print("axis " + plan.axis + " of " + run.drive().name + ", compensation " + state
         + ", " + std::to_string(before) + " of " + plural(plan.steps.size(), "value", "values")
         + " taken; the program moves no axis\n");
     const auto followed = capture.follow();
@@ -444,9 +332,10 @@ Result<ExitCode> runCapture(
         return fail(followed.error());
     }
     environment.print(count + "\n");
-    environment.document({{"output", options.output}, {"axis", plan.axis},
-        {"unit", plan.isAngular ? "deg" : "mm"}, {"compensation", state}, {"reference", reference},
-        {"steps", plan.steps.size()}, {"before", before}, {"taken", run.taken()}});
+    environment.document(
+        {{"output", options.output}, {"axis", plan.axis}, {"unit", plan.isAngular ? "deg" : "mm"},
+            {"compensation", state}, {"reference", run.reference()}, {"steps", plan.steps.size()},
+            {"before", before}, {"taken", run.taken()}});
     return ExitCode::Done;
 }
 
@@ -483,7 +372,7 @@ void addInstrumentOptions(CLI::App& command, CaptureOptions& options)
 
 void addRuleOptions(CLI::App& command, CaptureOptions& options)
 {
-    constexpr double mostSeconds = 60.0;
+    using Seconds = std::chrono::duration<double>;
     command
         .add_option("--encoder", options.encoder,
             "Register of the raw position; the profile's unless given")
@@ -493,16 +382,17 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
             "The axis stands while its encoder stays within so many mm or deg, and readings may "
             "differ by as much (0.001 unless given)")
         ->option_text("W")
-        ->check(CLI::Range(1e-9, 10.0));
+        ->check(CLI::Range(CaptureRules::smallestWindow, CaptureRules::largestWindow));
     command
         .add_option("--dwell", options.dwellSeconds,
             "So many seconds, before anything is taken (1 unless given)")
         ->option_text("S")
-        ->check(CLI::Range(0.01, mostSeconds));
+        ->check(CLI::Range(Seconds(CaptureRules::shortestDwell).count(),
+            Seconds(CaptureRules::longestDwell).count()));
     command
         .add_option("--average", options.readings, "Readings that make a value (10 unless given)")
         ->option_text("N")
-        ->check(CLI::Range(1, 1000));
+        ->check(CLI::Range(1, CaptureRules::mostReadings));
     command.add_option("--rate", options.rateHz, "Readings per second, 10 to 50 (20 unless given)")
         ->option_text("HZ")
         ->check(CLI::Range(10.0, 50.0));

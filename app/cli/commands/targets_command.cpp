@@ -5,9 +5,6 @@
 #include "app/common/number_text.h"
 #include "core/metrology/gcode.h"
 
-#include <array>
-#include <filesystem>
-
 namespace axiscomp::app {
 
 namespace {
@@ -19,30 +16,15 @@ struct TargetsOptions {
     std::string output;
 };
 
-/// The name of a program's file with a plan in it would mislead the machine's control.
-bool isProgramName(const std::string& file)
-{
-    constexpr std::array<std::string_view, 5> extensions{".ngc", ".nc", ".mpf", ".tap", ".gcode"};
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return std::ranges::find(extensions, extension) != extensions.end();
-}
-
 std::string summary(const MeasuringPlan& plan, const std::string& file)
 {
     const std::string unit = plan.isAngular ? "deg" : "mm";
     const std::vector<double> targets = targetsOf(plan);
-    double lowest = targets.front();
-    double highest = targets.back();
-    for (const MeasuringStep& step : plan.steps) {
-        lowest = std::min(lowest, step.approach);
-        highest = std::max(highest, step.approach);
-    }
+    const PlanTravel travel = planTravel(plan);
     return "Wrote " + file + ": " + plural(targets.size(), "target", "targets") + ", "
         + plural(plan.steps.size(), "position", "positions") + ". Axis " + plan.axis
-        + " moves from " + planPosition(lowest) + " to " + planPosition(highest) + " " + unit
-        + ": check that this is within its travel, and free.\n";
+        + " moves from " + planPosition(travel.lowest) + " to " + planPosition(travel.highest) + " "
+        + unit + ": check that this is within its travel, and free.\n";
 }
 
 Json documentOf(const MeasuringPlan& plan, const TargetsOptions& options)
@@ -58,7 +40,7 @@ Result<ExitCode> runTargets(Environment& environment, TargetsOptions& options)
 {
     const Output output{options.output, commandName("targets")};
     AXISCOMP_CHECK(checkOutput(environment, output, true));
-    if (options.dialect.empty() && isProgramName(options.output))
+    if (options.dialect.empty() && isProgramFile(options.output))
         return wrongUsage("a program for a control needs --dialect linuxcnc, fanuc or siemens; for "
                           "the plan name a file .csv",
             commandName("targets"));

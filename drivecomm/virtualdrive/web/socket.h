@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "drivecomm/virtualdrive/file_descriptor.h"
+#include "core/io/file_descriptor.h"
 
 #include <cstdint>
 #include <string>

@@ -283,8 +283,9 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("said");
         QTest::addColumn<int>("taken");
         const QByteArray begin = R"({"axes": {"X": {"slope": 12e-6}}, "instrument": )";
-        QTest::newRow("wrong sign") << begin + R"({"zero": 17.3, "sign": -1}})" << QStringList{}
-                                    << QByteArray("begin a new file with --invert-reference") << 1;
+        QTest::newRow("wrong sign")
+            << begin + R"({"zero": 17.3, "sign": -1}})" << QStringList{}
+            << QByteArray("begin a new file with the reference inverted") << 1;
         QTest::newRow("another unit")
             << begin + R"({"unit": "inch"}})" << QStringList{"--unit", "mm"}
             << QByteArray("in another unit than mm") << 0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <span>
 
@@ -357,11 +358,37 @@ private Q_SLOTS:
                     .find("a program for linuxcnc cannot move an axis \"X1\"; name one of X")
             != std::string::npos);
         for (const char* const axis : {"", "F", "x", "X M8", "X\nM8", "M3"}) {
-            request.axis = axis;
+            MeasuringPlan plan = planOf(usualRequest());
+            plan.axis = axis; // as a file may have it
             for (const GcodeDialect dialect :
                 {GcodeDialect::LinuxCnc, GcodeDialect::Fanuc, GcodeDialect::Siemens})
-                QVERIFY2(!gcodeProgram(planOf(request), dialect), axis);
+                QVERIFY2(!gcodeProgram(plan, dialect), axis);
         }
+    }
+
+    void aFaultNamesItsField()
+    {
+        using Field = MeasuringPlanField;
+        const auto fieldOf = [](const std::function<void(MeasuringPlanRequest&)>& spoil) {
+            MeasuringPlanRequest request = usualRequest();
+            spoil(request);
+            const auto fault = measuringPlanFault(request);
+            const auto plan = makeMeasuringPlan(request);
+            if (!fault || plan || !sentence(plan.error()).ends_with(fault->reason.english()))
+                qFatal("no fault, or another one than that of the plan");
+            return fault->field;
+        };
+        QVERIFY(!measuringPlanFault(usualRequest()));
+        QCOMPARE(fieldOf([](auto& request) { request.axis = " "; }), Field::Axis);
+        QCOMPARE(fieldOf([](auto& request) { request.from = 0.0001; }), Field::From);
+        QCOMPARE(fieldOf([](auto& request) { request.to = -1.0; }), Field::To);
+        QCOMPARE(fieldOf([](auto& request) { request.count = 1; }), Field::Targets);
+        QCOMPARE(fieldOf([](auto& request) { request.period = -1.0; }), Field::Period);
+        QCOMPARE(fieldOf([](auto& request) { request.cycles = 0; }), Field::Cycles);
+        QCOMPARE(fieldOf([](auto& request) { request.cycles = 1000; }), Field::Cycles);
+        QCOMPARE(fieldOf([](auto& request) { request.overrun = 0.0; }), Field::Overrun);
+        QCOMPARE(fieldOf([](auto& request) { request.feedPerMinute = 0.0; }), Field::Feed);
+        QCOMPARE(fieldOf([](auto& request) { request.dwellSeconds = 0.0; }), Field::Dwell);
     }
 
     void requestsThatCannotBeAreRefusedWithAWayOut_data()

@@ -2,10 +2,10 @@
 //
 // A virtual machine: what its instrument says, compared with a page of Python that shares no code
 // with it (check_machine.py) and with closed forms.
+#include "core/io/file_descriptor.h"
 #include "core/io/local_file.h"
 #include "core/metrology/judge/iso230.h"
 #include "core/metrology/measuring_plan.h"
-#include "drivecomm/virtualdrive/file_descriptor.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/machine_truth.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"

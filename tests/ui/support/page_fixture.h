@@ -57,12 +57,14 @@ private:
 class PageFixture {
 public:
     PageFixture() : PageFixture(twoAxes()) { }
+    /// adjust: gets the options of the window before it is made.
     explicit PageFixture(drivecomm::VirtualDriveOptions options,
         const QString& language = QStringLiteral("en"),
-        const DriveProfile& profile = drivecomm::genericProfile())
+        const DriveProfile& profile = drivecomm::genericProfile(),
+        const std::function<void(ui::WizardOptions&)>& adjust = {})
         : served(std::move(options))
         , settings(path(QStringLiteral("settings.ini")), QSettings::IniFormat)
-        , window(wizardOptions(profile), inLanguage(settings, language))
+        , window(wizardOptions(profile, adjust), inLanguage(settings, language))
         , wizard(window.wizard())
         , user(window)
     {
@@ -173,7 +175,8 @@ private:
         ui::WizardSettings(&settings).setLanguage(language);
         return settings;
     }
-    [[nodiscard]] ui::WizardOptions wizardOptions(const DriveProfile& profile) const
+    [[nodiscard]] ui::WizardOptions wizardOptions(
+        const DriveProfile& profile, const std::function<void(ui::WizardOptions&)>& adjust) const
     {
         ui::WizardOptions options;
         options.profile = &profile;
@@ -185,6 +188,8 @@ private:
         options.portCandidates = [](const std::vector<std::string>&, bool) {
             return std::vector<DriveCandidate>();
         };
+        if (adjust)
+            adjust(options);
         return options;
     }
 };

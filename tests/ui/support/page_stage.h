@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "drivecomm/capture/serial_instrument.h"
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/direct_link.h"
@@ -38,6 +39,7 @@ public:
         options.liveInterval = std::chrono::milliseconds(50);
         options.reconnectInterval = std::chrono::milliseconds(50);
         options.linkFactory = [this](const std::string& text) { return link(text); };
+        options.instrumentFactory = drivecomm::openSerialInstrument;
         options.portCandidates = [](const std::vector<std::string>&, bool) {
             return std::vector<DriveCandidate>{
                 {.endpoints = {usbPort}, .description = "FT232R USB UART, FTDI, A50285BI"},

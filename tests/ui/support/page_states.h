@@ -223,6 +223,25 @@ inline bool exportConfiguration(PageFixture& bench)
 }
 
 /// The tab Measure with a file that can be used and one that cannot.
+inline bool planDialog(PageFixture& bench)
+{
+    if (!bench.open())
+        return false;
+    bench.user.the("pageTabs").setFocus();
+    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    return bench.user.click("newProgram")
+        && PageUser::waitFor([&] { return bench.user.the("savePlanButton").isEnabled(); });
+}
+
+inline bool captureDialog(PageFixture& bench)
+{
+    if (!bench.open())
+        return false;
+    bench.user.the("pageTabs").setFocus();
+    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    return bench.user.click("captureValues") && bench.user.sees("captureDialog");
+}
+
 inline bool measure(PageFixture& bench)
 {
     if (!bench.user.isThere())
@@ -360,6 +379,8 @@ inline const std::vector<PageState>& allPageStates()
         {"close unsaved", closeUnsaved},
         {"fit", fitCurve},
         {"fit map", fitMap},
+        {"plan dialog", planDialog},
+        {"capture dialog", captureDialog},
     };
     return all;
 }
@@ -367,8 +388,9 @@ inline const std::vector<PageState>& allPageStates()
 /// The window that has the keyboard in a state: the page's, or its dialog.
 inline QWidget& shownWindow(PageFixture& bench)
 {
-    for (const char* name : {"connectionsDialog", "importDialog", "exportDialog",
-             "importConfigurationDialog", "exportConfigurationDialog"}) {
+    for (const char* name :
+        {"connectionsDialog", "importDialog", "exportDialog", "importConfigurationDialog",
+            "exportConfigurationDialog", "planDialog", "captureDialog"}) {
         auto* dialog = bench.user.find(name);
         if (dialog && dialog->isVisible())
             return *dialog;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/scene_states.h"
 
+#include "core/capture/run_file.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
@@ -11,6 +12,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -754,6 +756,100 @@ void measureColumns(PageScene& scene)
     QTest::qWait(200);
 }
 
+/// The roles of the file before are proposed.
+void measureProposedColumns(PageScene& scene)
+{
+    measureColumns(scene);
+    auto* role = scene.page().findChild<QComboBox*>(QStringLiteral("roleOfColumn1"));
+    role->setCurrentIndex(role->findData(QStringLiteral("target")));
+    Q_EMIT role->activated(role->currentIndex());
+    role = scene.page().findChild<QComboBox*>(QStringLiteral("roleOfColumn4"));
+    role->setCurrentIndex(role->findData(QStringLiteral("deviation")));
+    Q_EMIT role->activated(role->currentIndex());
+    QTest::qWait(200);
+    addMeasurement(scene,
+        scene.stage().file(QStringLiteral("laser-export-2.csv"),
+            "Position [mm];Way;Lap;Measured error [um]\n0;+;1;0.3\n20;+;1;1.7\n40;+;1;2.3\n"),
+        2);
+    scene.page().findChild<QTabWidget*>(QStringLiteral("measureTabs"))->setCurrentIndex(1);
+    QTest::qWait(200);
+}
+
+void planDialog(PageScene& scene)
+{
+    measureEmpty(scene);
+    scene.click("newProgram");
+    const auto* save = scene.page().findChild<QPushButton*>(QStringLiteral("savePlanButton"));
+    wait([&] { return save->isEnabled(); }, "the plan");
+    QTest::qWait(200);
+}
+
+void planMistake(PageScene& scene)
+{
+    planDialog(scene);
+    scene.page().findChild<QDoubleSpinBox*>(QStringLiteral("toField"))->setValue(-3.5);
+    QTest::qWait(200);
+}
+
+MeasuringPlan scenePlan()
+{
+    MeasuringPlanRequest request;
+    request.to = 36.0;
+    request.from = 2.0;
+    request.count = 12;
+    request.cycles = 3;
+    request.overrun = 1.5;
+    return makeMeasuringPlan(request).value();
+}
+
+void captureDialog(PageScene& scene)
+{
+    measureEmpty(scene);
+    const std::string plan = measuringPlanCsv(scenePlan());
+    const QString planFile = scene.stage().file(
+        QStringLiteral("plan-X.csv"), QByteArray(plan.data(), static_cast<qsizetype>(plan.size())));
+    const QString values = scene.stage().path(QStringLiteral("runs-X.csv"));
+    scene.page().setFilePicker([planFile, values](QWidget&, const ui::FileQuestion& question,
+                                   const std::function<void(const QString&)>& answer) {
+        answer(question.purpose == FileQuestion::Purpose::OpenPlan ? planFile : values);
+    });
+    scene.click("captureValues");
+    scene.click("choosePlanButton");
+    scene.click("chooseValuesButton");
+    QTest::qWait(300);
+}
+
+void captureSerial(PageScene& scene)
+{
+    captureDialog(scene);
+    scene.page().findChild<QComboBox*>(QStringLiteral("referenceKindField"))->setCurrentIndex(1);
+    QTest::qWait(200);
+}
+
+/// Half of the values are there, and the axis stands somewhere else.
+void capturing(PageScene& scene)
+{
+    const MeasuringPlan plan = scenePlan();
+    {
+        auto file = RunFile::open(scene.stage().path(QStringLiteral("runs-X.csv")).toStdString(),
+            plan, {"off", "typed", "2026-11-21T09:30:00"});
+        for (std::size_t n = 0; n < 30; ++n) {
+            const MeasuringStep& step = plan.steps[n];
+            const double reversal = step.direction == Approach::Up ? 0.0006 : -0.0006;
+            const double error = 0.0021 * std::sin(step.target / 6.0) + 0.00006 * step.target
+                + reversal + 0.0001 * (static_cast<double>(n % 5) - 2.0);
+            if (!file->append({step, error, step.target, 0.0, std::chrono::seconds(10 * n)}))
+                qFatal("no value");
+        }
+    }
+    captureDialog(scene);
+    scene.page().findChild<QComboBox*>(QStringLiteral("referenceKindField"))->setCurrentIndex(2);
+    scene.click("beginCaptureButton");
+    const auto* state = scene.page().findChild<QLabel*>(QStringLiteral("captureState"));
+    wait([&] { return state->text().contains(QStringLiteral("17")); }, "the axis to stand");
+    QTest::qWait(300);
+}
+
 void measureBadFile(PageScene& scene)
 {
     measureFiles(scene);
@@ -1091,6 +1187,12 @@ const std::vector<SceneState>& sceneStates()
         {"fit-wrong-number", fitWrongNumber},
         {"fit-map", fitMap},
         {"fit-used", fitUsed},
+        {"measure-proposed-columns", measureProposedColumns},
+        {"plan-dialog", planDialog},
+        {"plan-mistake", planMistake},
+        {"capture-dialog", captureDialog},
+        {"capture-serial", captureSerial},
+        {"capturing", capturing},
     };
     return all;
 }

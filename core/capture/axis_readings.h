@@ -2,15 +2,15 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
+#include "core/capture/capture_session.h"
 #include "core/drive/drive_profile.h"
-#include "drivecomm/capture/capture_session.h"
 
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// How a number of an instrument becomes a position: reference = direction x number x unit + zero.
 struct ReferenceScale {
@@ -35,7 +35,8 @@ struct CaptureRegisters {
 class AxisReadings {
 public:
     /// status: of the axis, as it is now. What is read is in the unit of the axis; a reference
-    /// register is so unless `scale` names another unit. Reads once. Errors: InvalidArgument for
+    /// register is so unless `scale` names another unit. Reads once. profile must outlive what is
+    /// made. Errors: InvalidArgument for
     /// the plan of another axis, an encoder that is taken for the instrument, a register that holds
     /// no position; UnitMismatch; NotHomed; MeasurementState while the compensation is neither on
     /// nor off; those of readRegisters.
@@ -43,11 +44,14 @@ public:
         const AxisStatus& status, const MeasuringPlan& plan, CaptureRegisters registers,
         ReferenceScale scale, const Exchange& exchange);
 
-    /// All at one instant, as far as the profile allows; without `time`, and without a reference
-    /// (NaN) where the instrument is none of the registers. The state is that of the beginning, or
-    /// what has become of it. Errors: those of readRegisters.
-    [[nodiscard]] Result<CaptureReading> read(const Exchange& exchange);
+    /// link: to the same drive, another one than at first when that was lost. All at one instant,
+    /// as far as the profile allows; without `time`, and without a reference (NaN) where the
+    /// instrument is none of the registers. The state is that of the beginning, or what has become
+    /// of it. Errors: those of readRegisters.
+    [[nodiscard]] Result<CaptureReading> read(DriveLink& link, const Exchange& exchange) const;
 
+    /// Empty: the instrument is none of the drive's registers.
+    [[nodiscard]] const std::string& referenceRegister() const { return m_registers.reference; }
     /// "off" or "crc:1c291ca3", when this was opened.
     [[nodiscard]] const std::string& state() const { return m_state; }
     /// The unit of the axis is not known: the plan's is taken, since the axis must stand at its
@@ -58,15 +62,12 @@ public:
     [[nodiscard]] std::optional<double> resolutionAt(double position) const;
 
 private:
-    AxisReadings(DriveLink& link, const DriveProfile& profile) : m_link(&link), m_profile(&profile)
-    {
-    }
+    explicit AxisReadings(const DriveProfile& profile) : m_profile(&profile) { }
     [[nodiscard]] Result<void> setUnits(const AxisStatus& status, const MeasuringPlan& plan);
     [[nodiscard]] Result<void> checkReference(const AxisStatus& status) const;
     void choosePaths(const AxisStatus& status);
     [[nodiscard]] std::string stateOf(const std::vector<RegisterReading>& readings) const;
 
-    DriveLink* m_link;
     const DriveProfile* m_profile;
     CaptureRegisters m_registers;
     ReferenceScale m_scale;
@@ -87,4 +88,4 @@ private:
 /// "Machine/Axes[0]/ReferencePosition [mm], inverted, 0 at 12.5": for the file of the values.
 [[nodiscard]] std::string referenceText(const std::string& source, const ReferenceScale& scale);
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

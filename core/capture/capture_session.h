@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// What was read at one instant. Positions in mm or deg, as the plan has them.
 struct CaptureReading {
@@ -19,9 +19,18 @@ struct CaptureReading {
     double output = 0.0; ///< what the drive adds: the axis stands at encoder + output
     double reference = 0.0; ///< what the instrument says; NaN: nothing that can be used
     std::string state; ///< of the compensation: its state, and the table that is active
+
+    [[nodiscard]] double position() const { return encoder + output; } ///< where the axis is
+    [[nodiscard]] double difference() const { return reference - position(); }
 };
 
 struct CaptureRules {
+    static constexpr double smallestWindow = 1e-9;
+    static constexpr double largestWindow = 10.0;
+    static constexpr std::chrono::milliseconds shortestDwell{10};
+    static constexpr std::chrono::seconds longestDwell{60};
+    static constexpr int mostReadings = 1000;
+
     double window = 0.001; ///< an axis stands while its encoder stays within this, in mm or deg
     std::chrono::nanoseconds dwell = std::chrono::seconds(1); ///< for this long
     int readings = 10; ///< then so many are averaged
@@ -61,12 +70,20 @@ public:
         Done, ///< every step has been taken
     };
     [[nodiscard]] Event take(const CaptureReading& reading);
+    /// left: the values that are left of those that were taken; the step behind them is due again.
+    /// While the axis still stands where it gave the last value it is averaged there anew, after
+    /// another dwell.
+    void takeBack(std::span<const CapturedValue> left);
 
     [[nodiscard]] const MeasuringPlan& plan() const { return m_plan; }
     /// The step that is due, from 0; the number of steps when all have been taken.
     [[nodiscard]] std::size_t due() const { return m_due; }
     [[nodiscard]] const CapturedValue& value() const { return m_value; }
     [[nodiscard]] const Text& problem() const { return m_problem; }
+    /// This standstill has given its value.
+    [[nodiscard]] bool isTaken() const { return m_isTaken; }
+    /// How many readings of this standstill are being averaged.
+    [[nodiscard]] std::size_t averaged() const { return m_readings.size(); }
 
 private:
     /// The way since the last turn.
@@ -113,4 +130,4 @@ private:
     Text m_problem;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_session.h"
+#include "core/capture/run_file.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "core/metrology/judge/iso230.h"
-#include "drivecomm/capture/capture_session.h"
-#include "drivecomm/capture/run_file.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/firmware/virtual_drive.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
+#include "tests/support/kill_points.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -284,7 +285,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("said");
         QTest::newRow("wrong sign") << -1.0 << 0.0
                                     << QByteArray("counts the other way; begin a new file with "
-                                                  "--invert-reference");
+                                                  "the reference inverted");
         QTest::newRow("another unit") << 1000.0 << 0.0 << QByteArray("its unit or factor");
         QTest::newRow("factor") << 0.5 << 0.0 << QByteArray("its unit or factor");
         QTest::newRow("zero set anew") << 1.0 << 3.0 << QByteArray("its zero was set anew");
@@ -321,8 +322,8 @@ private Q_SLOTS:
         axis.move(plan.steps[1].approach);
         axis.move(plan.steps[1].target);
         QVERIFY(!axis.takes());
-        QVERIFY2(
-            axis.problem().find("--invert-reference") != std::string::npos, axis.problem().c_str());
+        QVERIFY2(axis.problem().find("with the reference inverted") != std::string::npos,
+            axis.problem().c_str());
         axis.error = [](double) { return 0.001; };
         QVERIFY(axis.takes());
         QCOMPARE(axis.session.value().step.step, 2);
@@ -453,6 +454,98 @@ private Q_SLOTS:
             }
             QCOMPARE(QString::fromStdString(fill()), QString::fromStdString(whole));
         }
+    }
+
+    void aValueThatIsTakenBackIsTakenAgainByThePlan()
+    {
+        const MeasuringPlan plan = planOver(30.0, 4, 1, 1.0);
+        HandMoved axis(plan);
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY(axis.takes());
+        const CapturedValue first = axis.session.value();
+        axis.move(plan.steps[1].target);
+        QVERIFY(axis.takes());
+        // It still stands there, and for another dwell.
+        axis.session.takeBack(std::span(&first, 1));
+        QCOMPARE(axis.session.due(), std::size_t{1});
+        const std::vector<Event> events = axis.stand(60);
+        QCOMPARE(std::ranges::count(events, Event::Taken), 1);
+        QCOMPARE(std::ranges::find(events, Event::Taken) - events.begin(), 19 + 9);
+        QCOMPARE(axis.session.value().step, plan.steps[1]);
+        // It has left the target meanwhile, and has to come to it again.
+        axis.move(plan.steps[2].target);
+        axis.session.takeBack(std::span(&first, 1));
+        QCOMPARE(axis.stand(60).back(), Event::Refused);
+        QVERIFY2(axis.problem().find("step 2 at") != std::string::npos, axis.problem().c_str());
+        axis.move(plan.steps[1].approach - 0.5);
+        axis.move(plan.steps[1].target);
+        QVERIFY2(axis.takes(), axis.problem().c_str());
+        QCOMPARE(axis.session.value().step, plan.steps[1]);
+        axis.session.takeBack({});
+        QCOMPARE(axis.session.due(), std::size_t{0});
+    }
+
+    void theLastLineIsTakenOffTheFile()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        std::vector<std::string> after;
+        {
+            auto runs = RunFile::open(file, plan, origin).value();
+            after.push_back(contentOf(file));
+            for (std::size_t step = 0; step < 3; ++step) {
+                QVERIFY(runs.append(valueOf(plan, step)));
+                after.push_back(contentOf(file));
+            }
+            QVERIFY(runs.removeLast());
+            QCOMPARE(contentOf(file), after[2]);
+            QCOMPARE(runs.taken(), std::size_t{2});
+        }
+        auto again = RunFile::open(file, plan, origin).value();
+        QCOMPARE(again.taken(), std::size_t{2});
+        QVERIFY(again.removeLast());
+        QVERIFY(again.append(valueOf(plan, 1)));
+        QVERIFY(again.append(valueOf(plan, 2)));
+        QCOMPARE(contentOf(file), after[3]);
+        for (std::size_t left = 3; left > 0; --left) {
+            QVERIFY(again.removeLast());
+            QCOMPARE(contentOf(file), after[left - 1]);
+        }
+    }
+
+    void aKillWhileAValueIsTakenBackLeavesItOrTakesItWhole()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        const auto fill = [&] {
+            auto runs = RunFile::open(file, plan, origin).value();
+            for (std::size_t step = runs.taken(); step < 3; ++step)
+                QVERIFY(runs.append(valueOf(plan, step)));
+        };
+        fill();
+        const std::string before = contentOf(file);
+        const std::string after =
+            before.substr(0, before.find_last_of('\n', before.size() - 2) + 1);
+        int taken = 0;
+        const int moments = test::killEverywhere(
+            [&] {
+                auto runs = RunFile::open(file, plan, origin);
+                if (runs)
+                    (void)runs->removeLast();
+            },
+            [&] {
+                const std::string content = contentOf(file);
+                QVERIFY2(content == before || content == after, content.c_str());
+                taken += content == after ? 1 : 0;
+                fill();
+                QCOMPARE(contentOf(file), before);
+            });
+        QVERIFY(moments > 5 && taken > 0 && taken < moments);
     }
 
     void aFileOfSomethingElseIsRefusedAndLeftAsItIs()

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// A file descriptor that closes itself.
 class FileDescriptor {
@@ -29,4 +29,4 @@ private:
     int m_descriptor = -1;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

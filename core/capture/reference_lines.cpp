@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/reference_lines.h"
+#include "core/capture/reference_lines.h"
 
 #include "core/metrology/fine_quantity.h"
 #include "core/table/position_unit.h"
@@ -7,13 +7,11 @@
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -38,7 +36,7 @@ InstrumentReading noPosition(Text text)
 InstrumentReading noNumber(std::string_view line)
 {
     return noPosition(AXISCOMP_TEXT("Error",
-        "the instrument says {line}, where a number is expected; --pattern says where it is")
+        "the instrument says {line}, where a number is expected; a pattern says where it is")
                           .with("line", shownLine(line)));
 }
 
@@ -89,101 +87,70 @@ std::string_view wordBehind(std::string_view rest)
 
 } // namespace
 
-struct ReferenceLineReader::Private {
-    ReferenceScale scale;
-    std::string wanted; ///< "mm" or "deg"
-    std::optional<QRegularExpression> pattern;
-
-    /// The number and what stands behind it; an empty number: there is none.
-    struct Found {
-        std::string number;
-        std::string_view rest;
-    };
-    [[nodiscard]] Found find(std::string_view line) const;
-};
-
-ReferenceLineReader::Private::Found ReferenceLineReader::Private::find(std::string_view line) const
+ReferenceLineReader::ReferenceLineReader(
+    ReferenceScale scale, std::string wanted, NumberFinder finder)
+    : m_scale(std::move(scale))
+    , m_wanted(std::move(wanted))
+    , m_finder(std::move(finder))
 {
-    if (!pattern) {
-        const std::string_view number = firstNumber(line);
-        if (number.empty())
-            return {};
-        const auto end = static_cast<std::size_t>(number.data() - line.data()) + number.size();
-        return {std::string(number), line.substr(end)};
-    }
-    const auto match =
-        pattern->match(QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size())));
-    if (!match.hasMatch())
-        return {};
-    std::string number =
-        match.captured(pattern->captureCount() > 0 ? 1 : 0).trimmed().toStdString();
-    if (number.find('.') == std::string::npos && std::ranges::count(number, ',') == 1)
-        std::ranges::replace(number, ',', '.');
-    return {std::move(number), {}};
 }
 
 Result<ReferenceLineReader> ReferenceLineReader::make(
-    ReferenceScale scale, bool isAngular, const std::string& pattern)
+    ReferenceScale scale, bool isAngular, NumberFinder finder)
 {
-    auto made = std::make_unique<Private>();
-    made->wanted = isAngular ? "deg" : "mm";
-    if (!scale.unit.empty() && !unitFactor(scale.unit, made->wanted))
+    const std::string wanted = isAngular ? "deg" : "mm";
+    if (!scale.unit.empty() && !unitFactor(scale.unit, wanted))
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",
                     "the instrument is in {unit}, which cannot be converted to {planned}, the unit "
-                    "of the plan: state its unit with --unit")
+                    "of the plan: state the unit of the instrument")
                     .with("unit", scale.unit)
-                    .with("planned", made->wanted)}});
-    made->scale = std::move(scale);
-    if (!pattern.empty()) {
-        made->pattern.emplace(QString::fromStdString(pattern));
-        if (!made->pattern->isValid())
-            return fail(ErrorCode::InvalidArgument,
-                {{"reason",
-                    AXISCOMP_TEXT("Error",
-                        "--pattern {pattern} is no regular expression: {problem} at character "
-                        "{place}")
-                        .with("pattern", shownLine(pattern))
-                        .with("problem", made->pattern->errorString().toStdString())
-                        .with("place",
-                            static_cast<std::int64_t>(made->pattern->patternErrorOffset() + 1))}});
-    }
-    return ReferenceLineReader(std::move(made));
+                    .with("planned", wanted)}});
+    return ReferenceLineReader(std::move(scale), wanted, std::move(finder));
 }
 
-ReferenceLineReader::ReferenceLineReader(std::unique_ptr<Private> theD) : d(std::move(theD)) { }
-ReferenceLineReader::ReferenceLineReader(ReferenceLineReader&& other) noexcept = default;
-ReferenceLineReader& ReferenceLineReader::operator=(ReferenceLineReader&& other) noexcept = default;
-ReferenceLineReader::~ReferenceLineReader() = default;
+ReferenceLineReader::Found ReferenceLineReader::find(std::string_view line) const
+{
+    if (m_finder) {
+        std::string number = m_finder(line);
+        if (number.find('.') == std::string::npos && std::ranges::count(number, ',') == 1)
+            std::ranges::replace(number, ',', '.');
+        return {std::move(number), {}};
+    }
+    const std::string_view number = firstNumber(line);
+    if (number.empty())
+        return {};
+    const auto end = static_cast<std::size_t>(number.data() - line.data()) + number.size();
+    return {std::string(number), line.substr(end)};
+}
 
 InstrumentReading ReferenceLineReader::read(std::string_view line) const
 {
-    const Private::Found found = d->find(line);
+    const Found found = find(line);
     const auto number = numberOf(found.number);
     if (!number)
         return noNumber(line);
     if (found.rest.size() > 1 && found.rest[0] == ',' && isLineDigit(found.rest[1]))
         return noPosition(AXISCOMP_TEXT("Error",
             "the instrument says {line}: its number has a comma; set it to a decimal point, or "
-            "say what the number is with --pattern")
+            "say what the number is with a pattern")
                               .with("line", shownLine(line)));
     const std::string_view word = wordBehind(found.rest);
     const std::string said = isPositionUnit(word) ? std::string(word) : std::string();
-    if (said.empty() && d->scale.unit.empty())
-        return noPosition(AXISCOMP_TEXT("Error",
-            "the instrument says {line} without a unit: state it with --unit, such as --unit mm")
+    if (said.empty() && m_scale.unit.empty())
+        return noPosition(AXISCOMP_TEXT(
+            "Error", "the instrument says {line} without a unit: state the unit, such as mm")
                               .with("line", shownLine(line)));
-    const bool isOther =
-        !said.empty() && !d->scale.unit.empty() && !isSameUnit(said, d->scale.unit);
-    const auto factor = unitFactor(said.empty() ? d->scale.unit : said, d->wanted);
+    const bool isOther = !said.empty() && !m_scale.unit.empty() && !isSameUnit(said, m_scale.unit);
+    const auto factor = unitFactor(said.empty() ? m_scale.unit : said, m_wanted);
     if (isOther || !factor)
         return noPosition(AXISCOMP_TEXT("Error",
             "the instrument says {line}, in another unit than {unit}: set the instrument, or "
-            "begin a new file with the right --unit")
+            "begin a new file with the right unit")
                               .with("line", shownLine(line))
-                              .with("unit", d->scale.unit.empty() ? d->wanted : d->scale.unit));
-    const double position = d->scale.position(*number, *factor);
+                              .with("unit", m_scale.unit.empty() ? m_wanted : m_scale.unit));
+    const double position = m_scale.position(*number, *factor);
     return std::isfinite(position) ? InstrumentReading{position, {}} : noNumber(line);
 }
 
@@ -220,8 +187,15 @@ TypedReference::TypedReference(
     : m_reader(std::move(reader))
     , m_window(window)
 {
-    for (const CapturedValue& value : taken)
-        this->taken(value);
+    takeBack(taken);
+}
+
+void TypedReference::takeBack(std::span<const CapturedValue> left)
+{
+    m_seen.reset();
+    forget();
+    for (const CapturedValue& value : left)
+        taken(value);
 }
 
 double TypedReference::differenceOf(const CapturedValue& value)
@@ -276,4 +250,4 @@ InstrumentReading TypedReference::reading() const
     return reading;
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/axis_readings.h"
+#include "core/capture/axis_readings.h"
 
 #include "core/axis/state_words.h"
 #include "core/table/position_unit.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -36,8 +36,8 @@ Result<void> checkAxisOf(const AxisStatus& status, const MeasuringPlan& plan)
 {
     if (!status.axis.name.empty() && !sameLetters(status.axis.name, plan.axis))
         return notCaptured(AXISCOMP_TEXT("Error",
-            "the plan is for axis {planned}, and this is axis {axis}: choose the axis with --axis, "
-            "or make a plan with axiscomp targets --axis {axis}")
+            "the plan is for axis {planned}, and this is axis {axis}: choose the other axis, or "
+            "make a plan for this one")
                                .with("planned", plan.axis)
                                .with("axis", status.axis.name));
     if (!status.axis.isHomed)
@@ -51,7 +51,7 @@ tl::unexpected<Error> notSwitched(const AxisStatus& status, const std::string& s
         {{"reason",
             AXISCOMP_TEXT("Error",
                 "the compensation of axis {axis} is neither on nor off (the drive says {state}): "
-                "switch it with axiscomp activate or axiscomp deactivate first")
+                "activate or deactivate it first")
                 .with("axis", axisShown(status.axis))
                 .with("state", state)}});
 }
@@ -77,7 +77,7 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
 {
     AXISCOMP_CHECK(checkAxisOf(status, plan));
     AXISCOMP_CHECK(checkSwitched(status));
-    AxisReadings made(link, profile);
+    AxisReadings made(profile);
     made.m_registers = std::move(registers);
     made.m_scale = std::move(scale);
     AXISCOMP_CHECK(made.setUnits(status, plan));
@@ -91,7 +91,7 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
             {{"reason",
                 AXISCOMP_TEXT("Error",
                     "the compensation of axis {axis} is on, and the drive does not say with which "
-                    "table: look at axiscomp status, or switch it off first")
+                    "table: deactivate it first")
                     .with("axis", axisShown(status.axis))}});
     if (made.m_state != "off" && !made.m_state.starts_with("crc:"))
         return notSwitched(status, made.m_state);
@@ -119,8 +119,8 @@ Result<void> AxisReadings::setUnits(const AxisStatus& status, const MeasuringPla
     const auto factor = unitFactor(m_isUnitAssumed ? wanted : unit, wanted);
     if (!factor)
         return notCaptured(AXISCOMP_TEXT("Error",
-            "the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan with "
-            "axiscomp targets --unit, or choose another axis")
+            "the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its "
+            "unit, or choose another axis")
                                .with("planned", wanted)
                                .with("axis", axisShown(status.axis))
                                .with("unit", unit));
@@ -131,7 +131,7 @@ Result<void> AxisReadings::setUnits(const AxisStatus& status, const MeasuringPla
     if (!reference)
         return notCaptured(AXISCOMP_TEXT("Error",
             "the instrument is in {unit}, which cannot be converted to {planned}, the unit of the "
-            "plan: state its unit with --unit")
+            "plan: state the unit of the instrument")
                                .with("unit", m_scale.unit)
                                .with("planned", wanted));
     m_referenceFactor = *reference;
@@ -191,9 +191,9 @@ std::string AxisReadings::stateOf(const std::vector<RegisterReading>& readings) 
     }
 }
 
-Result<CaptureReading> AxisReadings::read(const Exchange& exchange)
+Result<CaptureReading> AxisReadings::read(DriveLink& link, const Exchange& exchange) const
 {
-    AXISCOMP_TRY(const auto readings, m_link->readRegisters(m_paths, exchange));
+    AXISCOMP_TRY(const auto readings, link.readRegisters(m_paths, exchange));
     CaptureReading reading;
     reading.encoder = toDouble(readings[AtEncoder].value) * m_axisFactor;
     reading.output = toDouble(readings[AtOutput].value) * m_axisFactor;
@@ -236,4 +236,4 @@ std::string referenceText(const std::string& source, const ReferenceScale& scale
     return text;
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

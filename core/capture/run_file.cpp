@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/run_file.h"
+#include "core/capture/run_file.h"
 
 #include "core/io/local_file.h"
 #include "core/text/number_text.h"
@@ -16,7 +16,7 @@
 #include <charconv>
 #include <optional>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr std::string_view stateKey = "// compensation: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
-tl::unexpected<Error> notWritable(const std::filesystem::path& file, Text reason)
+tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
 {
     return fail(
         ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", std::move(reason)}});
@@ -143,12 +143,13 @@ Result<RunFile> RunFile::open(
     FileDescriptor descriptor(
         ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, usualMode));
     if (!descriptor.isOpen())
-        return notWritable(file, fileErrorReason(errno));
+        return cannotWrite(file, fileErrorReason(errno));
     if (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0)
-        return notWritable(
+        return cannotWrite(
             file, AXISCOMP_TEXT("Error", "another program is writing measured values to it"));
     AXISCOMP_TRY(std::string content, contentOf(file, descriptor));
     RunFile made(file, std::move(descriptor));
+    made.m_reference = origin.reference;
     const std::string_view known = std::string_view(content).substr(0, firstLine.size());
     if (firstLine.substr(0, known.size()) != known)
         return notOurs(file,
@@ -213,12 +214,13 @@ Result<void> RunFile::goOn(
                 return wrong(AXISCOMP_TEXT("Error", "step {step} of the plan, {begin}...")
                                  .with("step", taken() + 1)
                                  .with("begin", lineBegin(step)));
+            m_lineBegins.push_back(m_size);
             m_values.push_back(*value);
         }
         m_size = end + 1;
     }
     if (m_size < content.size() && ::ftruncate(m_descriptor.get(), static_cast<off_t>(m_size)) != 0)
-        return notWritable(m_file, fileErrorReason(errno));
+        return cannotWrite(m_file, fileErrorReason(errno));
     return {};
 }
 
@@ -239,16 +241,35 @@ Result<void> RunFile::write(const std::string& text)
     // What was behind it is older than this; and a part of a line is none.
     const std::size_t whole = problem == 0 ? m_size + text.size() : m_size;
     if (::ftruncate(m_descriptor.get(), static_cast<off_t>(whole)) != 0 || problem != 0)
-        return notWritable(m_file, fileErrorReason(problem != 0 ? problem : errno));
+        return cannotWrite(m_file, fileErrorReason(problem != 0 ? problem : errno));
     m_size = whole;
     return {};
 }
 
 Result<void> RunFile::append(const CapturedValue& value)
 {
+    const std::size_t begin = m_size;
     AXISCOMP_CHECK(write(lineOfValue(value)));
+    m_lineBegins.push_back(begin);
     m_values.push_back(value);
     return {};
 }
 
-} // namespace axiscomp::drivecomm
+/// One cut at the end of a whole line: whenever it is interrupted the line is there or not.
+Result<void> RunFile::removeLast()
+{
+    const std::size_t begin = m_lineBegins.back();
+    if (::ftruncate(m_descriptor.get(), static_cast<off_t>(begin)) != 0)
+        return cannotWrite(m_file, fileErrorReason(errno));
+    const bool isOnDisk = ::fdatasync(m_descriptor.get()) == 0;
+    const int problem = errno;
+    // The next line comes where this one was, whether the disk has heard of it or not.
+    m_size = begin;
+    m_lineBegins.pop_back();
+    m_values.pop_back();
+    if (!isOnDisk)
+        return cannotWrite(m_file, fileErrorReason(problem));
+    return {};
+}
+
+} // namespace axiscomp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/capture/capture_session.h"
+#include "core/capture/capture_session.h"
 
 #include "core/text/number_text.h"
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 namespace {
 
@@ -189,13 +189,22 @@ Text CaptureSession::scaleProblem(const CapturedValue& value) const
                            .with("measured", shownPosition(measured, m_plan));
     const double slope = way != 0.0 ? measured / way : 0.0;
     if (std::abs(slope + 1.0) <= share)
-        return AXISCOMP_TEXT(
-            "Error", "{found}: it counts the other way; begin a new file with --invert-reference")
+        return AXISCOMP_TEXT("Error",
+            "{found}: it counts the other way; begin a new file with the reference inverted")
             .with("found", found);
     return AXISCOMP_TEXT("Error",
         "{found}: its unit or factor is another one, or its zero was set anew, or its beam was "
-        "interrupted; put that right, or begin a new file with the right --unit")
+        "interrupted; put that right, or begin a new file with the right unit")
         .with("found", found);
+}
+
+void CaptureSession::takeBack(std::span<const CapturedValue> left)
+{
+    m_due = left.size();
+    m_before = left.empty() ? std::nullopt : std::optional(left.back());
+    m_isTaken = false;
+    m_readings.clear();
+    m_standsSince = m_last.value_or(m_standsSince);
 }
 
 CaptureSession::Event CaptureSession::average(const CaptureReading& reading)
@@ -257,4 +266,4 @@ CaptureSession::Event CaptureSession::take(const CaptureReading& reading)
     return Event::Refused;
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/capture_session.h"
-#include "drivecomm/virtualdrive/file_descriptor.h"
+#include "core/capture/capture_session.h"
+#include "core/io/file_descriptor.h"
 
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// Where the values of a file come from.
 struct RunOrigin {
@@ -29,6 +29,7 @@ public:
     [[nodiscard]] static Result<RunFile> open(
         const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin);
 
+    [[nodiscard]] const std::string& reference() const { return m_reference; } ///< of the origin
     /// How many steps of the plan have their value.
     [[nodiscard]] std::size_t taken() const { return m_values.size(); }
     /// Of the first steps of the plan.
@@ -36,6 +37,10 @@ public:
     /// The value of the next step; on the disk when this returns. Errors: FileNotWritable: the file
     /// is as it was before.
     [[nodiscard]] Result<void> append(const CapturedValue& value);
+    /// Takes the last value, which there must be, off the file: its line is gone from the disk when
+    /// this returns. Errors: FileNotWritable: values() says whether the file still has it, and a
+    /// power cut may bring it back.
+    [[nodiscard]] Result<void> removeLast();
 
 private:
     RunFile(std::filesystem::path file, FileDescriptor descriptor);
@@ -45,9 +50,11 @@ private:
     [[nodiscard]] Result<void> write(const std::string& text);
 
     std::filesystem::path m_file;
+    std::string m_reference;
     FileDescriptor m_descriptor;
     std::size_t m_size = 0; ///< bytes, whole lines
     std::vector<CapturedValue> m_values;
+    std::vector<std::size_t> m_lineBegins; ///< of the values, in bytes
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_run.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
-#include "drivecomm/capture/capture_run.h"
+#include "drivecomm/capture/number_pattern.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
@@ -78,18 +79,19 @@ struct CaptureFixture {
         const auto opened = readings(registers, scale, axis, of);
         return opened ? "it was taken" : sentence(opened.error());
     }
-    [[nodiscard]] Result<void> open(const std::string& reference = referenceRegister)
+    [[nodiscard]] Result<void> open(
+        const std::string& reference = referenceRegister, const CaptureRules& rules = {})
     {
         AXISCOMP_TRY(auto opened, readings({encoder, reference}));
         AXISCOMP_TRY(auto file, RunFile::open(path, plan, {opened.state(), "laser", "now"}));
-        run.emplace(link, std::move(opened), std::move(file), plan, CaptureRules{},
-            compensator.identify().value());
+        run.emplace(
+            std::move(opened), std::move(file), plan, rules, compensator.identify().value());
         return {};
     }
     [[nodiscard]] Result<CaptureNews> step()
     {
         time += 50ms;
-        return run->read([this] { return time; }, {});
+        return run->read(link, [this] { return time; }, {});
     }
     /// Until the program has ended, or the plan has all its values.
     struct Played {
@@ -157,7 +159,7 @@ ReferenceLineReader readerOf(const std::string& unit = {}, const std::string& pa
 {
     ReferenceScale scale;
     scale.unit = unit;
-    return ReferenceLineReader::make(scale, false, pattern).value();
+    return ReferenceLineReader::make(scale, false, numberPattern(pattern).value()).value();
 }
 
 } // namespace
@@ -384,6 +386,51 @@ private Q_SLOTS:
         verifyComplete(speaking.path, speaking.plan);
     }
 
+    void aTypedPositionIsAskedForTakenAndTakenBack()
+    {
+        CaptureFixture fixture;
+        // The program goes on after 2.5 s, and two values are taken before.
+        CaptureRules rules;
+        rules.dwell = 300ms;
+        QVERIFY(fixture.open({}, rules));
+        CaptureRun& run = *fixture.run;
+        run.setTyped(readerOf("mm"));
+        QCOMPARE(run.type("0.001").english(),
+            std::string("no position is asked for at the moment: wait until the axis stands at its "
+                        "target"));
+        const auto stepUntil = [&](const std::function<bool()>& condition) {
+            for (int n = 0; n < 400 && !condition(); ++n)
+                if (!fixture.step())
+                    return false;
+            return condition();
+        };
+        QVERIFY(stepUntil([&] { return run.isAsked(); }));
+        QVERIFY(!run.type("what?").isEmpty());
+        QVERIFY(run.isAsked());
+        QVERIFY(run.type("0.002").isEmpty());
+        QVERIFY(!run.isAsked());
+        QVERIFY(stepUntil([&] { return run.taken() == 1; }));
+        QVERIFY(std::abs(run.value().deviation - 0.002) < 1e-9);
+        // A slip of the pen, while the axis still stands there
+        QVERIFY(run.undo());
+        QCOMPARE(run.taken(), std::size_t{0});
+        QVERIFY(run.values().empty());
+        QVERIFY(contentOf(fixture.path).find("0.000,+,1,") == std::string::npos);
+        QVERIFY(stepUntil([&] { return run.isAsked(); }));
+        QVERIFY(run.type("0.001").isEmpty());
+        QVERIFY(stepUntil([&] { return run.taken() == 1; }));
+        QVERIFY(std::abs(run.value().deviation - 0.001) < 1e-9);
+    }
+
+    void nothingIsTakenBackFromAFileWithoutValues()
+    {
+        CaptureFixture fixture;
+        QVERIFY(fixture.open());
+        QVERIFY(fixture.run->undo());
+        QCOMPARE(fixture.play().kinds().back(), Kind::Done);
+        verifyComplete(fixture.path, fixture.plan);
+    }
+
     void linesAreReadOrSaidToBeWrong_data()
     {
         QTest::addColumn<QString>("line");
@@ -422,16 +469,16 @@ private Q_SLOTS:
                                   << "the instrument says \"%$!\", where a number is expected";
         QTest::newRow("no match") << "12.5"
                                   << "mm"
-                                  << "x(.*)" << none << "--pattern";
+                                  << "x(.*)" << none << "a pattern says where it is";
         QTest::newRow("match of no number") << "xERR"
                                             << "mm"
-                                            << "x(.*)" << none << "--pattern";
+                                            << "x(.*)" << none << "a pattern says where it is";
         QTest::newRow("comma") << "517,300 mm"
                                << ""
                                << "" << none << "has a comma";
         QTest::newRow("no unit") << "517.300"
                                  << ""
-                                 << "" << none << "--unit mm";
+                                 << "" << none << "without a unit: state the unit";
         QTest::newRow("another unit") << "517.300 inch"
                                       << "mm"
                                       << "" << none << "in another unit than mm";
@@ -465,7 +512,7 @@ private Q_SLOTS:
         scale.zeroAt = 100.0;
         const auto reader = ReferenceLineReader::make(scale, false).value();
         QCOMPARE(reader.read("-3.5 mm").position, 103.5);
-        VERIFY_ERROR(ReferenceLineReader::make({}, false, "("), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(numberPattern("("), ErrorCode::InvalidArgument);
         scale.unit = "kg";
         VERIFY_ERROR(ReferenceLineReader::make(scale, false), ErrorCode::InvalidArgument);
     }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "drivecomm/capture/axis_readings.h"
+#include "core/capture/axis_readings.h"
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 /// What an instrument says: a position, or why there is none.
 struct InstrumentReading {
@@ -17,26 +18,37 @@ struct InstrumentReading {
     Text problem; ///< empty with a position
 };
 
+/// Asked at each reading; now: of the clock of the readings.
+using Instrument = std::function<InstrumentReading(std::chrono::nanoseconds now)>;
+
+/// The number in a line, as the line has it; empty: there is none.
+using NumberFinder = std::function<std::string(std::string_view line)>;
+
 /// Reads positions from lines of text such as "+517.3000042 mm": the first number of a line with a
 /// decimal point, and the unit behind it. Nothing is guessed: a line without a unit needs the one
 /// of the scale, and one with another unit, with a comma in its number or without a number is a
 /// problem.
 class ReferenceLineReader {
 public:
-    /// pattern: a regular expression whose first group, or all of it, is the number; empty: none.
-    /// Only then a decimal comma is taken. Errors: InvalidArgument.
+    /// finder: where the number is; none: it is the first. Only a number that was found by it may
+    /// have a decimal comma, and what stands behind it is no unit. Errors: InvalidArgument.
     [[nodiscard]] static Result<ReferenceLineReader> make(
-        ReferenceScale scale, bool isAngular, const std::string& pattern = {});
-    ReferenceLineReader(ReferenceLineReader&& other) noexcept;
-    ReferenceLineReader& operator=(ReferenceLineReader&& other) noexcept;
-    ~ReferenceLineReader();
+        ReferenceScale scale, bool isAngular, NumberFinder finder = {});
 
     [[nodiscard]] InstrumentReading read(std::string_view line) const;
 
 private:
-    struct Private;
-    explicit ReferenceLineReader(std::unique_ptr<Private> d);
-    std::unique_ptr<Private> d;
+    ReferenceLineReader(ReferenceScale scale, std::string wanted, NumberFinder finder);
+    /// The number and what stands behind it; an empty number: there is none.
+    struct Found {
+        std::string number;
+        std::string_view rest;
+    };
+    [[nodiscard]] Found find(std::string_view line) const;
+
+    ReferenceScale m_scale;
+    std::string m_wanted; ///< "mm" or "deg"
+    NumberFinder m_finder;
 };
 
 /// The lines of an instrument as they come. Only the newest counts, and not for long: it may belong
@@ -78,10 +90,13 @@ public:
     /// Empty: it counts from now on. Otherwise what is wrong with it, or the question whether it is
     /// right, to which the same number once more is the answer.
     [[nodiscard]] Text type(std::string_view line, const CaptureReading& axis, bool isAngular);
+    [[nodiscard]] bool isDoubted() const { return m_doubted.has_value(); }
     [[nodiscard]] InstrumentReading reading() const;
     /// The axis moves, or what was typed was not taken.
     void forget();
     void taken(const CapturedValue& value);
+    /// left: of the values that were taken, those that still count.
+    void takeBack(std::span<const CapturedValue> left);
 
 private:
     [[nodiscard]] static double differenceOf(const CapturedValue& value);
@@ -93,4 +108,4 @@ private:
     std::optional<double> m_doubted;
 };
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drivecomm/virtualdrive/file_descriptor.h"
+#include "core/io/file_descriptor.h"
 
 #include <unistd.h>
 
-namespace axiscomp::drivecomm {
+namespace axiscomp {
 
 void FileDescriptor::close()
 {
@@ -11,4 +11,4 @@ void FileDescriptor::close()
         ::close(std::exchange(m_descriptor, -1));
 }
 
-} // namespace axiscomp::drivecomm
+} // namespace axiscomp

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_request.h"
+
+#include "core/text/number_text.h"
+
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace axiscomp {
+
+std::string CaptureReference::text() const
+{
+    switch (kind) {
+    case Kind::Lines:
+        return referenceText("standard input", scale);
+    case Kind::Typed:
+        return referenceText("typed", scale);
+    case Kind::Register:
+    case Kind::Serial:
+        break;
+    }
+    return referenceText(source, scale);
+}
+
+std::chrono::nanoseconds timeSinceStart()
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_BOOTTIME, &now);
+    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
+
+CaptureClock::CaptureClock(std::span<const CapturedValue> taken, std::chrono::nanoseconds wall,
+    std::function<std::chrono::nanoseconds()> steady)
+    : m_steady(std::move(steady))
+    , m_isBehind(!taken.empty() && taken.back().time > wall)
+{
+    m_offset = (m_isBehind ? taken.back().time : wall) - m_steady();
+}
+
+std::optional<double> proposedZero(
+    const CapturedValue& first, const MeasuringPlan& plan, const ReferenceScale& scale)
+{
+    constexpr double share = 0.01;
+    const std::vector<double> targets = targetsOf(plan);
+    if (std::abs(first.deviation) <= share * (targets.back() - targets.front()))
+        return std::nullopt;
+    return scale.zeroAt - first.deviation;
+}
+
+std::optional<FarthestResolution> farthestResolution(
+    const AxisReadings& readings, const MeasuringPlan& plan)
+{
+    double farthest = 0.0;
+    for (const double target : targetsOf(plan))
+        if (std::abs(target) > std::abs(farthest))
+            farthest = target;
+    const auto step = readings.resolutionAt(farthest);
+    return step ? std::optional(FarthestResolution{farthest, *step}) : std::nullopt;
+}
+
+} // namespace axiscomp
