@@ -5123,10 +5123,6 @@
         <translation>kein Punkt liegt im Gitter; prüfen Sie dessen Anfang und Ende sowie die Einheit der Positionen</translation>
     </message>
     <message>
-        <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so state it (--smoothness)</source>
-        <translation>im Bereich des Gitters gibt es Werte an {count} Punkten; um die Glätte zu wählen, sind {fewest} nötig, geben Sie sie also an (--smoothness)</translation>
-    </message>
-    <message>
         <source>the points do not determine every point of the grid; take a larger smoothness or a coarser grid</source>
         <translation>die Punkte bestimmen nicht jede Stützstelle; nehmen Sie eine größere Glätte oder ein gröberes Gitter</translation>
     </message>
@@ -5251,34 +5247,6 @@
         <translation>an {count} Zielpositionen gibt es Werte; um eine wegzulassen, sind vier nötig</translation>
     </message>
     <message>
-        <source>the measurement does not say whether a compensation was active while it was made; say it with --measured-with off, --measured-with on, or --measured-with and the file of the table that was active</source>
-        <translation>die Messung sagt nicht, ob während ihr eine Kompensation aktiv war; sagen Sie es mit --measured-with off, --measured-with on oder --measured-with und der Datei der Tabelle, die aktiv war</translation>
-    </message>
-    <message>
-        <source>the measurement says that it was made with {recorded}, not with {stated}; leave out --measured-with, or take the table that was active</source>
-        <translation>die Messung sagt, dass sie mit {recorded} gemacht wurde, nicht mit {stated}; lassen Sie --measured-with weg, oder nehmen Sie die Tabelle, die aktiv war</translation>
-    </message>
-    <message>
-        <source>these are residuals of the table {crc}, which was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
-    </message>
-    <message>
-        <source>these are residuals of a table that was active while they were measured: merge them with --onto and the file of that table, or with --onto drive</source>
-        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit --onto und der Datei dieser Tabelle oder mit --onto drive</translation>
-    </message>
-    <message>
-        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file with --measured-with, or merge onto it</source>
-        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei mit --measured-with an, oder verbinden Sie mit ihr</translation>
-    </message>
-    <message>
-        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; leave out --onto, or measure with that table active</source>
-        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; lassen Sie --onto weg, oder messen Sie mit dieser Tabelle aktiv</translation>
-    </message>
-    <message>
-        <source>at which position the drive looks the table up decides where its values belong: say --lookup-at encoder for a position before the compensation, or --lookup-at set for one after it</source>
-        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: sagen Sie --lookup-at encoder für eine Position vor der Kompensation oder --lookup-at set für eine danach</translation>
-    </message>
-    <message>
         <source>a gain is above 0 and at most 2; it is usually 1</source>
         <translation>ein Faktor liegt über 0 und ist höchstens 2; üblich ist 1</translation>
     </message>
@@ -5287,20 +5255,12 @@
         <translation>ein Faktor ist für Restabweichungen, die mit der Tabelle verbunden werden, die aktiv war; hier sind die Werte der ganze Fehler</translation>
     </message>
     <message>
-        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; leave --remove out</source>
-        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; lassen Sie --remove weg</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} hat keine Tabelle, deren Zielachse die der Spalte {column} ist; geben Sie die Zielachsen ihrer Tabellen an, oder messen Sie ohne Tabelle</translation>
     </message>
     <message>
         <source>all points have the same position along {axis}</source>
         <translation>alle Punkte haben dieselbe Position entlang {axis}</translation>
-    </message>
-    <message>
-        <source>the positions along {axis} are no even grid; say the grid of the table with --points or --distance</source>
-        <translation>die Positionen entlang {axis} sind kein gleichmäßiges Gitter; geben Sie das Gitter der Tabelle mit --points oder --distance an</translation>
     </message>
     <message>
         <source>a grid has at least 2 points along {axis}</source>
@@ -5379,20 +5339,8 @@
         <translation>Durchläufe entlang einer Achse werden mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
     </message>
     <message>
-        <source>the home position of the axis is not known: give it with --home, or the position of the zero with --zero</source>
-        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie mit --home an, oder die Position der Nullstelle mit --zero</translation>
-    </message>
-    <message>
-        <source>the home position {home} is outside the targets, so that the error there is not known; take --zero first or another position</source>
-        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie --zero first oder eine andere Position</translation>
-    </message>
-    <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
         <translation>die Position {position} der Nullstelle liegt außerhalb der Zielpositionen, die von {from} bis {to} gehen</translation>
-    </message>
-    <message>
-        <source>the targets are not evenly spaced; say the grid of the table with --points, --distance or --within</source>
-        <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle mit --points, --distance oder --within an</translation>
     </message>
     <message>
         <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
@@ -5819,24 +5767,8 @@
         <translation>die Achse hat die Tabelle {found}, und die des Protokolls ist {recorded}: die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“) oder das Protokoll weglassen</translation>
     </message>
     <message>
-        <source>the plan is for axis {planned}, and this is axis {axis}: choose the axis with --axis, or make a plan with axiscomp targets --axis {axis}</source>
-        <translation>der Messplan gilt für Achse {planned}, und dies ist Achse {axis}: wählen Sie die Achse mit --axis, oder machen Sie mit axiscomp targets --axis {axis} einen Messplan</translation>
-    </message>
-    <message>
-        <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): switch it with axiscomp activate or axiscomp deactivate first</source>
-        <translation>die Kompensation von Achse {axis} ist weder ein- noch ausgeschaltet (der Antrieb meldet {state}): schalten Sie sie zuerst mit axiscomp activate oder axiscomp deactivate</translation>
-    </message>
-    <message>
         <source>the register {path} is of type {type}, which is no position</source>
         <translation>das Register {path} hat den Typ {type} und ist keine Position</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan with axiscomp targets --unit, or choose another axis</source>
-        <translation>der Messplan ist in {planned}, und Achse {axis} des Antriebs in {unit}: machen Sie mit axiscomp targets --unit einen Messplan, oder wählen Sie eine andere Achse</translation>
-    </message>
-    <message>
-        <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state its unit with --unit</source>
-        <translation>das Messgerät ist in {unit}, was sich nicht in {planned} umrechnen lässt, die Einheit des Messplans: geben Sie seine Einheit mit --unit an</translation>
     </message>
     <message>
         <source>{path} follows the encoder of the axis itself: name the register of an instrument</source>
@@ -5845,34 +5777,6 @@
     <message>
         <source>since the value before, the axis has moved by {way}, and the instrument says {measured}</source>
         <translation>seit dem Wert davor hat sich die Achse um {way} bewegt, und das Messgerät meldet {measured}</translation>
-    </message>
-    <message>
-        <source>{found}: it counts the other way; begin a new file with --invert-reference</source>
-        <translation>{found}: es zählt andersherum; beginnen Sie mit --invert-reference eine neue Datei</translation>
-    </message>
-    <message>
-        <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right --unit</source>
-        <translation>{found}: seine Einheit oder sein Faktor ist anders, oder es wurde neu auf null gesetzt, oder sein Strahl war unterbrochen; stellen Sie das richtig, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}, where a number is expected; --pattern says where it is</source>
-        <translation>das Messgerät meldet {line}, wo eine Zahl erwartet wird; --pattern sagt, wo sie steht</translation>
-    </message>
-    <message>
-        <source>--pattern {pattern} is no regular expression: {problem} at character {place}</source>
-        <translation>--pattern {pattern} ist kein regulärer Ausdruck: {problem} bei Zeichen {place}</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with --pattern</source>
-        <translation>das Messgerät meldet {line}: seine Zahl hat ein Komma; stellen Sie es auf einen Dezimalpunkt ein, oder sagen Sie mit --pattern, was die Zahl ist</translation>
-    </message>
-    <message>
-        <source>the instrument says {line} without a unit: state it with --unit, such as --unit mm</source>
-        <translation>das Messgerät meldet {line} ohne Einheit: geben Sie sie mit --unit an, zum Beispiel --unit mm</translation>
-    </message>
-    <message>
-        <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right --unit</source>
-        <translation>das Messgerät meldet {line}, in einer anderen Einheit als {unit}: stellen Sie das Messgerät um, oder beginnen Sie mit dem richtigen --unit eine neue Datei</translation>
     </message>
     <message>
         <source>the instrument says nothing: look whether it sends, and whether its lines end</source>
@@ -5891,24 +5795,224 @@
         <translation>die Position des Messgeräts wird erfragt</translation>
     </message>
     <message>
-        <source>--request {text}: behind a backslash r, n, t or another backslash is expected</source>
-        <translation>--request {text}: hinter einem umgekehrten Schrägstrich wird r, n, t oder noch einer erwartet</translation>
-    </message>
-    <message>
         <source>it is one of the files of this measurement; choose another name</source>
         <translation>sie ist eine der Dateien dieser Messung; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew with --lookup-at set</source>
-        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle mit --lookup-at set neu machen</translation>
+        <source>the axis would move from {lowest} to {highest}, and its travel is {low} to {high}: choose other ends, or a smaller overrun</source>
+        <translation>die Achse führe von {lowest} bis {highest}, und ihr Verfahrweg ist {low} bis {high}: andere Enden oder einen kleineren Überlauf wählen</translation>
     </message>
     <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew with --lookup-at encoder</source>
-        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle mit --lookup-at encoder neu machen</translation>
+        <source>the plan is for axis {planned}, and this is axis {axis}: choose the other axis, or make a plan for this one</source>
+        <translation>der Messplan ist für Achse {planned}, und dies ist Achse {axis}: die andere Achse wählen oder einen Plan für diese machen</translation>
     </message>
     <message>
-        <source>the compensation of axis {axis} is on, and the drive does not say with which table: look at axiscomp status, or switch it off first</source>
-        <translation>die Kompensation von Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: axiscomp status ansehen oder sie zuerst ausschalten</translation>
+        <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): activate or deactivate it first</source>
+        <translation>die Kompensation der Achse {axis} ist weder ein- noch ausgeschaltet (der Antrieb sagt {state}): sie zuerst aktivieren oder deaktivieren</translation>
+    </message>
+    <message>
+        <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
+        <translation>die Kompensation der Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: sie zuerst deaktivieren</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
+        <translation>der Messplan ist in {planned} und Achse {axis} des Antriebs in {unit}: einen Plan in ihrer Einheit machen oder eine andere Achse wählen</translation>
+    </message>
+    <message>
+        <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
+        <translation>das Messgerät ist in {unit}, was sich nicht in {planned}, die Einheit des Messplans, umrechnen lässt: die Einheit des Messgeräts angeben</translation>
+    </message>
+    <message>
+        <source>no position is asked for at the moment: wait until the axis stands at its target</source>
+        <translation>im Augenblick wird nach keiner Position gefragt: warten, bis die Achse an ihrer Zielposition steht</translation>
+    </message>
+    <message>
+        <source>{found}: it counts the other way; begin a new file with the reference inverted</source>
+        <translation>{found}: es zählt andersherum; eine neue Datei mit umgekehrter Referenz beginnen</translation>
+    </message>
+    <message>
+        <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right unit</source>
+        <translation>{found}: seine Einheit oder sein Faktor ist anders, oder sein Nullpunkt wurde neu gesetzt, oder sein Strahl war unterbrochen; das in Ordnung bringen oder eine neue Datei mit der richtigen Einheit beginnen</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, where a number is expected; a pattern says where it is</source>
+        <translation>das Messgerät sagt {line}, wo eine Zahl erwartet wird; ein Muster sagt, wo sie steht</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with a pattern</source>
+        <translation>das Messgerät sagt {line}: seine Zahl hat ein Komma; es auf Dezimalpunkt stellen oder mit einem Muster sagen, was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>the instrument says {line} without a unit: state the unit, such as mm</source>
+        <translation>das Messgerät sagt {line} ohne Einheit: die Einheit angeben, etwa mm</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right unit</source>
+        <translation>das Messgerät sagt {line}, in einer anderen Einheit als {unit}: das Messgerät umstellen oder eine neue Datei mit der richtigen Einheit beginnen</translation>
+    </message>
+    <message>
+        <source>the drive profile does not say which register is the encoder of the axis: name it</source>
+        <translation>das Profil des Antriebs sagt nicht, welches Register der Geber der Achse ist: es nennen</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
+        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
+        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at encoder)</translation>
+    </message>
+    <message>
+        <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
+        <translation>die Achse schlägt in ihrer Tabelle bei {source} nach, einer Position vor der Kompensation, das heißt --lookup-at encoder</translation>
+    </message>
+    <message>
+        <source>the axis looks its table up at {source}, a position after the compensation, which is --lookup-at set</source>
+        <translation>die Achse schlägt in ihrer Tabelle bei {source} nach, einer Position nach der Kompensation, das heißt --lookup-at set</translation>
+    </message>
+    <message>
+        <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so give it (--smoothness)</source>
+        <translation>im Bereich des Gitters gibt es Werte an {count} Punkten; um die Glätte zu wählen, sind {fewest} nötig, geben Sie sie also an (--smoothness)</translation>
+    </message>
+    <message>
+        <source>the measurement does not say whether a compensation was active while it was made: say that it was off, that it was on, or which table was active (--measured-with off, --measured-with on, or --measured-with and the file of the table)</source>
+        <translation>die Messung sagt nicht, ob während ihr eine Kompensation aktiv war: sagen Sie, dass sie aus war, dass sie an war, oder welche Tabelle aktiv war (--measured-with off, --measured-with on oder --measured-with und die Datei der Tabelle)</translation>
+    </message>
+    <message>
+        <source>the measurement says that it was made with {recorded}, not with {stated}; say nothing else (--measured-with), or take the table that was active</source>
+        <translation>die Messung sagt, dass sie mit {recorded} gemacht wurde, nicht mit {stated}; sagen Sie nichts anderes (--measured-with), oder nehmen Sie die Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>these are residuals of the table {crc}, which was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
+        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+    </message>
+    <message>
+        <source>these are residuals of a table that was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
+        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file (--measured-with), or merge onto it</source>
+        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei an (--measured-with), oder verbinden Sie mit ihr</translation>
+    </message>
+    <message>
+        <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; merge them onto nothing (leave out --onto), or measure with that table active</source>
+        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; verbinden Sie sie mit nichts (--onto weglassen), oder messen Sie mit dieser Tabelle aktiv</translation>
+    </message>
+    <message>
+        <source>at which position the drive looks the table up decides where its values belong: choose the encoder, for a position before the compensation, or the set position, for one after it (--lookup-at encoder or --lookup-at set)</source>
+        <translation>an welcher Position der Antrieb in der Tabelle nachschlägt, entscheidet, wohin ihre Werte gehören: wählen Sie den Geber, für eine Position vor der Kompensation, oder die Sollposition, für eine danach (--lookup-at encoder oder --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; take out nothing (--remove)</source>
+        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; nehmen Sie nichts heraus (--remove)</translation>
+    </message>
+    <message>
+        <source>the positions along {axis} are no even grid; say the grid of the table: its points, or their distance (--points or --distance)</source>
+        <translation>die Positionen entlang {axis} sind kein gleichmäßiges Gitter; geben Sie das Gitter der Tabelle an: seine Punkte oder ihren Abstand (--points oder --distance)</translation>
+    </message>
+    <message>
+        <source>a table over temperature is made of runs with targets along one axis</source>
+        <translation>eine Tabelle über der Temperatur entsteht aus Läufen mit Zielpositionen entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>the position of the zero is missing (--zero)</source>
+        <translation>die Position der Nullstelle fehlt (--zero)</translation>
+    </message>
+    <message>
+        <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
+        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie an (--home), oder die Position der Nullstelle (--zero)</translation>
+    </message>
+    <message>
+        <source>the home position {home} is outside the targets, so that the error there is not known; take the first target for the zero or another position (--zero)</source>
+        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie für die Nullstelle die erste Zielposition oder eine andere Position (--zero)</translation>
+    </message>
+    <message>
+        <source>the targets are not evenly spaced; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle an: seine Punkte, ihren Abstand, oder wie weit sie von der Kurve abweichen darf (--points, --distance oder --within)</translation>
+    </message>
+    <message numerus="yes">
+        <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
+        <comment>all runs were measured in one thermal state; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</comment>
+        <translation>
+            <numerusform>alle Läufe wurden in einem thermischen Zustand gemessen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</numerusform>
+            <numerusform>die Läufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the thermal states span {span}, less than five times the {scatter} by which the temperature varies within them: let the machine settle before each run</source>
+        <translation>die thermischen Zustände umfassen {span}, weniger als das Fünffache der {scatter}, um die die Temperatur in ihnen schwankt: lassen Sie die Maschine vor jedem Lauf zur Ruhe kommen</translation>
+    </message>
+    <message>
+        <source>at {temperature} it was measured from {from} to {to}, at {other} from {otherFrom} to {otherTo}: measure the same range in each thermal state</source>
+        <translation>bei {temperature} wurde von {from} bis {to} gemessen, bei {other} von {otherFrom} bis {otherTo}: messen Sie in jedem thermischen Zustand denselben Bereich</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values have no temperature; a table over temperature needs that of each (the column temperature)</source>
+        <comment>1 value has no temperature; a table over temperature needs that of each (the column temperature)</comment>
+        <translation>
+            <numerusform>1 Wert hat keine Temperatur; eine Tabelle über der Temperatur braucht die jedes Werts (die Spalte temperature)</numerusform>
+            <numerusform>{count} Werte haben keine Temperatur; eine Tabelle über der Temperatur braucht die jedes Werts (die Spalte temperature)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>residuals are not merged over temperature: measure with the compensation off</source>
+        <translation>Restfehler werden über der Temperatur nicht zusammengeführt: messen Sie mit ausgeschalteter Kompensation</translation>
+    </message>
+    <message>
+        <source>a table over temperature has two dimensions: give at most two numbers for its grid</source>
+        <translation>eine Tabelle über der Temperatur hat zwei Dimensionen: geben Sie für ihr Gitter höchstens zwei Zahlen an</translation>
+    </message>
+    <message>
+        <source>the targets differ from one thermal state to the other, so that they give no grid together; say the grid of the table with --points or --distance</source>
+        <translation>die Zielpositionen unterscheiden sich von einem thermischen Zustand zum anderen, sodass sie zusammen kein Gitter ergeben; geben Sie das Gitter der Tabelle mit --points oder --distance an</translation>
+    </message>
+    <message>
+        <source>the grid has {count} points, and a table holds {most}; take fewer</source>
+        <translation>das Gitter hat {count} Punkte, und eine Tabelle fasst {most}; nehmen Sie weniger</translation>
+    </message>
+    <message>
+        <source>name the axis as the drive or the control names it, such as X</source>
+        <translation>die Achse nennen, wie der Antrieb oder die Steuerung sie nennt, etwa X</translation>
+    </message>
+    <message>
+        <source>the pattern {pattern} is no regular expression: {problem} at character {place}</source>
+        <translation>das Muster {pattern} ist kein regulärer Ausdruck: {problem} beim Zeichen {place}</translation>
+    </message>
+    <message>
+        <source>the request {text}: behind a backslash r, n, t or another backslash is expected</source>
+        <translation>die Anfrage {text}: hinter einem Rückstrich wird r, n, t oder noch einer erwartet</translation>
+    </message>
+    <message>
+        <source>the connection was removed</source>
+        <translation>die Verbindung wurde entfernt</translation>
+    </message>
+    <message>
+        <source>its name is one of a program for a control, and a plan in it would mislead the control; choose a name that ends in .csv</source>
+        <translation>ihr Name ist der eines Programms für eine Steuerung, und ein Messplan darin führte sie in die Irre; einen Namen wählen, der auf .csv endet</translation>
+    </message>
+    <message>
+        <source>choose the file of the table that was active</source>
+        <translation>wählen Sie die Datei der Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>its content cannot be used</source>
+        <translation>ihr Inhalt lässt sich nicht verwenden</translation>
+    </message>
+    <message>
+        <source>{file} cannot be used as the table: {reason}</source>
+        <translation>{file} lässt sich nicht als Tabelle verwenden: {reason}</translation>
+    </message>
+    <message>
+        <source>there is no axis whose table the residuals could be merged onto; choose one, or take the file of the table</source>
+        <translation>es gibt keine Achse, mit deren Tabelle die Restabweichungen verbunden werden könnten; wählen Sie eine, oder nehmen Sie die Datei der Tabelle</translation>
+    </message>
+    <message>
+        <source>the table of the axis is still being read from the drive</source>
+        <translation>die Tabelle der Achse wird noch vom Antrieb gelesen</translation>
+    </message>
+    <message>
+        <source>a report is PDF or HTML; choose a name that ends in .pdf or .html</source>
+        <translation>ein Bericht ist PDF oder HTML; wählen Sie einen Namen, der auf .pdf oder .html endet</translation>
     </message>
 </context>
 <context>
@@ -6148,10 +6252,6 @@
         <translation>eine Steigung von {slope} über {length} wurde herausgenommen</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 where --zero says</source>
-        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle dort 0 ist, wo --zero es sagt</translation>
-    </message>
-    <message>
         <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
         <translation>am steilsten ist {table} zwischen {from} und {to}: {step}, das sind {slope} je {one}</translation>
     </message>
@@ -6198,14 +6298,6 @@
     <message>
         <source>{count} targets lie in {turns} periods of {period}</source>
         <translation>{count} Zielpositionen liegen in {turns} Perioden von {period}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} values do not fit the others and are in the table; `axiscomp judge` names them, --exclude leaves them out</source>
-        <comment>1 value does not fit the others and is in the table; `axiscomp judge` names it, --exclude leaves it out</comment>
-        <translation>
-            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; `axiscomp judge` nennt ihn, --exclude lässt ihn weg</numerusform>
-            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; `axiscomp judge` nennt sie, --exclude lässt sie weg</numerusform>
-        </translation>
     </message>
     <message>
         <source>at the home position {home} the drive will add {value}</source>
@@ -6359,6 +6451,90 @@
             <numerusform>{count} Werte passen nicht zu den anderen: sehen Sie sie an, und schließen Sie sie aus oder lassen Sie sie</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the backup {file}</source>
+        <translation>die Sicherung {file}</translation>
+    </message>
+    <message>
+        <source>the table of axis {index}</source>
+        <translation>die Tabelle der Achse {index}</translation>
+    </message>
+    <message>
+        <source>the table of axis {index} ({axis})</source>
+        <translation>die Tabelle der Achse {index} ({axis})</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero (--zero)</source>
+        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle an ihrer Nullstelle 0 ist (--zero)</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others and are in the table; judging names them, and they can be left out (axiscomp judge, --exclude)</source>
+        <comment>1 value does not fit the others and is in the table; judging names it, and it can be left out (axiscomp judge, --exclude)</comment>
+        <translation>
+            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; die Beurteilung nennt ihn, und er lässt sich weglassen (axiscomp judge, --exclude)</numerusform>
+            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; die Beurteilung nennt sie, und sie lassen sich weglassen (axiscomp judge, --exclude)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{temperature}</source>
+        <translation>{temperature}</translation>
+    </message>
+    <message>
+        <source>measured in {count} thermal states: {temperatures}; outside of them the drive holds the values of the ends</source>
+        <translation>gemessen in {count} thermischen Zuständen: {temperatures}; außerhalb davon hält der Antrieb die Werte der Enden</translation>
+    </message>
+    <message>
+        <source>the table is straight over temperature, which leaves up to {largest} of what was measured in a state</source>
+        <translation>die Tabelle ist über der Temperatur gerade; von dem, was in einem Zustand gemessen wurde, bleiben dadurch bis zu {largest}</translation>
+    </message>
+    <message>
+        <source>the table has the movement of the zero from one thermal state to the other, as the instrument saw it: that is only right if its own zero was not set anew in between</source>
+        <translation>die Tabelle enthält, wie sich der Nullpunkt von einem thermischen Zustand zum anderen verschoben hat, so wie das Messgerät es sah: das stimmt nur, wenn dessen eigener Nullpunkt dazwischen nicht neu gesetzt wurde</translation>
+    </message>
+    <message>
+        <source>at {temperature}: {sentence}</source>
+        <translation>bei {temperature}: {sentence}</translation>
+    </message>
+    <message>
+        <source>{figure} {before} before, {after} after</source>
+        <translation>{figure} {before} vorher, {after} nachher</translation>
+    </message>
+    <message>
+        <source>{figure} {after}</source>
+        <translation>{figure} {after}</translation>
+    </message>
+    <message>
+        <source>{figure} {before} before, {predicted} predicted, not measured since</source>
+        <translation>{figure} {before} vorher, {predicted} vorausgesagt, seitdem nicht gemessen</translation>
+    </message>
+    <message>
+        <source>{figure} {before} before, not measured since</source>
+        <translation>{figure} {before} vorher, seitdem nicht gemessen</translation>
+    </message>
+    <message>
+        <source>{values} (tolerance {tolerance})</source>
+        <translation>{values} (Toleranz {tolerance})</translation>
+    </message>
+    <message>
+        <source>{values} (tolerance {tolerance}: {result})</source>
+        <translation>{values} (Toleranz {tolerance}: {result})</translation>
+    </message>
+    <message>
+        <source>{first}; {next}</source>
+        <translation>{first}; {next}</translation>
+    </message>
+    <message>
+        <source>measured {date}: {figures}</source>
+        <translation>gemessen {date}: {figures}</translation>
+    </message>
+    <message>
+        <source>{figure} {before} before</source>
+        <translation>{figure} {before} vorher</translation>
+    </message>
+    <message>
+        <source>{figure} {after}, {before} before</source>
+        <translation>{figure} {after}, {before} vorher</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -6401,6 +6577,13 @@
     <message>
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlanText</name>
+    <message>
+        <source>Axis %1: %2 targets, %3 values</source>
+        <translation>Achse %1: %2 Zielpositionen, %3 Werte</translation>
     </message>
 </context>
 <context>
@@ -8088,6 +8271,431 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::CaptureDialog</name>
+    <message>
+        <source>Capture Values</source>
+        <translation>Messwerte erfassen</translation>
+    </message>
+    <message>
+        <source>a register of the drive</source>
+        <translation>ein Register des Antriebs</translation>
+    </message>
+    <message>
+        <source>an instrument on a serial port</source>
+        <translation>ein Messgerät an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>typed by hand</source>
+        <translation>von Hand eingegeben</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>Wäh&amp;len…</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>Wä&amp;hlen…</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>Cance&amp;l</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Take nothing and go back (Esc)</source>
+        <translation>Nichts nehmen und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The current one; something else moves it</source>
+        <translation>Die aktuelle; etwas anderes bewegt sie</translation>
+    </message>
+    <message>
+        <source>Pla&amp;n</source>
+        <translation>Me&amp;ssplan</translation>
+    </message>
+    <message>
+        <source>As New Program saves it</source>
+        <translation>Wie Neues Programm ihn speichert</translation>
+    </message>
+    <message>
+        <source>&amp;Reference</source>
+        <translation>&amp;Referenz</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher sie kommt</translation>
+    </message>
+    <message>
+        <source>Re&amp;gister</source>
+        <translation>Re&amp;gister</translation>
+    </message>
+    <message>
+        <source>Which says where the axis really is: chosen from the list, or a path, URI or address</source>
+        <translation>Das sagt, wo die Achse wirklich ist: aus der Liste gewählt, oder ein Pfad, eine URI oder Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Anschluss</translation>
+    </message>
+    <message>
+        <source>Of the instrument, with its speed</source>
+        <translation>Des Messgeräts, mit seiner Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Re&amp;quest</source>
+        <translation>An&amp;frage</translation>
+    </message>
+    <message>
+        <source>Sent before each reading, with \r and \n for line ends; empty: the instrument sends by itself</source>
+        <translation>Wird vor jeder Ablesung gesendet, mit \r und \n für Zeilenenden; leer: das Messgerät sendet von selbst</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ttern</source>
+        <translation>&amp;Muster</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line; empty: the first number of the line</source>
+        <translation>Regulärer Ausdruck für die Zahl in einer Zeile; leer: die erste Zahl der Zeile</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>Of the numbers of the instrument</source>
+        <translation>Der Zahlen des Messgeräts</translation>
+    </message>
+    <message>
+        <source>&amp;Zero at</source>
+        <translation>&amp;Null bei</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0</source>
+        <translation>Position der Achse, wo das Messgerät 0 sagt</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Ruhefens&amp;ter</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within this, and readings may differ by as much</source>
+        <translation>Die Achse steht, solange ihr Geber darin bleibt, und so viel dürfen Ablesungen sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>&amp;Dwell</source>
+        <translation>Verweil&amp;zeit</translation>
+    </message>
+    <message>
+        <source>So long the axis must have stood before its value is taken</source>
+        <translation>So lange muss die Achse gestanden haben, bevor ihr Wert genommen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Average of</source>
+        <translation>M&amp;ittel aus</translation>
+    </message>
+    <message>
+        <source>Readings that make a value</source>
+        <translation>Ablesungen, die einen Wert ergeben</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>Datei der Werte; eine, die es gibt, geht weiter, wo sie endet</translation>
+    </message>
+    <message>
+        <source>The instrument counts the &amp;other way</source>
+        <translation>Das Messgerät zählt an&amp;dersherum</translation>
+    </message>
+    <message>
+        <source>For an instrument that counts down while the axis moves up</source>
+        <translation>Für ein Messgerät, das abwärts zählt, während die Achse aufwärts fährt</translation>
+    </message>
+    <message>
+        <source>Choose the plan</source>
+        <translation>Den Messplan wählen</translation>
+    </message>
+    <message>
+        <source>Choose the file of the values</source>
+        <translation>Die Datei der Werte wählen</translation>
+    </message>
+    <message>
+        <source> readings</source>
+        <translation> Ablesungen</translation>
+    </message>
+    <message>
+        <source>Choose Plan</source>
+        <translation>Messplan wählen</translation>
+    </message>
+    <message>
+        <source>Plans (*.csv);;All files (*)</source>
+        <translation>Messpläne (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>File of the Values</source>
+        <translation>Datei der Werte</translation>
+    </message>
+    <message>
+        <source>Runs (*.csv)</source>
+        <translation>Durchläufe (*.csv)</translation>
+    </message>
+    <message>
+        <source>that of the axis</source>
+        <translation>die der Achse</translation>
+    </message>
+    <message>
+        <source>as the instrument says</source>
+        <translation>wie das Messgerät sagt</translation>
+    </message>
+    <message>
+        <source>that of the plan</source>
+        <translation>die des Messplans</translation>
+    </message>
+    <message>
+        <source>The drive does not answer.</source>
+        <translation>Der Antrieb antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Wait until the drive is free.</source>
+        <translation>Warten, bis der Antrieb frei ist.</translation>
+    </message>
+    <message>
+        <source>The plan is being read …</source>
+        <translation>Der Messplan wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Choose a plan; New Program makes one.</source>
+        <translation>Einen Messplan wählen; Neues Programm macht einen.</translation>
+    </message>
+    <message>
+        <source>Choose the register of the reference.</source>
+        <translation>Das Register der Referenz wählen.</translation>
+    </message>
+    <message>
+        <source>Name the port of the instrument, such as serial:/dev/ttyUSB1?baud=9600.</source>
+        <translation>Den Anschluss des Messgeräts nennen, etwa serial:/dev/ttyUSB1?baud=9600.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the values.</source>
+        <translation>Die Datei der Werte wählen.</translation>
+    </message>
+    <message>
+        <source>the plan just made (%1)</source>
+        <translation>der eben gemachte Messplan (%1)</translation>
+    </message>
+    <message>
+        <source>The drive is being read …</source>
+        <translation>Der Antrieb wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Values are taken while the control of the machine, or a person, moves the axis. This program never moves it.</source>
+        <translation>Werte werden genommen, während die Steuerung der Maschine oder ein Mensch die Achse bewegt. Dieses Programm bewegt sie nie.</translation>
+    </message>
+    <message>
+        <source>Read axis and instrument, and take values</source>
+        <translation>Achse und Messgerät lesen und Werte nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CapturePanel</name>
+    <message>
+        <source>Encoder</source>
+        <translation>Geber</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Reference - axis</source>
+        <translation>Referenz - Achse</translation>
+    </message>
+    <message>
+        <source>The reference minus where the axis is: its encoder and what the drive adds</source>
+        <translation>Die Referenz minus wo die Achse ist: ihr Geber und was der Antrieb addiert</translation>
+    </message>
+    <message>
+        <source>Steps of the plan</source>
+        <translation>Schritte des Messplans</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke</source>
+        <translation>&amp;Jetzt übernehmen</translation>
+    </message>
+    <message>
+        <source>Undo Las&amp;t</source>
+        <translation>Letzten zurückneh&amp;men</translation>
+    </message>
+    <message>
+        <source>Stop Capturin&amp;g</source>
+        <translation>Erfassun&amp;g beenden</translation>
+    </message>
+    <message>
+        <source>%1: values to %2</source>
+        <translation>%1: Werte nach %2</translation>
+    </message>
+    <message>
+        <source>T&amp;he instrument says [%1]</source>
+        <translation>Ablesu&amp;ng [%1]</translation>
+    </message>
+    <message>
+        <source>What the instrument says, in %1</source>
+        <translation>Was das Messgerät sagt, in %1</translation>
+    </message>
+    <message>
+        <source>Nothing is being taken</source>
+        <translation>Es wird nichts erfasst</translation>
+    </message>
+    <message>
+        <source>The drive does not answer</source>
+        <translation>Der Antrieb antwortet nicht</translation>
+    </message>
+    <message>
+        <source>R&amp;esume</source>
+        <translation>Wie&amp;der aufnehmen</translation>
+    </message>
+    <message>
+        <source>Paus&amp;e</source>
+        <translation>Unter&amp;brechen</translation>
+    </message>
+    <message>
+        <source>Take what was typed for the step that is due (Enter or space bar)</source>
+        <translation>Nehmen, was für den fälligen Schritt eingegeben wurde (Eingabe- oder Leertaste)</translation>
+    </message>
+    <message>
+        <source>A position is asked for as soon as the axis stands at the target that is due</source>
+        <translation>Nach einer Position wird gefragt, sobald die Achse an der fälligen Zielposition steht</translation>
+    </message>
+    <message>
+        <source>No value has been taken yet</source>
+        <translation>Es wurde noch kein Wert genommen</translation>
+    </message>
+    <message>
+        <source>Take the last value off the file; its step is due again</source>
+        <translation>Den letzten Wert aus der Datei nehmen; sein Schritt ist wieder fällig</translation>
+    </message>
+    <message>
+        <source>Go on; the axis has to come to its target once more</source>
+        <translation>Weitermachen; die Achse muss noch einmal zu ihrer Zielposition kommen</translation>
+    </message>
+    <message>
+        <source>Take nothing until Resume, such as while somebody works at the machine</source>
+        <translation>Nichts nehmen bis zur Wiederaufnahme, etwa während jemand an der Maschine arbeitet</translation>
+    </message>
+    <message>
+        <source>End here; what was taken stays in the file, and Capture goes on behind it with the same plan</source>
+        <translation>Hier aufhören; was genommen wurde, bleibt in der Datei, und Messwerte erfassen macht mit demselben Messplan dahinter weiter</translation>
+    </message>
+    <message>
+        <source>The drive does not say the unit of the axis: it is taken to be that of the plan.</source>
+        <translation>Der Antrieb sagt die Einheit der Achse nicht: die des Messplans wird angenommen.</translation>
+    </message>
+    <message>
+        <source>The clock of this computer is behind the last value of the file: times go on from there.</source>
+        <translation>Die Uhr dieses Rechners geht hinter dem letzten Wert der Datei: die Zeiten gehen von dort weiter.</translation>
+    </message>
+    <message>
+        <source>The reference is a Single: at %1 its numbers are %2 apart.</source>
+        <translation>Die Referenz ist ein Single: bei %1 liegen ihre Zahlen %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>The instrument is far from the axis, as if it said 0 at %1: if that is right, begin a new file with this as the zero.</source>
+        <translation>Das Messgerät ist weit von der Achse, als sagte es 0 bei %1: wenn das stimmt, eine neue Datei mit diesem Nullpunkt beginnen.</translation>
+    </message>
+    <message>
+        <source>Step %1 is due: %2, upwards from %3.</source>
+        <translation>Schritt %1 ist fällig: %2, aufwärts von %3.</translation>
+    </message>
+    <message>
+        <source>Step %1 is due: %2, downwards from %3.</source>
+        <translation>Schritt %1 ist fällig: %2, abwärts von %3.</translation>
+    </message>
+    <message>
+        <source>The axis stands at step %1: %2 of %3 readings.</source>
+        <translation>Die Achse steht bei Schritt %1: %2 von %3 Ablesungen.</translation>
+    </message>
+    <message>
+        <source>The axis stands; it is waited until it has come to rest.</source>
+        <translation>Die Achse steht; es wird gewartet, bis sie zur Ruhe gekommen ist.</translation>
+    </message>
+    <message>
+        <source>The axis stands at step %1: read the instrument, and type what it says.</source>
+        <translation>Die Achse steht bei Schritt %1: das Messgerät ablesen und eingeben, was es sagt.</translation>
+    </message>
+    <message>
+        <source>Taken. %1</source>
+        <translation>Genommen. %1</translation>
+    </message>
+    <message>
+        <source>The axis moves. %1</source>
+        <translation>Die Achse bewegt sich. %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 values are in %3.</source>
+        <translation>%1 von %2 Werten sind in %3.</translation>
+    </message>
+    <message>
+        <source>Every step has its value: %1 values are in %2.</source>
+        <translation>Jeder Schritt hat seinen Wert: %1 Werte sind in %2.</translation>
+    </message>
+    <message>
+        <source>Stopped. %1 Capture goes on behind them with the same plan and file.</source>
+        <translation>Beendet. %1 Messwerte erfassen macht mit demselben Messplan und derselben Datei dahinter weiter.</translation>
+    </message>
+    <message>
+        <source>The drive is being read …</source>
+        <translation>Der Antrieb wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing is taken: %1 It goes on when the drive answers again.</source>
+        <translation>Es wird nichts genommen: %1 Es geht weiter, wenn der Antrieb wieder antwortet.</translation>
+    </message>
+    <message>
+        <source>Nothing is taken while the window does something else on this drive.</source>
+        <translation>Es wird nichts genommen, solange das Fenster etwas anderes auf diesem Antrieb tut.</translation>
+    </message>
+    <message>
+        <source>Paused: nothing is taken. %1</source>
+        <translation>Unterbrochen: es wird nichts genommen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::CapturedPlot</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>aufwärts</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>abwärts</translation>
+    </message>
+    <message>
+        <source>Deviations that were taken</source>
+        <translation>Abweichungen, die genommen wurden</translation>
+    </message>
+    <message>
+        <source>The same values are in the list of steps</source>
+        <translation>Dieselben Werte stehen in der Liste der Schritte</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::CertificateButton</name>
     <message>
         <source>Forget Cert&amp;ificate</source>
@@ -8262,6 +8870,82 @@
     <message>
         <source>What this column is. Once one is chosen, only chosen columns are read; until then the names of the columns say it.</source>
         <translation>Was diese Spalte ist. Sobald eine gewählt ist, werden nur gewählte Spalten gelesen; bis dahin sagen es die Namen der Spalten.</translation>
+    </message>
+    <message>
+        <source>%1 in column %2</source>
+        <translation>%1 in Spalte %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ColumnProposal</name>
+    <message>
+        <source>Proposed, as you chose it for the last file with these columns: %1.</source>
+        <translation>Vorgeschlagen, wie Sie es für die letzte Datei mit diesen Spalten gewählt haben: %1.</translation>
+    </message>
+    <message>
+        <source>Use T&amp;hese</source>
+        <translation>&amp;Diese verwenden</translation>
+    </message>
+    <message>
+        <source>Read the columns of this file in the same way</source>
+        <translation>Die Spalten dieser Datei ebenso lesen</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ComparisonFiguresModel</name>
+    <message>
+        <source>no tolerance</source>
+        <translation>keine Toleranz</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>column and its value</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>figure and its values</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Held out</source>
+        <translation>Ausgelassen</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>What is left at targets that the table was made without: the figure to believe</source>
+        <translation>Was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: der Wert, dem zu glauben ist</translation>
     </message>
 </context>
 <context>
@@ -9209,6 +9893,18 @@
         <source>Choose where to save the file</source>
         <translation>Den Speicherort der Datei wählen</translation>
     </message>
+    <message>
+        <source>Save Table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Writes the table &quot;%1&quot; to a file of the drive or of another controller. Nothing on the drive changes.</source>
+        <translation>Schreibt die Tabelle „%1“ in eine Datei des Antriebs oder einer anderen Steuerung. Auf dem Antrieb ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>S&amp;ave…</source>
+        <translation>S&amp;peichern …</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::FieldRow</name>
@@ -9395,6 +10091,14 @@
     <message>
         <source>Dead path (*.json)</source>
         <translation>Totstrecke (*.json)</translation>
+    </message>
+    <message>
+        <source>Table That Was Active</source>
+        <translation>Tabelle, die aktiv war</translation>
+    </message>
+    <message>
+        <source>Save Table</source>
+        <translation>Tabelle speichern</translation>
     </message>
 </context>
 <context>
@@ -9662,6 +10366,25 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::FileViews</name>
+    <message>
+        <source>What the file says</source>
+        <translation>Was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Views of the file</source>
+        <translation>Ansichten der Datei</translation>
+    </message>
+    <message>
+        <source>Problems (%1)</source>
+        <translation>Probleme (%1)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::FindDrivesDialog</name>
     <message>
         <source>Find Drives</source>
@@ -9783,6 +10506,613 @@
     <message>
         <source>Enter the addresses first</source>
         <translation>Erst die Adressen eingeben</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitForm</name>
+    <message>
+        <source>%1: a number is needed. %2</source>
+        <translation>%1: eine Zahl fehlt. %2</translation>
+    </message>
+    <message>
+        <source>The current axis has no source.</source>
+        <translation>Die aktuelle Achse hat keine Quelle.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is no known position.</source>
+        <translation>%1 der aktuellen Achse ist keine bekannte Position.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is a position before the compensation.</source>
+        <translation>%1 der aktuellen Achse ist eine Position vor der Kompensation.</translation>
+    </message>
+    <message>
+        <source>%1 of the current axis is a position after the compensation.</source>
+        <translation>%1 der aktuellen Achse ist eine Position nach der Kompensation.</translation>
+    </message>
+    <message>
+        <source>The raw positions are on file: it does not matter what was active.</source>
+        <translation>Die Rohpositionen stehen in der Datei: was aktiv war, ist gleichgültig.</translation>
+    </message>
+    <message>
+        <source>Measured with the compensation off, as the file says.</source>
+        <translation>Mit Kompensation aus gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Measured with the table %1 active, as the file says.</source>
+        <translation>Mit der Tabelle %1 aktiv gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Measured with the compensation on, as the file says.</source>
+        <translation>Mit Kompensation an gemessen, wie die Datei sagt.</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Lookup at</source>
+        <translation>Nachschlagen bei</translation>
+    </message>
+    <message>
+        <source>Where the drive looks its table up; it decides where the values belong</source>
+        <translation>Wo der Antrieb in seiner Tabelle nachschlägt; das entscheidet, wohin die Werte gehören</translation>
+    </message>
+    <message>
+        <source>as the source of the axis says</source>
+        <translation>wie die Quelle der Achse sagt</translation>
+    </message>
+    <message>
+        <source>encoder, uncompensated</source>
+        <translation>Geber, unkompensiert</translation>
+    </message>
+    <message>
+        <source>set position, compensated</source>
+        <translation>Sollposition, kompensiert</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Gemessen mit</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, since the file does not say it</source>
+        <translation>Was während der Messung aktiv war, da die Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht gesagt</translation>
+    </message>
+    <message>
+        <source>compensation off</source>
+        <translation>Kompensation aus</translation>
+    </message>
+    <message>
+        <source>the table that is merged onto</source>
+        <translation>der Tabelle, mit der verbunden wird</translation>
+    </message>
+    <message>
+        <source>the table of a file…</source>
+        <translation>der Tabelle einer Datei …</translation>
+    </message>
+    <message>
+        <source>Merge onto</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>The table to which residuals are added, that was active while they were measured</source>
+        <translation>Die Tabelle, zu der Restabweichungen addiert werden und die bei ihrer Messung aktiv war</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>the table of the axis</source>
+        <translation>der Tabelle der Achse</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
+        <translation>Der Restabweichungen: 1, oder 0,7, wo die Maschine spät antwortet; höchstens 2</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>The curve through or near the means</source>
+        <translation>Die Kurve durch die Mittelwerte oder nahe an ihnen</translation>
+    </message>
+    <message>
+        <source>linear: straight lines</source>
+        <translation>linear: gerade Linien</translation>
+    </message>
+    <message>
+        <source>cubic: without overshoot</source>
+        <translation>cubic: ohne Überschwingen</translation>
+    </message>
+    <message>
+        <source>spline: natural cubic</source>
+        <translation>spline: natürlich kubisch</translation>
+    </message>
+    <message>
+        <source>smooth: near the values</source>
+        <translation>smooth: nahe an den Werten</translation>
+    </message>
+    <message>
+        <source>harmonic: of a turn</source>
+        <translation>harmonic: einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of</source>
+        <translation>Aus welchen Durchläufen die Tabelle gemacht wird</translation>
+    </message>
+    <message>
+        <source>mean of up and down</source>
+        <translation>Mittel aus aufwärts und abwärts</translation>
+    </message>
+    <message>
+        <source>up only</source>
+        <translation>nur aufwärts</translation>
+    </message>
+    <message>
+        <source>down only</source>
+        <translation>nur abwärts</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>Glätte</translation>
+    </message>
+    <message>
+        <source>A number from 0 on; by cross-validation when the field is empty</source>
+        <translation>Eine Zahl ab 0; durch Kreuzvalidierung, wenn das Feld leer ist</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Periods</source>
+        <translation>Perioden</translation>
+    </message>
+    <message>
+        <source>Known periods above 0, such as the lead of the screw: 10; 2.5</source>
+        <translation>Bekannte Perioden über 0, etwa die Steigung der Spindel: 10; 2,5</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Oberwellen</translation>
+    </message>
+    <message>
+        <source>Of each period, or of the turn</source>
+        <translation>Jeder Periode oder der Umdrehung</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Umdrehung</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>Länge einer Umdrehung einer Moduloachse, etwa 360: die Tabelle endet, wie sie beginnt</translation>
+    </message>
+    <message>
+        <source>no modulo axis</source>
+        <translation>keine Moduloachse</translation>
+    </message>
+    <message>
+        <source>Grid of the table</source>
+        <translation>Gitter der Tabelle</translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation>Stützstellen</translation>
+    </message>
+    <message>
+        <source>Positions of the table, always evenly spaced</source>
+        <translation>Positionen der Tabelle, immer in gleichen Abständen</translation>
+    </message>
+    <message>
+        <source>those measured, where even</source>
+        <translation>die gemessenen, wo gleichmäßig</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>so viele</translation>
+    </message>
+    <message>
+        <source>a distance</source>
+        <translation>in einem Abstand</translation>
+    </message>
+    <message>
+        <source>the fewest points for a deviation</source>
+        <translation>so wenige, wie eine Abweichung erlaubt</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Whole numbers from 2 on: one for all axes, or 41; 31</source>
+        <translation>Ganze Zahlen ab 2: eine für alle Achsen, oder 41; 31</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Above 0, in the unit of the positions: one for all axes, or 10; 5</source>
+        <translation>Über 0, in der Einheit der Positionen: einer für alle Achsen, oder 10; 5</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Above 0, in the unit of the positions</source>
+        <translation>Über 0, in der Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>Hold ends beyond the targets</source>
+        <translation>Endwerte jenseits der Zielpositionen halten</translation>
+    </message>
+    <message>
+        <source>The grid may go beyond the targets, where the end values are held</source>
+        <translation>Das Gitter darf über die Zielpositionen hinausgehen, wo die Endwerte gehalten werden</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>Nullstelle, Steigung und Drift</translation>
+    </message>
+    <message>
+        <source>Zero</source>
+        <translation>Nullstelle</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: the zero of the instrument is arbitrary</source>
+        <translation>Wo die Tabelle 0 ist: die Null des Messgeräts ist willkürlich</translation>
+    </message>
+    <message>
+        <source>home, else first target</source>
+        <translation>Referenz, sonst erste Zielposition</translation>
+    </message>
+    <message>
+        <source>at the home position</source>
+        <translation>an der Referenzposition</translation>
+    </message>
+    <message>
+        <source>at the first target</source>
+        <translation>an der ersten Zielposition</translation>
+    </message>
+    <message>
+        <source>mean of the values</source>
+        <translation>Mittel der Werte</translation>
+    </message>
+    <message>
+        <source>at a position</source>
+        <translation>an einer Position</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>The position of the zero, one number for each axis</source>
+        <translation>Die Position der Nullstelle, eine Zahl für jede Achse</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The home position of the axis</source>
+        <translation>Die Referenzposition der Achse</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>It is taken out of straightness alone: scale error is real</source>
+        <translation>Sie wird nur aus Geradheit herausgenommen: ein Maßstabsfehler ist echt</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>bleibt</translation>
+    </message>
+    <message>
+        <source>taken out by least squares</source>
+        <translation>herausgenommen, kleinste Quadrate</translation>
+    </message>
+    <message>
+        <source>taken out by the ends</source>
+        <translation>herausgenommen, durch die Enden</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>What runs beside each other are freed from for the table</source>
+        <translation>Wovon nebeneinander liegende Durchläufe für die Tabelle befreit werden</translation>
+    </message>
+    <message>
+        <source>offset of each run taken out</source>
+        <translation>Versatz jedes Durchlaufs herausgenommen</translation>
+    </message>
+    <message>
+        <source>trend taken out</source>
+        <translation>Trend herausgenommen</translation>
+    </message>
+    <message>
+        <source>as it lay</source>
+        <translation>wie es lag</translation>
+    </message>
+    <message>
+        <source>as it lay, %1 straight</source>
+        <translation>wie es lag, %1 gerade</translation>
+    </message>
+    <message>
+        <source>as it lay, and scale</source>
+        <translation>wie es lag, und Maßstab</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>How the artefact lay is no error of the machine</source>
+        <translation>Wie das Normal lag, ist kein Fehler der Maschine</translation>
+    </message>
+    <message>
+        <source>Far points</source>
+        <translation>Ferne Punkte</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one</source>
+        <translation>Stützstellen, die weit von jedem gemessenen Punkt entfernt sind</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>filled smoothly</source>
+        <translation>glatt gefüllt</translation>
+    </message>
+    <message>
+        <source>filled with the nearest</source>
+        <translation>mit dem nächsten gefüllt</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robust</translation>
+    </message>
+    <message>
+        <source>Values that do not fit the others count less</source>
+        <translation>Werte, die nicht zu den anderen passen, zählen weniger</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitOutcome</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>Anpassung von %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitPage</name>
+    <message>
+        <source>Merge onto</source>
+        <translation>Verbinden mit</translation>
+    </message>
+    <message>
+        <source>Measured with</source>
+        <translation>Gemessen mit</translation>
+    </message>
+    <message>
+        <source>An earlier table; a new one is being made …</source>
+        <translation>Eine frühere Tabelle; eine neue wird gemacht …</translation>
+    </message>
+    <message>
+        <source>The table is being made …</source>
+        <translation>Die Tabelle wird gemacht …</translation>
+    </message>
+    <message>
+        <source>Table and measurement</source>
+        <translation>Tabelle und Messung</translation>
+    </message>
+    <message>
+        <source>No table</source>
+        <translation>Keine Tabelle</translation>
+    </message>
+    <message>
+        <source>There is no table yet</source>
+        <translation>Es gibt noch keine Tabelle</translation>
+    </message>
+    <message>
+        <source>Take the table over to Write, as if it had been read from a file</source>
+        <translation>Die Tabelle nach Schreiben übernehmen, als wäre sie aus einer Datei gelesen</translation>
+    </message>
+    <message>
+        <source>As a file of the drive or of another controller</source>
+        <translation>Als Datei des Antriebs oder einer anderen Steuerung</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement on Measure; here a table is made of it.</source>
+        <translation>Fügen Sie unter Messen die Dateien einer Messung hinzu; hier wird eine Tabelle daraus.</translation>
+    </message>
+    <message>
+        <source>The files on Measure cannot be used.</source>
+        <translation>Die Dateien unter Messen lassen sich nicht verwenden.</translation>
+    </message>
+    <message>
+        <source>Choose where the drive looks its table up: it decides where the values belong.</source>
+        <translation>Wählen Sie, wo der Antrieb in seiner Tabelle nachschlägt: das entscheidet, wohin die Werte gehören.</translation>
+    </message>
+    <message>
+        <source>Read the warnings; then the table can be used: it is taken over to Write.</source>
+        <translation>Lesen Sie die Warnungen; dann lässt sich die Tabelle verwenden: sie wird nach Schreiben übernommen.</translation>
+    </message>
+    <message>
+        <source>The table can be used: it is taken over to Write, where nothing is written before you say so.</source>
+        <translation>Die Tabelle lässt sich verwenden: sie wird nach Schreiben übernommen, wo nichts geschrieben wird, bevor Sie es sagen.</translation>
+    </message>
+    <message>
+        <source>Use as Table</source>
+        <translation>Als Tabelle verwenden</translation>
+    </message>
+    <message>
+        <source>Save Table…</source>
+        <translation>Tabelle speichern …</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Which column of the points is shown and used</source>
+        <translation>Welche Spalte der Punkte gezeigt und verwendet wird</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitPlot</name>
+    <message>
+        <source>compensation [%1]</source>
+        <translation>Kompensation [%1]</translation>
+    </message>
+    <message>
+        <source>remains [%1]</source>
+        <translation>bleibt [%1]</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>measured, with its standard error</source>
+        <translation>gemessen, mit Standardfehler</translation>
+    </message>
+    <message>
+        <source>foretold without the target</source>
+        <translation>ohne die Zielposition vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Picture of the fit</source>
+        <translation>Bild der Anpassung</translation>
+    </message>
+    <message>
+        <source>The table over what was measured, and what remains. Left and right go from point to point; the wheel and + and - zoom, Home shows all.</source>
+        <translation>Die Tabelle über dem, was gemessen wurde, und was bleibt. Links und rechts gehen von Punkt zu Punkt; Rad und + und - zoomen, Pos1 zeigt alles.</translation>
+    </message>
+    <message>
+        <source>%1: measured %2 ± %3, %4 remains</source>
+        <translation>%1: gemessen %2 ± %3, es bleibt %4</translation>
+    </message>
+    <message>
+        <source>%1: measured %2, %3 remains</source>
+        <translation>%1: gemessen %2, es bleibt %3</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::FitResults</name>
+    <message>
+        <source>Largest correction: %1 at %2.</source>
+        <translation>Größte Korrektur: %1 bei %2.</translation>
+    </message>
+    <message>
+        <source>What remains, rms</source>
+        <translation>Was bleibt, quadratisches Mittel</translation>
+    </message>
+    <message>
+        <source>What remains, largest</source>
+        <translation>Was bleibt, höchstens</translation>
+    </message>
+    <message>
+        <source>Figure [%1]</source>
+        <translation>Kennwert [%1]</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>At the targets</source>
+        <translation>An den Zielen</translation>
+    </message>
+    <message>
+        <source>Held out</source>
+        <translation>Ohne sie</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>%1: foretold %2, tolerance %3: %4.</source>
+        <translation>%1: vorhergesagt %2, Toleranz %3: %4.</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>nicht definiert</translation>
+    </message>
+    <message>
+        <source>Table %1: %2; CRC %3.</source>
+        <translation>Tabelle %1: %2; CRC %3.</translation>
+    </message>
+    <message>
+        <source>Looked up at the encoder&apos;s position, before the compensation.</source>
+        <translation>Nachgeschlagen bei der Geberposition, vor der Kompensation.</translation>
+    </message>
+    <message>
+        <source>Looked up at the set position, after the compensation.</source>
+        <translation>Nachgeschlagen bei der Sollposition, nach der Kompensation.</translation>
+    </message>
+    <message>
+        <source>Smoothness %1.</source>
+        <translation>Glätte %1.</translation>
+    </message>
+    <message>
+        <source>Points of the grid that were filled: %1 of %2.</source>
+        <translation>Gefüllte Stützstellen: %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Held out: each target foretold without it, which is the one to believe between the targets.</source>
+        <translation>Ohne sie: jede Zielposition ohne sie selbst vorhergesagt; dem ist zwischen den Zielpositionen zu glauben.</translation>
+    </message>
+    <message>
+        <source>Figures before and foretold</source>
+        <translation>Kennwerte vorher und vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Before the table is used</source>
+        <translation>Bevor die Tabelle verwendet wird</translation>
     </message>
 </context>
 <context>
@@ -10028,22 +11358,6 @@
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>&amp;Add…</source>
-        <translation>&amp;Hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
-        <translation>Dateien einer Messung hinzufügen; sie lassen sich auch hierher ziehen (Strg+O)</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>&amp;Entfernen</translation>
-    </message>
-    <message>
-        <source>Take the selected file out of the measurement (Del)</source>
-        <translation>Die gewählte Datei aus der Messung nehmen (Entf)</translation>
-    </message>
-    <message>
         <source>&amp;Save as Runs…</source>
         <translation>Als Durchläufe &amp;speichern…</translation>
     </message>
@@ -10056,52 +11370,75 @@
         <translation>Dateien der Messung</translation>
     </message>
     <message>
-        <source>E&amp;xchange up and down in all files</source>
-        <translation>A&amp;ufwärts und abwärts in allen Dateien tauschen</translation>
-    </message>
-    <message>
-        <source>For files that name the directions the other way round</source>
-        <translation>Für Dateien, die die Richtungen umgekehrt benennen</translation>
-    </message>
-    <message>
-        <source>What the file says</source>
-        <translation>Was die Datei sagt</translation>
-    </message>
-    <message>
-        <source>Columns</source>
-        <translation>Spalten</translation>
-    </message>
-    <message>
         <source>Values of all files</source>
         <translation>Werte aller Dateien</translation>
-    </message>
-    <message>
-        <source>Views of the file</source>
-        <translation>Ansichten der Datei</translation>
-    </message>
-    <message>
-        <source>Problems (%1)</source>
-        <translation>Probleme (%1)</translation>
-    </message>
-    <message>
-        <source>Add the files of a measurement, or go on to Write with a table that is there.</source>
-        <translation>Fügen Sie die Dateien einer Messung hinzu, oder gehen Sie mit einer vorhandenen Tabelle weiter zu Schreiben.</translation>
     </message>
     <message>
         <source>The files are being read …</source>
         <translation>Die Dateien werden gelesen …</translation>
     </message>
     <message>
-        <source>Without targets there are no figures of ISO 230-2; the command axiscomp fit makes a table of it for Write.</source>
-        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+        <source>Take the values of a plan while something else moves the axis</source>
+        <translation>Die Werte eines Messplans nehmen, während etwas anderes die Achse bewegt</translation>
     </message>
     <message>
-        <source>Saved as %1. Judge says what it is worth; the command axiscomp fit makes a table of it for Write.</source>
-        <translation>Gespeichert als %1. Beurteilen sagt, was sie taugt; der Befehl axiscomp fit macht daraus eine Tabelle für Schreiben.</translation>
+        <source>New &amp;Program…</source>
+        <translation>Neues &amp;Programm…</translation>
     </message>
     <message>
-        <source>The measurement can be used. Go on to Judge, or save it as runs for the command axiscomp fit.</source>
-        <translation>Die Messung ist verwendbar. Weiter mit Beurteilen, oder speichern Sie sie als Durchläufe für den Befehl axiscomp fit.</translation>
+        <source>Plan the targets of a measurement, and a program for the control of the machine</source>
+        <translation>Die Zielpositionen einer Messung planen, und ein Programm für die Steuerung der Maschine</translation>
+    </message>
+    <message>
+        <source>Cap&amp;ture…</source>
+        <translation>&amp;Messwerte erfassen…</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Erfassung</translation>
+    </message>
+    <message>
+        <source>Add the files of a measurement, take its values with Capture, or go on to Write with a table that is there.</source>
+        <translation>Dateien einer Messung hinzufügen, ihre Werte mit Messwerte erfassen nehmen, oder mit einer vorhandenen Tabelle zu Schreiben weitergehen.</translation>
+    </message>
+    <message>
+        <source>Saved as %1. Judge says what it is worth, and Fit makes a table of it.</source>
+        <translation>Als %1 gespeichert. „Beurteilen“ sagt, was sie taugt, und „Anpassen“ macht eine Tabelle daraus.</translation>
+    </message>
+    <message>
+        <source>Without targets there are no figures of ISO 230-2; Fit makes a table of it.</source>
+        <translation>Ohne Zielpositionen gibt es keine Kennwerte nach ISO 230-2; Anpassen macht eine Tabelle daraus.</translation>
+    </message>
+    <message>
+        <source>The measurement can be used. Go on to Judge and Fit.</source>
+        <translation>Die Messung ist brauchbar. Weiter geht es mit „Beurteilen“ und „Anpassen“.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasurementFiles</name>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
+        <translation>Dateien einer Messung hinzufügen; sie lassen sich auch hierher ziehen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>Ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Take the selected file out of the measurement (Del)</source>
+        <translation>Die gewählte Datei aus der Messung nehmen (Entf)</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange up and down in all files</source>
+        <translation>A&amp;ufwärts und abwärts in allen Dateien tauschen</translation>
+    </message>
+    <message>
+        <source>For files that name the directions the other way round</source>
+        <translation>Für Dateien, die die Richtungen umgekehrt benennen</translation>
     </message>
 </context>
 <context>
@@ -10167,6 +11504,21 @@
     <message>
         <source>State</source>
         <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>%1, as the record holds it</source>
+        <translation>%1, wie im Protokoll enthalten</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MeasuringActions</name>
+    <message>
+        <source>Values are being captured: stop that first</source>
+        <translation>Es werden Messwerte erfasst: das zuerst beenden</translation>
+    </message>
+    <message>
+        <source>Choose a drive and an axis first</source>
+        <translation>Zuerst einen Antrieb und eine Achse wählen</translation>
     </message>
 </context>
 <context>
@@ -10416,6 +11768,13 @@
     <message>
         <source>These large corrections are &amp;right: their unit has been checked</source>
         <translation>Diese großen Korrekturen sind &amp;richtig: ihre Einheit wurde geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::NumberEdit</name>
+    <message>
+        <source>%1: &quot;%2&quot; cannot be taken. %3</source>
+        <translation>%1: „%2“ geht nicht. %3</translation>
     </message>
 </context>
 <context>
@@ -10835,6 +12194,14 @@
         <comment>address of a drive</comment>
         <translation>%1, Seriennummer %2</translation>
     </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>The accuracy of the axis with this table and before, as the records of this computer have it</source>
+        <translation>Die Genauigkeit der Achse mit dieser Tabelle und davor, wie die Protokolle dieses Rechners sie haben</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMenu</name>
@@ -11001,12 +12368,273 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>What the measurement says of the axis, against tolerances</source>
         <translation>Was die Messung über die Achse sagt, gegen Toleranzen</translation>
     </message>
+    <message>
+        <source>Prove</source>
+        <translation>Nachweisen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Measure again with the table active, and see what it has brought</source>
+        <translation>Mit aktiver Tabelle noch einmal messen und sehen, was sie gebracht hat</translation>
+    </message>
+    <message>
+        <source>The table that is made of a measurement, and what it promises</source>
+        <translation>Die Tabelle, die aus einer Messung gemacht wird, und was sie verspricht</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ParameterExport</name>
     <message>
         <source>Wrote %1: only compensation registers have changed.</source>
         <translation>%1 geschrieben: nur Register der Kompensation haben sich geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlanDialog</name>
+    <message>
+        <source>New Program</source>
+        <translation>Neues Programm</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Mean spacing</source>
+        <translation>Mittlerer Abstand</translation>
+    </message>
+    <message>
+        <source>Cont&amp;rol</source>
+        <translation>S&amp;teuerung</translation>
+    </message>
+    <message>
+        <source>The control of the machine, which plays the program</source>
+        <translation>Die Steuerung der Maschine, die das Programm abspielt</translation>
+    </message>
+    <message>
+        <source>Save Pro&amp;gram…</source>
+        <translation>Pro&amp;gramm speichern…</translation>
+    </message>
+    <message>
+        <source>Save &amp;Plan…</source>
+        <translation>&amp;Plan speichern…</translation>
+    </message>
+    <message>
+        <source>Clo&amp;se</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>What was not saved is lost (Esc)</source>
+        <translation>Was nicht gespeichert wurde, ist verloren (Esc)</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Zielpositionen</translation>
+    </message>
+    <message>
+        <source>A&amp;xis</source>
+        <translation>A&amp;chse</translation>
+    </message>
+    <message>
+        <source>As the drive or the control names it</source>
+        <translation>Wie der Antrieb oder die Steuerung sie nennt</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>E&amp;inheit</translation>
+    </message>
+    <message>
+        <source>Of all positions of the plan</source>
+        <translation>Aller Positionen des Messplans</translation>
+    </message>
+    <message>
+        <source>&amp;First target</source>
+        <translation>&amp;Erste Zielposition</translation>
+    </message>
+    <message>
+        <source>Measured in every run</source>
+        <translation>In jedem Durchlauf gemessen</translation>
+    </message>
+    <message>
+        <source>&amp;Last target</source>
+        <translation>&amp;Letzte Zielposition</translation>
+    </message>
+    <message>
+        <source>Measured in every run; above the first</source>
+        <translation>In jedem Durchlauf gemessen; über der ersten</translation>
+    </message>
+    <message>
+        <source>&amp;Targets</source>
+        <translation>&amp;Zielpositionen</translation>
+    </message>
+    <message>
+        <source>How many, or how far apart in the mean</source>
+        <translation>Wie viele, oder wie weit im Mittel auseinander</translation>
+    </message>
+    <message>
+        <source>&amp;Known period</source>
+        <translation>&amp;Bekannte Periode</translation>
+    </message>
+    <message>
+        <source>Of the axis&apos;s error, such as the lead of its screw: targets are spread over it</source>
+        <translation>Des Fehlers der Achse, etwa die Steigung ihrer Spindel: Zielpositionen werden darüber verteilt</translation>
+    </message>
+    <message>
+        <source>&amp;Cycles</source>
+        <translation>Z&amp;yklen</translation>
+    </message>
+    <message>
+        <source>Runs in each direction; the standard wants five</source>
+        <translation>Durchläufe in jeder Richtung; die Norm will fünf</translation>
+    </message>
+    <message>
+        <source>&amp;Overrun</source>
+        <translation>Überla&amp;uf</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target</source>
+        <translation>Wie weit die Achse vor der ersten Zielposition eines Durchlaufs in dessen Richtung fährt</translation>
+    </message>
+    <message>
+        <source>F&amp;eed</source>
+        <translation>&amp;Vorschub</translation>
+    </message>
+    <message>
+        <source>Of the moves in the program</source>
+        <translation>Der Bewegungen im Programm</translation>
+    </message>
+    <message>
+        <source>D&amp;well</source>
+        <translation>Ver&amp;weilzeit</translation>
+    </message>
+    <message>
+        <source>How long the axis stands at each target, to be measured</source>
+        <translation>Wie lange die Achse an jeder Zielposition steht, um gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>Ran&amp;dom seed</source>
+        <translation>Zu&amp;fallszahl</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same</source>
+        <translation>Eine andere Zahl gibt andere Zielpositionen, dieselbe dieselben</translation>
+    </message>
+    <message>
+        <source>Given b&amp;y</source>
+        <translation>&amp;Angabe</translation>
+    </message>
+    <message>
+        <source>Whether targets are counted, or their distance is given</source>
+        <translation>Ob Zielpositionen gezählt werden oder ihr Abstand gegeben ist</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>Anzahl der Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Mean spacing of targets</source>
+        <translation>Mittlerer Abstand der Zielpositionen</translation>
+    </message>
+    <message>
+        <source>none known</source>
+        <translation>keine bekannt</translation>
+    </message>
+    <message>
+        <source>by the range</source>
+        <translation>nach dem Bereich</translation>
+    </message>
+    <message>
+        <source>%1. The axis moves from %2 to %3: check that this way is free.</source>
+        <translation>%1. Die Achse fährt von %2 bis %3: prüfen, ob dieser Weg frei ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>This program never moves an axis: the control of the machine plays the program, or a person moves from target to target.</source>
+        <translation>Dieses Programm bewegt nie eine Achse: die Steuerung der Maschine spielt das Programm ab, oder ein Mensch fährt von Zielposition zu Zielposition.</translation>
+    </message>
+    <message>
+        <source>For Capture, which takes the values by it</source>
+        <translation>Für Messwerte erfassen, das die Werte danach nimmt</translation>
+    </message>
+    <message>
+        <source>G-code for the control of the machine</source>
+        <translation>G-Code für die Steuerung der Maschine</translation>
+    </message>
+    <message>
+        <source>Save Program</source>
+        <translation>Programm speichern</translation>
+    </message>
+    <message>
+        <source>Save Plan</source>
+        <translation>Messplan speichern</translation>
+    </message>
+    <message>
+        <source>Programs (*%1);;All files (*)</source>
+        <translation>Programme (*%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Plans (*.csv);;All files (*)</source>
+        <translation>Messpläne (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlanStepsModel</name>
+    <message>
+        <source>step %1, %2, target %3</source>
+        <translation>Schritt %1, %2, Zielposition %3</translation>
+    </message>
+    <message>
+        <source>due</source>
+        <translation>fällig</translation>
+    </message>
+    <message>
+        <source>not taken yet</source>
+        <translation>noch nicht genommen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Comes from</source>
+        <translation>Kommt von</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::PlanTargetsModel</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
     </message>
 </context>
 <context>
@@ -11115,6 +12743,334 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ProvePage</name>
+    <message>
+        <source>%1 %2 (tolerance %3)</source>
+        <translation>%1 %2 (Toleranz %3)</translation>
+    </message>
+    <message>
+        <source>%1 not defined (tolerance %2)</source>
+        <translation>%1 nicht definiert (Toleranz %2)</translation>
+    </message>
+    <message>
+        <source>Not within the tolerances: %1.</source>
+        <translation>Nicht innerhalb der Toleranzen: %1.</translation>
+    </message>
+    <message>
+        <source>Not judged by: %1.</source>
+        <translation>Nicht zu beurteilen: %1.</translation>
+    </message>
+    <message>
+        <source>Undecided, since the uncertainty is too large: %1.</source>
+        <translation>Nicht entscheidbar, da die Messunsicherheit zu groß ist: %1.</translation>
+    </message>
+    <message>
+        <source>The machine is not as good as was predicted.</source>
+        <translation>Die Maschine ist nicht so gut wie vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>The machine is no better than before.</source>
+        <translation>Die Maschine ist nicht besser als vorher.</translation>
+    </message>
+    <message>
+        <source>The two are corrected differently for temperature or dead path, so that they cannot be compared.</source>
+        <translation>Die beiden sind verschieden auf Temperatur oder Totstrecke korrigiert und lassen sich nicht vergleichen.</translation>
+    </message>
+    <message>
+        <source>No tolerance is given, so there is no verdict.</source>
+        <translation>Keine Toleranz ist angegeben, also gibt es kein Urteil.</translation>
+    </message>
+    <message>
+        <source>Within the tolerances.</source>
+        <translation>Innerhalb der Toleranzen.</translation>
+    </message>
+    <message>
+        <source>Within the tolerances (uncertainty not stated).</source>
+        <translation>Innerhalb der Toleranzen (Messunsicherheit nicht angegeben).</translation>
+    </message>
+    <message>
+        <source>Second measurement</source>
+        <translation>Zweite Messung</translation>
+    </message>
+    <message>
+        <source>Files of the second measurement</source>
+        <translation>Dateien der zweiten Messung</translation>
+    </message>
+    <message>
+        <source>Kee&amp;p in the Record</source>
+        <translation>Ins &amp;Protokoll übernehmen</translation>
+    </message>
+    <message>
+        <source>The second measurement, what it says of the prediction, and the verdict</source>
+        <translation>Die zweite Messung, was sie über die Vorhersage sagt, und das Urteil</translation>
+    </message>
+    <message>
+        <source>For a file that does not say which table was active</source>
+        <translation>Für eine Datei, die nicht sagt, welche Tabelle aktiv war</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Was bleibt</translation>
+    </message>
+    <message>
+        <source>Figures before, predicted, held out and after</source>
+        <translation>Kennwerte vorher, vorhergesagt, ausgelassen und nachher</translation>
+    </message>
+    <message>
+        <source>What is left at the targets</source>
+        <translation>Was an den Zielpositionen bleibt</translation>
+    </message>
+    <message>
+        <source>The tabl&amp;e %1 was active</source>
+        <translation>&amp;Die Tabelle %1 war aktiv</translation>
+    </message>
+    <message>
+        <source>What to look at: %1</source>
+        <translation>Worauf zu achten ist: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was predicted between the targets: before and after are compared alone.</source>
+        <translation>Zwischen den Zielpositionen wurde nichts vorhergesagt: verglichen werden nur vorher und nachher.</translation>
+    </message>
+    <message>
+        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
+        <translation>Wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
+    </message>
+    <message>
+        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
+        <translation>Nicht wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
+    </message>
+    <message>
+        <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
+        <translation>Keine Tabelle dieses Protokolls ist in Gebrauch: eine zweite Messung wird nur mit der von Messen verglichen. Um eine Tabelle nachzuweisen, öffnen Sie ein Protokoll mit ihr.</translation>
+    </message>
+    <message>
+        <source>Write the table and activate it, measure again, and add the files of that measurement here.</source>
+        <translation>Schreiben und aktivieren Sie die Tabelle, messen Sie noch einmal, und fügen Sie die Dateien dieser Messung hier hinzu.</translation>
+    </message>
+    <message>
+        <source>Measure again with the table active, and add the files of that measurement here.</source>
+        <translation>Messen Sie mit aktiver Tabelle noch einmal, und fügen Sie die Dateien dieser Messung hier hinzu.</translation>
+    </message>
+    <message>
+        <source>The measurement is in the record: save that, and write the report.</source>
+        <translation>Die Messung ist im Protokoll: speichern Sie es, und schreiben Sie den Bericht.</translation>
+    </message>
+    <message>
+        <source>Keep it in the record.</source>
+        <translation>Übernehmen Sie sie ins Protokoll.</translation>
+    </message>
+    <message>
+        <source>The files are being read …</source>
+        <translation>Die Dateien werden gelesen …</translation>
+    </message>
+    <message>
+        <source>The second measurement does not say which table was active. If it was the table %1, say so above; otherwise measure again with it.</source>
+        <translation>Die zweite Messung sagt nicht, welche Tabelle aktiv war. War es die Tabelle %1, geben Sie das oben an; sonst messen Sie mit ihr noch einmal.</translation>
+    </message>
+    <message>
+        <source>The measurements are being compared …</source>
+        <translation>Die Messungen werden verglichen …</translation>
+    </message>
+    <message>
+        <source>There is no measurement to compare it with: add that one in Measure.</source>
+        <translation>Es gibt keine Messung zum Vergleich: fügen Sie diese unter Messen hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordActions</name>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Proto&amp;koll</translation>
+    </message>
+    <message>
+        <source>&amp;New Record</source>
+        <translation>&amp;Neues Protokoll</translation>
+    </message>
+    <message>
+        <source>&amp;Open Record…</source>
+        <translation>Protokoll ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Record</source>
+        <translation>Protokoll &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save Record &amp;As…</source>
+        <translation>Protokoll speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Bericht…</translation>
+    </message>
+    <message>
+        <source>Records (*.axcal)</source>
+        <translation>Protokolle (*.axcal)</translation>
+    </message>
+    <message>
+        <source>Open Record</source>
+        <translation>Protokoll öffnen</translation>
+    </message>
+    <message>
+        <source>Save Record</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html *.htm)</source>
+        <translation>HTML (*.html *.htm)</translation>
+    </message>
+    <message>
+        <source>Save, &amp;Then Begin</source>
+        <translation>S&amp;peichern, dann beginnen</translation>
+    </message>
+    <message>
+        <source>Save, &amp;Then Open</source>
+        <translation>S&amp;peichern, dann öffnen</translation>
+    </message>
+    <message>
+        <source>Begin Without Savin&amp;g</source>
+        <translation>Ohne Spei&amp;chern beginnen</translation>
+    </message>
+    <message>
+        <source>Open Without Savin&amp;g</source>
+        <translation>Ohne Spei&amp;chern öffnen</translation>
+    </message>
+    <message>
+        <source>Sta&amp;y</source>
+        <translation>Bleib&amp;en</translation>
+    </message>
+    <message>
+        <source>The record has never been saved.</source>
+        <translation>Das Protokoll wurde noch nie gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>%1 is there already, and is another file.</source>
+        <translation>%1 gibt es schon, und es ist eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program since it was read here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, seit es hier gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
+        <translation>%1 sagt, was von einer anderen Tabelle geschrieben und gemessen wurde. Unter einem anderen Namen bleibt beides erhalten.</translation>
+    </message>
+    <message>
+        <source>Overwri&amp;te</source>
+        <translation>Überschre&amp;iben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Both…</source>
+        <translation>&amp;Beide behalten…</translation>
+    </message>
+    <message>
+        <source>The program did not end well. A record that was never saved was kept at %1.</source>
+        <translation>Das Programm wurde nicht ordentlich beendet. Ein nie gespeichertes Protokoll wurde um %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The program did not end well. Unsaved changes of %1 were kept at %2.</source>
+        <translation>Das Programm wurde nicht ordentlich beendet. Nicht gespeicherte Änderungen von %1 wurden um %2 gesichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Take Them Up</source>
+        <translation>&amp;Übernehmen</translation>
+    </message>
+    <message>
+        <source>For&amp;get Them</source>
+        <translation>Ver&amp;gessen</translation>
+    </message>
+    <message>
+        <source>The report was written to %1.</source>
+        <translation>Der Bericht steht in %1.</translation>
+    </message>
+    <message>
+        <source>The drive has the table; only the record does not say so: %1</source>
+        <translation>Der Antrieb hat die Tabelle; nur das Protokoll sagt es nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordBar</name>
+    <message>
+        <source>Record:</source>
+        <translation>Protokoll:</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a record (.axcal); it can also be dropped on the window (Ctrl+Alt+O)</source>
+        <translation>Ein Protokoll (.axcal) öffnen; es lässt sich auch auf das Fenster ziehen (Strg+Alt+O)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save measurement, table, what it promised and what came of it (Ctrl+S)</source>
+        <translation>Messung, Tabelle, was sie versprach und was daraus wurde, speichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>The report of the record as PDF or HTML (Ctrl+P)</source>
+        <translation>Der Bericht des Protokolls als PDF oder HTML (Strg+P)</translation>
+    </message>
+    <message>
+        <source>Open record</source>
+        <translation>Protokoll öffnen</translation>
+    </message>
+    <message>
+        <source>Save record</source>
+        <translation>Protokoll speichern</translation>
+    </message>
+    <message>
+        <source>Report of the record</source>
+        <translation>Bericht des Protokolls</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>It has changes that are not saved.</source>
+        <translation>Es hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>There are no unsaved changes.</source>
+        <translation>Es gibt keine ungespeicherten Änderungen.</translation>
+    </message>
+    <message>
+        <source>Record %1</source>
+        <translation>Protokoll %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::RecordFile</name>
+    <message>
+        <source>not saved yet</source>
+        <translation>noch nicht gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::RecordModel</name>
     <message>
         <source>Add %1</source>
@@ -11159,6 +13115,72 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Table in use</source>
         <translation>Tabelle im Einsatz</translation>
+    </message>
+    <message>
+        <source>Table active while measured</source>
+        <translation>Aktive Tabelle während der Messung</translation>
+    </message>
+    <message>
+        <source>Fit: %1</source>
+        <translation>Anpassen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ResidualModel</name>
+    <message>
+        <source>at %1: %2, standard error %3</source>
+        <translation>bei %1: %2, Standardfehler %3</translation>
+    </message>
+    <message>
+        <source>at %1: %2, standard error not defined</source>
+        <translation>bei %1: %2, Standardfehler nicht definiert</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Zielposition</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Verbleibend</translation>
+    </message>
+    <message>
+        <source>Standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::ResidualPlot</name>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after, with its standard error</source>
+        <translation>nachher, mit Standardfehler</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare.</source>
+        <translation>Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>What is left lies between %1 and %2.</source>
+        <translation>Was bleibt, liegt zwischen %1 und %2.</translation>
+    </message>
+    <message>
+        <source>Mean deviation before and after</source>
+        <translation>Mittlere Abweichung vorher und nachher</translation>
+    </message>
+    <message>
+        <source>Dashed, with squares: before. Full line, with dots: after; the band is the standard error of the mean.</source>
+        <translation>Gestrichelt, mit Quadraten: vorher. Durchgezogen, mit Punkten: nachher; das Band ist der Standardfehler des Mittelwerts.</translation>
     </message>
 </context>
 <context>
@@ -11544,6 +13566,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>from %1; the drive has it already</source>
         <translation>aus %1; der Antrieb hat sie bereits</translation>
+    </message>
+    <message>
+        <source>Fitted: %1</source>
+        <translation>Angepasst: %1</translation>
     </message>
 </context>
 <context>
@@ -12037,6 +14063,10 @@ B - A: %3</translation>
         <source>%1 cannot be used: %2 problems.</source>
         <translation>%1 ist nicht verwendbar, Anzahl der Fehler: %2.</translation>
     </message>
+    <message>
+        <source>%1 is used as the table: %2 points, tables: %3.</source>
+        <translation>%1 wird als Tabelle verwendet: %2 Punkte, Tabellen: %3.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::TableViewModel</name>
@@ -12121,6 +14151,14 @@ B - A: %3</translation>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
         <translation>%1 hat Änderungen, die nicht in den Antrieb geschrieben sind.</translation>
+    </message>
+    <message>
+        <source>Save Record, &amp;Then Close</source>
+        <translation>S&amp;peichern, dann schließen</translation>
+    </message>
+    <message>
+        <source>Close Without Savin&amp;g</source>
+        <translation>Ohne Speichern s&amp;chließen</translation>
     </message>
 </context>
 <context>
