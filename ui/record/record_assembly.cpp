@@ -21,7 +21,8 @@ void openMeasurement(const std::shared_ptr<const CalibrationRecord>& calibration
     record.swapsDirections = recorded.swapsDirections;
     record.exclusions = recorded.exclusions;
     record.corrections = {recorded.corrections.temperature, recorded.corrections.deadPath};
-    record.areLimitsAngles = !recorded.files.empty() && recorded.files.front().measurement.isAngular;
+    record.areLimitsAngles =
+        !recorded.files.empty() && recorded.files.front().measurement.isAngular;
 }
 
 bool isUsable(const ReadMeasurement& file)

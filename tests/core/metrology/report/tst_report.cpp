@@ -317,8 +317,8 @@ private Q_SLOTS:
         const QString html = htmlOf(content);
         QVERIFY(!html.contains(QStringLiteral("<script>")));
         QVERIFY(!html.contains(QStringLiteral("<b>")));
-        QVERIFY(html.contains(
-            QStringLiteral("&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &apos;Co&apos;")));
+        QVERIFY(html.contains(QStringLiteral(
+            "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &apos;Co&apos;")));
     }
 
     void anglesAreInArcSeconds()

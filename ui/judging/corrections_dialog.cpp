@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tabs/corrections_dialog.h"
+#include "ui/judging/corrections_dialog.h"
 
 #include "core/io/local_file.h"
 #include "core/metrology/record/calibration_record.h"

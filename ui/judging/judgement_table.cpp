@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tabs/judgement_table.h"
+#include "ui/judging/judgement_table.h"
 
 #include "ui/record/judgement_table_model.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tabs/outlier_list.h"
+#include "ui/judging/outlier_list.h"
 
+#include "ui/judging/judgement_table.h"
 #include "ui/record/judgement_models.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
-#include "ui/tabs/judgement_table.h"
 
 #include <QBoxLayout>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tabs/judge_outlook.h"
+#include "ui/judging/judge_outlook.h"
 
 #include "ui/record/record_model.h"
 #include "ui/text/fine_scale.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/tabs/limit_fields.h"
+#include "ui/judging/limit_fields.h"
 
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
