@@ -71,6 +71,11 @@ private Q_SLOTS:
         const qsizetype proof = run.out.lastIndexOf("Proof: what the drive adds");
         QVERIFY2(proof > 0, run.out.constData());
         QVERIFY2(run.out.indexOf("is Active.") < proof, run.out.constData());
+        QVERIFY2(run.out.contains("\nAs predicted: M is"), run.out.constData());
+        QVERIFY2(run.out.contains("um after (tolerance 5.000 um: passed)"), run.out.constData());
+        // Who follows the guide types what is shown to work here.
+        for (const QByteArray& command : commandsOf("/docs/laser-to-drive.md"))
+            QVERIFY2(run.out.contains("$ " + command + '\n'), command.constData());
     }
 
     void theTourFailsWhenAProgramDoes()
@@ -82,6 +87,20 @@ private Q_SLOTS:
     }
 
 private:
+    /// Those of axiscomp in a document, each in one line.
+    static QByteArrayList commandsOf(const char* document)
+    {
+        QFile file(QStringLiteral(AXISCOMP_SOURCE_FOLDER) + document);
+        if (!file.open(QIODevice::ReadOnly))
+            return {"the document"};
+        QByteArrayList commands;
+        const QByteArray text = file.readAll().replace("\\\n", " ");
+        for (const QByteArray& line : text.split('\n'))
+            if (line.startsWith("    axiscomp "))
+                commands += line.simplified();
+        return commands.size() > 8 ? commands : QByteArrayList{"more than eight commands"};
+    }
+
     /// The drive's file, fetched by curl and decoded by a reader that shares no code with us.
     void checkTableFile(const Sandbox& box, const QString& url, const QJsonObject& status)
     {

@@ -110,7 +110,7 @@ private:
                 pass(m_far, m_near.master());
         }
     }
-    void pass(const FileDescriptor& from, const drivecomm::FileDescriptor& to)
+    void pass(const FileDescriptor& from, const FileDescriptor& to)
     {
         std::array<char, 1024> buffer{};
         const ssize_t size = ::read(from.get(), buffer.data(), buffer.size());

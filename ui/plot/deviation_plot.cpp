@@ -24,9 +24,9 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr double zoomStep = 0.8;
+constexpr double keyZoom = 0.8;
 
-Exclusion placeOf(const RunValue& value)
+Exclusion exclusionOf(const RunValue& value)
 {
     return {value.direction, value.target + 1, value.run};
 }
@@ -51,11 +51,12 @@ std::optional<Exclusion> above(const Measurement& measurement, const Exclusion& 
     if (column.empty())
         return std::nullopt;
     const auto at =
-        std::ranges::find(column, from, [](const RunValue* value) { return placeOf(*value); });
+        std::ranges::find(column, from, [](const RunValue* value) { return exclusionOf(*value); });
     const auto last = static_cast<std::ptrdiff_t>(column.size()) - 1;
     const std::ptrdiff_t next =
         at == column.end() ? (step > 0 ? 0 : last) : (at - column.begin()) + step;
-    return placeOf(*column[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, last))]);
+    return exclusionOf(
+        *column[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, last))]);
 }
 
 /// The next target, in the same run where one is selected.
@@ -231,10 +232,10 @@ bool DeviationPlot::handleKey(const QKeyEvent& key)
     case Qt::Key_Down:
         return go(above(measurement, from.values, -1));
     case Qt::Key_Plus:
-        m_canvas->zoom(zoomStep);
+        m_canvas->zoom(keyZoom);
         return true;
     case Qt::Key_Minus:
-        m_canvas->zoom(1.0 / zoomStep);
+        m_canvas->zoom(1.0 / keyZoom);
         return true;
     case Qt::Key_Home:
         m_canvas->showWhole();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reliability/loop/machine_loop.h"
 
+#include "core/capture/capture_run.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
-#include "drivecomm/capture/capture_run.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
@@ -113,7 +113,7 @@ Result<void> capture(
             session.link, genericProfile(), status, session.plan, {encoder, reference}, scale, {}));
     AXISCOMP_TRY(
         auto values, RunFile::open(file, session.plan, {readings.state(), "laser", "now"}));
-    CaptureRun run(session.link, std::move(readings), std::move(values), session.plan, {},
+    CaptureRun run(std::move(readings), std::move(values), session.plan, {},
         session.compensator.identify().value());
     session.isPassing = false;
     session.milliseconds = std::chrono::milliseconds(beginning).count() - 500;
@@ -127,7 +127,7 @@ Result<void> capture(
             session.isPassing = false;
         }
         AXISCOMP_TRY(const auto news,
-            run.read(
+            run.read(session.link,
                 [&] {
                     return std::chrono::nanoseconds(
                         std::chrono::milliseconds(session.milliseconds.load()));
