@@ -61,10 +61,11 @@ QString asSentence(const QString& text)
     QString sentence = text.trimmed();
     if (sentence.isEmpty())
         return sentence;
-    // An address at the beginning is not a word.
+    // An address at the beginning is not a word, and "dX" is a name.
     const qsizetype wordEnd = sentence.indexOf(u' ');
     const QStringView firstWord = QStringView(sentence).left(wordEnd);
-    const bool isWord = std::ranges::all_of(firstWord, [](QChar c) { return c.isLetter(); });
+    const bool isWord = std::ranges::all_of(firstWord, [](QChar c) { return c.isLetter(); })
+        && firstWord.mid(1).toString() == firstWord.mid(1).toString().toLower();
     if (isWord)
         sentence[0] = sentence[0].toUpper();
     static const QString ends = QStringLiteral(".!?:");

@@ -44,13 +44,23 @@ struct ArgumentText {
     }
 };
 
+/// As a page has it; core says it in letters of ASCII.
+QString unitText(const std::string& unit)
+{
+    if (unit == "um")
+        return QStringLiteral("µm");
+    if (unit == "degC")
+        return QStringLiteral("°C");
+    return QCoreApplication::translate("Unit", unit.c_str());
+}
+
 } // namespace
 
 QString translated(const Quantity& quantity)
 {
     QString text = QString::fromStdString(quantity.digits).replace(u'.', QLocale().decimalPoint());
     if (!quantity.unit.empty())
-        text += u' ' + QCoreApplication::translate("Unit", quantity.unit.c_str());
+        text += u' ' + unitText(quantity.unit);
     return text;
 }
 
