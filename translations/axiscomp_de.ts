@@ -5930,14 +5930,6 @@
         <source>the targets are not evenly spaced; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
         <translation>die Zielpositionen haben keine gleichmäßigen Abstände; geben Sie das Gitter der Tabelle an: seine Punkte, ihren Abstand, oder wie weit sie von der Kurve abweichen darf (--points, --distance oder --within)</translation>
     </message>
-    <message numerus="yes">
-        <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
-        <comment>all runs were measured in one thermal state; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</comment>
-        <translation>
-            <numerusform>alle Läufe wurden in einem thermischen Zustand gemessen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</numerusform>
-            <numerusform>die Läufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the thermal states span {span}, less than five times the {scatter} by which the temperature varies within them: let the machine settle before each run</source>
         <translation>die thermischen Zustände umfassen {span}, weniger als das Fünffache der {scatter}, um die die Temperatur in ihnen schwankt: lassen Sie die Maschine vor jedem Lauf zur Ruhe kommen</translation>
@@ -6013,6 +6005,14 @@
     <message>
         <source>a report is PDF or HTML; choose a name that ends in .pdf or .html</source>
         <translation>ein Bericht ist PDF oder HTML; wählen Sie einen Namen, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>all runs were measured in one thermal state; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
+        <translation>alle Läufe wurden in einem thermischen Zustand gemessen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</translation>
+    </message>
+    <message>
+        <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
+        <translation>die Läufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</translation>
     </message>
 </context>
 <context>

@@ -110,16 +110,20 @@ std::vector<ThermalState> statesOf(const Measurement& measurement)
 Result<void> checkSpan(const std::vector<ThermalState>& states)
 {
     const double span = states.back().temperature - states.front().temperature;
-    if (states.size() < 2 || span < smallestSpan)
-        return badFit(AXISCOMP_COUNTED("Error",
-            "the runs were measured in {count} thermal states that span {span}; a table over "
-            "temperature needs at least two, {least} apart (runs within {gap} are one state)",
+    const auto needed = [](const TextPattern& pattern) {
+        return pattern.with("least", kelvin(smallestSpan)).with("gap", kelvin(stateGap));
+    };
+    if (states.size() < 2)
+        return badFit(needed(AXISCOMP_TEXT("Error",
             "all runs were measured in one thermal state; a table over temperature needs at least "
-            "two, {least} apart (runs within {gap} are one state)")
+            "two, {least} apart (runs within {gap} are one state)")));
+    if (span < smallestSpan)
+        return badFit(needed(
+            AXISCOMP_TEXT("Error",
+                "the runs were measured in {count} thermal states that span {span}; a table over "
+                "temperature needs at least two, {least} apart (runs within {gap} are one state)"))
                           .with("count", states.size())
-                          .with("span", kelvin(span))
-                          .with("least", kelvin(smallestSpan))
-                          .with("gap", kelvin(stateGap)));
+                          .with("span", kelvin(span)));
     double squares = 0.0;
     double weight = 0.0;
     for (const ThermalState& state : states) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/drive_store.h"
+#include "tests/support/verify.h"
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
@@ -185,8 +187,16 @@ private Q_SLOTS:
         QCOMPARE(cell(model, 0, Column::Persistence), QStringLiteral("volatile"));
         QTRY_VERIFY(cell(model, 0, Column::LastProof).contains(QStringLiteral(" % · ")));
         QTRY_VERIFY(!cell(model, 0, Column::LastWrite).isEmpty());
+        QCOMPARE(cell(model, 0, Column::Measured), QString());
+        DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
+        VERIFY_RESULT(store.recordMeasured(bench.controller().status()->drive.serialNumber, 0,
+            {bench.controller().setup().baseline().tableCrc, {}, "2026-11-20", false,
+                {{"A", 0.0143, {}, 0.0032}}}));
+        QTRY_COMPARE(
+            cell(model, 0, Column::Measured), QStringLiteral("A 3.200 µm, 14.300 µm before"));
         QTRY_COMPARE(cell(model, 1, Column::State), QStringLiteral("OFF"));
         QCOMPARE(cell(model, 1, Column::LastProof), QString());
+        QCOMPARE(cell(model, 1, Column::Measured), QString());
         QCOMPARE(cell(model, 1, Column::LastWrite), QString());
     }
 
@@ -250,8 +260,8 @@ private Q_SLOTS:
         QCOMPARE(lines[0].split(u'\t'),
             (QStringList{QStringLiteral("Drive"), QStringLiteral("Axis"), QStringLiteral("State"),
                 QStringLiteral("Table"), QStringLiteral("Persistency"),
-                QStringLiteral("Flash left"), QStringLiteral("Last proof"),
-                QStringLiteral("Last write")}));
+                QStringLiteral("Flash left"), QStringLiteral("Measured"),
+                QStringLiteral("Last proof"), QStringLiteral("Last write")}));
         QVERIFY(lines[1].startsWith(QStringLiteral("Stage-7\tY\tOFF\tno table\t")));
         QVERIFY(lines[2].startsWith(QStringLiteral("Stage-7\tX\tOFF\tno table\t")));
         table.selectRow(1);

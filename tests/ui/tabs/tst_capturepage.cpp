@@ -79,8 +79,7 @@ struct CaptureBench {
     {
         if (!page.open())
             return false;
-        page.user.the("pageTabs").setFocus();
-        page.user.press(Qt::Key_PageUp, Qt::ControlModifier);
+        page.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Measure);
         return page.user.sees("measurePage");
     }
     /// Everything that the dialog asks, but for the reference.

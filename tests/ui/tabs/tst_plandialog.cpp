@@ -3,6 +3,7 @@
 #include "core/metrology/gcode.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/page/page_tabs.h"
 
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -20,8 +21,7 @@ namespace {
 
 [[nodiscard]] bool openDialog(PageFixture& bench)
 {
-    bench.user.the("pageTabs").setFocus();
-    bench.user.press(Qt::Key_PageUp, Qt::ControlModifier);
+    bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Measure);
     return bench.user.click("newProgram") && bench.user.sees("planDialog");
 }
 

@@ -39,6 +39,17 @@ QStringList lastingProblems(const QWidget& window)
     return problems;
 }
 
+/// Of the tabs: the highest one makes the window.
+QString leastHeights(const QWidget& window)
+{
+    QStringList heights;
+    for (const char* name : {"measurePage", "judgePage", "fitPage", "columns", "provePage"})
+        if (const auto* page = window.findChild<QWidget*>(QLatin1StringView(name)))
+            heights += QLatin1StringView(name)
+                + QStringLiteral(" %1").arg(page->minimumSizeHint().height());
+    return heights.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 /// On every size of screen and in every language no text is cut and nothing is off the screen; nor
@@ -101,9 +112,10 @@ private Q_SLOTS:
                                           .arg(screen.size.height());
                 if (window.width() > screen.size.width() || window.height() > screen.size.height())
                     problems += place
-                        + QStringLiteral("the window is larger: %1x%2")
+                        + QStringLiteral("the window is larger: %1x%2; least heights: %3")
                               .arg(window.width())
-                              .arg(window.height());
+                              .arg(window.height())
+                              .arg(leastHeights(window));
                 for (const QString& problem : lasting)
                     problems += place + problem;
             }

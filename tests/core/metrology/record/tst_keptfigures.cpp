@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(!lastAfter(record));
         QCOMPARE(sentenceOf(record),
             std::string("measured 2026-11-20: accuracy A 14.300 um before, 3.000 um predicted, not "
-                        "measured since"));
+                        "measured since (tolerance 5.000 um)"));
         // Older programs did not note the table.
         addAfter(record, 0.0032, std::nullopt);
         QCOMPARE(lastAfter(record), &record.after[1]);
