@@ -89,7 +89,7 @@ DeviationPlot::DeviationPlot(QWidget* parent)
     setObjectName(QStringLiteral("deviationPlot"));
     QCustomPlot& plot = m_canvas->plot();
     setAccessibleRole(plot, QAccessible::Chart);
-    plot.setMinimumSize(260, 120);
+    plot.setMinimumSize(260, 80);
     plot.setFocusPolicy(Qt::StrongFocus);
     plot.setMouseTracking(true);
     plot.installEventFilter(this);

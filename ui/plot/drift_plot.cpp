@@ -54,7 +54,7 @@ void DriftPlot::build()
 {
     setAccessibleRole(*m_plot, QAccessible::Chart);
     m_plot->setObjectName(QStringLiteral("driftPicture"));
-    m_plot->setMinimumSize(260, 120);
+    m_plot->setMinimumSize(260, 80);
     m_plot->setFocusPolicy(Qt::StrongFocus);
     m_plot->installEventFilter(this);
     m_plot->axisRect()->setupFullAxesBox(true);

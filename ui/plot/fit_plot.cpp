@@ -91,7 +91,7 @@ void FitPlot::build()
     d->plot->setNoAntialiasingOnDrag(true);
     d->plot->setFocusPolicy(Qt::StrongFocus);
     d->plot->setMouseTracking(true);
-    d->plot->setMinimumSize(260, 120);
+    d->plot->setMinimumSize(260, 110);
     d->plot->installEventFilter(this);
     d->above = d->plot->axisRect();
     d->below = new QCPAxisRect(d->plot);
