@@ -227,8 +227,7 @@ inline bool planDialog(PageFixture& bench)
 {
     if (!bench.open())
         return false;
-    bench.user.the("pageTabs").setFocus();
-    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    bench.user.the<ui::PageTabs>("pageTabs").setCurrentIndex(ui::PageTabs::Measure);
     return bench.user.click("newProgram")
         && PageUser::waitFor([&] { return bench.user.the("savePlanButton").isEnabled(); });
 }
@@ -237,8 +236,7 @@ inline bool captureDialog(PageFixture& bench)
 {
     if (!bench.open())
         return false;
-    bench.user.the("pageTabs").setFocus();
-    PageUser::press(Qt::Key_PageUp, Qt::ControlModifier);
+    bench.user.the<ui::PageTabs>("pageTabs").setCurrentIndex(ui::PageTabs::Measure);
     return bench.user.click("captureValues") && bench.user.sees("captureDialog");
 }
 
@@ -316,12 +314,12 @@ inline bool fit(PageFixture& bench, const QString& path)
 {
     if (!bench.user.isThere())
         return false;
-    auto& tabs = bench.user.the<QTabBar>("pageTabs");
-    tabs.setCurrentIndex(0);
+    auto& tabs = bench.user.the<ui::PageTabs>("pageTabs");
+    tabs.setCurrentIndex(ui::PageTabs::Measure);
     bench.picked = path;
     if (!bench.user.click("addMeasurement"))
         return false;
-    tabs.setCurrentIndex(1);
+    tabs.setCurrentIndex(ui::PageTabs::Fit);
     auto& lookup = bench.user.the<QComboBox>("fitLookup");
     if (!PageUser::waitFor([&] { return lookup.isEnabled() && lookup.isVisible(); }))
         return false;
