@@ -432,8 +432,8 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor(
             [&] { return valueText(bench, 5, 5).startsWith(u'✕'); }, 10 * test::patienceMs));
         // Of a build that is not optimised; the goal for one that is are 16 ms.
-        QVERIFY2(heart.longest() < std::chrono::milliseconds(100),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
+        QVERIFY2(heart.longestBusy() < std::chrono::milliseconds(100),
+            qPrintable(QStringLiteral("%1 us").arg(heart.longestBusy().count())));
         auto& table = bench.user.the<QTableView>("runValues");
         table.selectAll();
         QVERIFY(!bench.user.the("excludeValues").isEnabled());
