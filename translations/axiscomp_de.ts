@@ -12949,7 +12949,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>Ble&amp;iben</translation>
+        <translation>B&amp;leiben</translation>
     </message>
     <message>
         <source>The record has never been saved.</source>
@@ -14146,7 +14146,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>Ble&amp;iben</translation>
+        <translation>B&amp;leiben</translation>
     </message>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
