@@ -11426,7 +11426,7 @@
     </message>
     <message>
         <source>Re&amp;move</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Take the selected file out of the measurement (Del)</source>
@@ -12949,7 +12949,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>B&amp;leiben</translation>
+        <translation>Bleib&amp;en</translation>
     </message>
     <message>
         <source>The record has never been saved.</source>
@@ -14146,7 +14146,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>B&amp;leiben</translation>
+        <translation>Bleib&amp;en</translation>
     </message>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
