@@ -11426,7 +11426,7 @@
     </message>
     <message>
         <source>Re&amp;move</source>
-        <translation>Entfernen</translation>
+        <translation>&amp;Entfernen</translation>
     </message>
     <message>
         <source>Take the selected file out of the measurement (Del)</source>
@@ -11529,7 +11529,7 @@
     </message>
     <message>
         <source>Wor&amp;k with Real Drives…</source>
-        <translation>Mit echten A&amp;ntrieben arbeiten…</translation>
+        <translation>Mit e&amp;chten Antrieben arbeiten…</translation>
     </message>
     <message>
         <source>%1 Your changes are kept; reconnecting …</source>
@@ -12949,7 +12949,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>Bleib&amp;en</translation>
+        <translation>Bleibe&amp;n</translation>
     </message>
     <message>
         <source>The record has never been saved.</source>
@@ -14146,7 +14146,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Sta&amp;y</source>
-        <translation>Bleib&amp;en</translation>
+        <translation>Bleibe&amp;n</translation>
     </message>
     <message>
         <source>%1 has changes that are not written to the drive.</source>
@@ -14158,7 +14158,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>Close Without Savin&amp;g</source>
-        <translation>Ohne Speichern s&amp;chließen</translation>
+        <translation>Ohne Speichern schlie&amp;ßen</translation>
     </message>
 </context>
 <context>
