@@ -47,7 +47,7 @@ void PlanStepsModel::show(
         Q_EMIT headerDataChanged(Qt::Horizontal, Deviation, Deviation);
         announce(0, m_plan->steps.size() - 1);
     } else {
-        const auto [first, last] = std::minmax(before, values.size());
+        const auto [first, last] = std::minmax({before, values.size()});
         announce(first > 0 ? first - 1 : 0, last);
     }
 }
