@@ -2,6 +2,7 @@
 #include "core/io/local_file.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
+#include "drivecomm/virtualdrive/machine/program_motion.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/page/page_tabs.h"
@@ -13,6 +14,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace tst_capturepage {
 
@@ -26,6 +28,7 @@ namespace {
 /// A straight error of 12 um/m, so that every deviation is known: without waves, noise and map.
 const std::string straight =
     R"({"axes": {"X": {"slope": 12e-6}, "Y": {}}, "instrument": {"axis": "X"}})";
+constexpr auto programStart = 500ms;
 const QString referenceRegister = QStringLiteral("Machine/Axes[0]/ReferencePosition");
 
 MeasuringPlan planOf(const std::string& axis = "X")
@@ -46,8 +49,17 @@ std::string contentOf(const QString& file)
     return bytes ? std::string(asText(*bytes)) : std::string();
 }
 
+/// When the axis of the program has come to the target of its first step.
+std::chrono::nanoseconds firstArrival()
+{
+    const drivecomm::ProgramMotion motion(planOf(), 0.0);
+    const double seconds = motion.movementEnds(0.0, motion.endSeconds()).at(1);
+    return programStart + std::chrono::nanoseconds(std::llround(seconds * 1e9));
+}
+
 /// The window on a machine that plays the plan, at the tab Measure. Time passes by 50 ms at each
-/// reading of a capture, and only then.
+/// reading of a capture, and only then: it stands still at a moment or when so many values have
+/// been taken, however late the test is there to see it.
 struct CaptureBench {
     explicit CaptureBench(
         const QString& valuesFile = {}, const QString& language = QStringLiteral("en"))
@@ -55,7 +67,7 @@ struct CaptureBench {
             [this](WizardOptions& options) {
                 options.captureInterval = 1ms;
                 options.captureClock = [this] {
-                    if (!isHeld)
+                    if (time < holdAt && taken() < holdAfter)
                         time += std::chrono::nanoseconds(50ms).count();
                     return std::chrono::nanoseconds(time);
                 };
@@ -71,7 +83,7 @@ struct CaptureBench {
         options.serialNumber = 1559;
         options.machine = drivecomm::parseMachine(straight, "straight").value();
         options.program = planOf();
-        options.programStart = 500ms;
+        options.programStart = programStart;
         options.clock = [this] { return std::chrono::nanoseconds(time); };
         return options;
     }
@@ -120,6 +132,16 @@ struct CaptureBench {
             qInfo("it says: %s", qPrintable(page.user.sees("captureState") ? state() : QString()));
         return isSaid;
     }
+    void goOn()
+    {
+        holdAt = std::numeric_limits<std::int64_t>::max();
+        holdAfter = std::numeric_limits<int>::max();
+    }
+    /// Where the axis stands at the target of the first step.
+    void holdSoLongAfterArrival(std::chrono::nanoseconds after)
+    {
+        holdAt = (firstArrival() + after).count();
+    }
     [[nodiscard]] int taken() const
     {
         const std::string text = contentOf(values);
@@ -131,7 +153,8 @@ struct CaptureBench {
     }
 
     std::atomic<std::int64_t> time = 0;
-    std::atomic<bool> isHeld = false;
+    std::atomic<std::int64_t> holdAt = std::numeric_limits<std::int64_t>::max();
+    std::atomic<int> holdAfter = std::numeric_limits<int>::max();
     PageFixture page;
     QString values;
 };
@@ -178,9 +201,9 @@ private Q_SLOTS:
     void theWindowStaysLiveAndReadyWhileValuesAreTaken()
     {
         CaptureBench bench;
+        bench.holdAfter = 1;
         QVERIFY(bench.open() && bench.beginWithRegister());
         QVERIFY(bench.hasTaken(1));
-        bench.isHeld = true;
         QSignalSpy live(&bench.page.controller(), &WizardController::liveChanged);
         QTRY_VERIFY(live.count() >= 3);
         QVERIFY(!bench.page.user.the("captureValues").isEnabled());
@@ -191,7 +214,7 @@ private Q_SLOTS:
         bench.page.controller().backUpDrive(bench.page.path(QStringLiteral("drive.json")));
         QVERIFY(bench.page.idle());
         QVERIFY(QFile::exists(bench.page.path(QStringLiteral("drive.json"))));
-        bench.isHeld = false;
+        bench.goOn();
         QVERIFY(bench.says(QStringLiteral("Every step has its value")));
         verifyComplete(bench.values);
     }
@@ -199,11 +222,12 @@ private Q_SLOTS:
     void aTypedPositionIsTakenByTheSpaceBarAndTakenBack()
     {
         CaptureBench bench;
+        bench.holdAt = 0;
         QVERIFY(bench.open() && bench.beginTyped());
         QVERIFY(bench.says(QStringLiteral("The axis moves. Step 1 is due: 0.000 mm")));
         QVERIFY(!bench.page.user.the("takeButton").isEnabled());
+        bench.holdSoLongAfterArrival(1200ms);
         QVERIFY(bench.says(QStringLiteral("read the instrument, and type what it says")));
-        bench.isHeld = true;
         QVERIFY(bench.page.user.click("typedReference"));
         bench.page.user.type(QStringLiteral("0.0021"));
         bench.page.user.press(Qt::Key_Space);
@@ -213,9 +237,8 @@ private Q_SLOTS:
         QTRY_COMPARE(bench.taken(), 0);
         QTRY_VERIFY(!bench.page.user.the("undoLastButton").isEnabled());
         // Its step is due again where the axis still stands, after another dwell.
-        bench.isHeld = false;
+        bench.holdSoLongAfterArrival(2400ms);
         QVERIFY(bench.says(QStringLiteral("read the instrument")));
-        bench.isHeld = true;
         QVERIFY(bench.page.user.click("typedReference"));
         bench.page.user.type(QStringLiteral("0.0012"));
         QVERIFY(bench.page.user.click("takeButton"));
@@ -226,9 +249,9 @@ private Q_SLOTS:
     void aTypedPositionThatIsImplausibleIsTypedTwice()
     {
         CaptureBench bench;
+        bench.holdSoLongAfterArrival(1200ms);
         QVERIFY(bench.open() && bench.beginTyped());
         QVERIFY(bench.says(QStringLiteral("read the instrument")));
-        bench.isHeld = true;
         auto& field = bench.page.user.the<QLineEdit>("typedReference");
         QVERIFY(bench.page.user.enter("typedReference", QStringLiteral("3.2")));
         QVERIFY(bench.says(QStringLiteral("type it once more if it is right")));
@@ -243,9 +266,9 @@ private Q_SLOTS:
     void aLostDrivePausesAndWhatItMissedIsSaid()
     {
         CaptureBench bench;
+        bench.holdAfter = 2;
         QVERIFY(bench.open() && bench.beginWithRegister());
         QVERIFY(bench.hasTaken(2));
-        bench.isHeld = true;
         const int before = bench.taken();
         bench.page.served.stop();
         QVERIFY(bench.says(QStringLiteral("Nothing is taken:")));
@@ -253,7 +276,7 @@ private Q_SLOTS:
         QVERIFY(!bench.page.user.the("undoLastButton").isEnabled());
         QCOMPARE(bench.taken(), before);
         bench.page.served.start();
-        bench.isHeld = false;
+        bench.goOn();
         QVERIFY(bench.says(QStringLiteral("Every step has its value")));
         verifyComplete(bench.values);
     }
@@ -261,10 +284,12 @@ private Q_SLOTS:
     void aPauseTakesNothing()
     {
         CaptureBench bench;
+        bench.holdAfter = 1;
         QVERIFY(bench.open() && bench.beginWithRegister());
         QVERIFY(bench.hasTaken(1));
         QVERIFY(bench.page.user.click("pauseButton"));
         QVERIFY(bench.says(QStringLiteral("Paused: nothing is taken. Step")));
+        bench.goOn();
         const int before = bench.taken();
         const std::int64_t time = bench.time;
         QTest::qWait(100);
@@ -282,6 +307,7 @@ private Q_SLOTS:
         const QString file = folder.filePath(QStringLiteral("runs.csv"));
         {
             CaptureBench bench(file);
+            bench.holdAfter = 2;
             QVERIFY(bench.open() && bench.beginWithRegister());
             QVERIFY(bench.hasTaken(2));
         }
@@ -312,6 +338,7 @@ private Q_SLOTS:
     void aDriveThatIsRemovedEndsIt()
     {
         CaptureBench bench;
+        bench.holdAfter = 1;
         QVERIFY(bench.open() && bench.beginWithRegister());
         QVERIFY(bench.hasTaken(1));
         bench.page.controller().setEndpoints({});
