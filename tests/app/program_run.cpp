@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/program_run.h"
+
+#include "drivecomm/link_factory.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/support/patience.h"
 
 #include <QFile>
 #include <QRegularExpression>
 
+#include <array>
 #include <csignal>
 
 namespace axiscomp::test {
 
 namespace {
+
+std::unique_ptr<DriveLink> linkTo(const QString& url)
+{
+    const auto endpoint = drivecomm::parseEndpoint(url.toStdString());
+    return drivecomm::makeLink(endpoint.value(), drivecomm::genericProfile()).value();
+}
 
 } // namespace
 
@@ -116,6 +126,17 @@ VirtualDriveProcess::~VirtualDriveProcess()
 QByteArray VirtualDriveProcess::said()
 {
     return m_process->readAllStandardError();
+}
+
+RegisterValue VirtualDriveProcess::registerValue(const std::string& path) const
+{
+    const auto readings = linkTo(url())->readRegisters(std::array{path}, {});
+    return readings && readings->size() == 1 ? readings->front().value : RegisterValue{};
+}
+
+bool VirtualDriveProcess::writeRegister(const std::string& path, const RegisterValue& value) const
+{
+    return linkTo(url())->writeRegisters(std::array{RegisterWrite{path, value}}, {}).has_value();
 }
 
 QString axiscompProgram()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/drive/register_value.h"
+
 #include <QByteArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -9,6 +11,7 @@
 #include <QTemporaryDir>
 
 #include <memory>
+#include <string>
 
 namespace axiscomp::test {
 
@@ -65,6 +68,10 @@ public:
     [[nodiscard]] QStringList names() const { return m_names; }
     [[nodiscard]] QProcess& process() { return *m_process; }
     [[nodiscard]] QByteArray said();
+    /// What a register of the first drive says, and writing it, as another program would.
+    [[nodiscard]] axiscomp::RegisterValue registerValue(const std::string& path) const;
+    [[nodiscard]] bool writeRegister(
+        const std::string& path, const axiscomp::RegisterValue& value) const;
 
 private:
     std::unique_ptr<QProcess> m_process;

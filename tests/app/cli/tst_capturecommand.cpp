@@ -27,8 +27,58 @@ const QByteArray straight = R"({"axes": {"X": {"slope": 12e-6}, "Y": {}},
 const QString referenceRegister = QStringLiteral("Machine/Axes[0]/ReferencePosition");
 constexpr int steps = 4;
 
+/// axiscomp capture, while it runs.
+class RunningCapture {
+public:
+    explicit RunningCapture(std::unique_ptr<QProcess> process) : m_process(std::move(process)) { }
+
+    /// Whether it has said this by now or says it before it ends; each on its own channel.
+    [[nodiscard]] bool says(const QByteArray& words)
+    {
+        return waitFor(words, QProcess::StandardOutput, out);
+    }
+    [[nodiscard]] bool warns(const QByteArray& words)
+    {
+        return waitFor(words, QProcess::StandardError, err);
+    }
+    [[nodiscard]] ProgramRun end()
+    {
+        if (m_process->state() != QProcess::NotRunning
+            && !m_process->waitForFinished(test::patienceMs))
+            return {-1, out, err};
+        out += m_process->readAllStandardOutput();
+        err += m_process->readAllStandardError();
+        const int code = m_process->exitCode();
+        return {m_process->exitStatus() == QProcess::NormalExit ? code : 128 + code, out, err};
+    }
+    void send(int signal)
+    {
+        if (const qint64 id = m_process->processId(); id > 0)
+            ::kill(static_cast<pid_t>(id), signal);
+    }
+    void type(const QByteArray& line) { m_process->write(line + "\n"); }
+
+    QByteArray out;
+    QByteArray err;
+
+private:
+    [[nodiscard]] bool waitFor(
+        const QByteArray& words, QProcess::ProcessChannel channel, QByteArray& said)
+    {
+        m_process->setReadChannel(channel);
+        while (!said.contains(words)) {
+            if (m_process->bytesAvailable() == 0 && !m_process->waitForReadyRead(test::patienceMs))
+                return false;
+            said += m_process->readAll();
+        }
+        return true;
+    }
+
+    std::unique_ptr<QProcess> m_process;
+};
+
 /// A plan over two targets, and a machine that plays it so fast that a reading that comes late
-/// misses neither a target nor a turn.
+/// misses neither a target nor a turn. The machine waits until it is told to play.
 struct CaptureFixture {
     static constexpr int speed = 6;
     /// dwell: at each target, in s
@@ -41,13 +91,28 @@ struct CaptureFixture {
         if (made.code != 0)
             qWarning("%s", made.text().constData());
     }
-    /// From the beginning of the program.
-    void startMachine()
+    void startMachine(const QStringList& more = {})
     {
         machine.reset();
         machine = std::make_unique<VirtualDriveProcess>(box,
-            QStringList{"--machine", "machine.json", "--program", "plan.csv", "--instrument",
-                box.path("laser"), "--speed", QString::number(speed)});
+            QStringList{"--machine", "machine.json", "--program", "plan.csv", "--program-after",
+                "86400", "--instrument", box.path("laser"), "--speed", QString::number(speed)}
+                + more);
+    }
+    /// From the beginning of the program, once the capture reads.
+    [[nodiscard]] bool play(RunningCapture& capture) const
+    {
+        return capture.says("the program moves no axis")
+            && machine->writeRegister("Machine/Program/Command", "Start");
+    }
+    [[nodiscard]] RunningCapture start(const QStringList& words) const
+    {
+        return RunningCapture(box.start(test::axiscompProgram(), words));
+    }
+    /// Of the whole program.
+    [[nodiscard]] ProgramRun run(RunningCapture capture) const
+    {
+        return play(capture) ? capture.end() : ProgramRun{-1, capture.out, capture.err};
     }
     [[nodiscard]] QStringList words(
         const QString& reference = referenceRegister, const QStringList& more = {}) const
@@ -63,17 +128,6 @@ struct CaptureFixture {
         const QByteArray text = box.content("runs.csv");
         const qsizetype columns = text.indexOf("\ntarget [mm],");
         return columns < 0 ? 0 : text.mid(columns + 1).count('\n') - 1;
-    }
-    /// Waits until the program has said this on standard error.
-    [[nodiscard]] static bool hasSaid(QProcess& process, const QByteArray& words, QByteArray& said)
-    {
-        process.setReadChannel(QProcess::StandardError);
-        while (!said.contains(words)) {
-            if (process.bytesAvailable() == 0 && !process.waitForReadyRead(test::patienceMs))
-                return false;
-            said += process.readAllStandardError();
-        }
-        return true;
     }
 
     Sandbox box;
@@ -109,7 +163,7 @@ private Q_SLOTS:
     {
         CaptureFixture fixture;
         fixture.startMachine();
-        const ProgramRun run = fixture.box.run(fixture.words());
+        const ProgramRun run = fixture.run(fixture.start(fixture.words()));
         VERIFY_CODE(run, 0);
         QVERIFY2(run.out.contains("1/4  0.000 mm up, run 1: "), run.out.constData());
         QVERIFY2(run.out.endsWith("4 of 4 values in runs.csv\n"), run.out.constData());
@@ -134,15 +188,12 @@ private Q_SLOTS:
         CaptureFixture fixture;
         for (int line = 1; line <= steps; ++line) {
             fixture.startMachine();
-            auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
-            QByteArray said;
-            const QByteArray taken = QByteArray::number(line) + "/4  ";
-            while (!said.contains(taken) && process->waitForReadyRead(test::patienceMs))
-                said += process->readAllStandardOutput();
-            QVERIFY2(said.contains(taken), process->readAllStandardError().constData());
-            process->kill();
-            QVERIFY(process->state() == QProcess::NotRunning
-                || process->waitForFinished(test::patienceMs));
+            RunningCapture capture = fixture.start(fixture.words());
+            QVERIFY(fixture.play(capture));
+            QVERIFY2(capture.says(QByteArray::number(line) + "/4  "), capture.out.constData());
+            capture.send(SIGKILL);
+            const ProgramRun killed = capture.end(); // with its last value it ends by itself
+            QVERIFY2(killed.code == 128 + SIGKILL || line == steps, killed.text().constData());
             QCOMPARE(fixture.taken(), static_cast<long>(line));
             QCOMPARE(fixture.box.content("runs.csv").back(), '\n');
         }
@@ -154,20 +205,18 @@ private Q_SLOTS:
     {
         CaptureFixture fixture;
         fixture.startMachine();
-        auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
-        QByteArray said;
-        while (!said.contains("2/4  ") && process->waitForReadyRead(test::patienceMs))
-            said += process->readAllStandardOutput();
-        ::kill(static_cast<pid_t>(process->processId()), SIGINT);
-        QVERIFY(process->waitForFinished(test::patienceMs));
-        QCOMPARE(process->exitStatus(), QProcess::NormalExit);
-        QCOMPARE(process->exitCode(), 130);
-        const QByteArray err = process->readAllStandardError();
-        QVERIFY2(err.contains("2 of 4 values in runs.csv; the same command goes on behind them"),
-            err.constData());
+        RunningCapture capture = fixture.start(fixture.words());
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.says("2/4  "), capture.out.constData());
+        capture.send(SIGINT);
+        const ProgramRun interrupted = capture.end();
+        VERIFY_CODE(interrupted, 130);
+        QVERIFY2(interrupted.err.contains(
+                     "2 of 4 values in runs.csv; the same command goes on behind them"),
+            interrupted.err.constData());
         QCOMPARE(fixture.taken(), 2L);
         fixture.startMachine();
-        const ProgramRun rest = fixture.box.run(fixture.words());
+        const ProgramRun rest = fixture.run(fixture.start(fixture.words()));
         VERIFY_CODE(rest, 0);
         QVERIFY2(rest.out.contains("2 of 4 values taken"), rest.out.constData());
         QVERIFY2(!rest.out.contains("\n2/4  "), rest.out.constData());
@@ -178,25 +227,18 @@ private Q_SLOTS:
     {
         CaptureFixture fixture;
         fixture.startMachine();
-        const QStringList words = fixture.words();
         const QString address = QUrl(fixture.machine->url()).authority();
-        auto process = fixture.box.start(test::axiscompProgram(), words);
-        QByteArray said;
-        while (!said.contains("1/4  ") && process->waitForReadyRead(test::patienceMs))
-            said += process->readAllStandardOutput();
+        RunningCapture capture = fixture.start(fixture.words());
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.says("1/4  "), capture.out.constData());
         fixture.machine.reset();
-        QByteArray err;
-        QVERIFY2(
-            CaptureFixture::hasSaid(*process, "waiting for it, Ctrl-C ends", err), err.constData());
-        const VirtualDriveProcess again(fixture.box,
-            {"--machine", "machine.json", "--program", "plan.csv", "--speed",
-                QString::number(CaptureFixture::speed), "--http", address});
-        QVERIFY(again.isReady());
-        QVERIFY2(
-            CaptureFixture::hasSaid(*process, "the drive answers again", err), err.constData());
-        QVERIFY(process->waitForFinished(test::patienceMs));
-        QCOMPARE(process->exitCode(), 0);
-        QCOMPARE(err.count("waiting for it"), 1);
+        QVERIFY2(capture.warns("waiting for it, Ctrl-C ends"), capture.err.constData());
+        fixture.startMachine({"--http", address});
+        QVERIFY(fixture.machine->isReady());
+        QVERIFY2(capture.warns("the drive answers again"), capture.err.constData());
+        QVERIFY(fixture.play(capture));
+        VERIFY_CODE(capture.end(), 0);
+        QCOMPARE(capture.err.count("waiting for it"), 1);
         verifyRuns(fixture.box, 2e-6);
     }
 
@@ -207,8 +249,8 @@ private Q_SLOTS:
         QStringList quotedWords;
         for (const QString& word : fixture.words("-"))
             quotedWords += "'" + word + "'";
-        const ProgramRun run = fixture.box.runProgram("/bin/bash",
-            {"-c", "cat laser | '" + test::axiscompProgram() + "' " + quotedWords.join(u' ')});
+        const ProgramRun run = fixture.run(RunningCapture(fixture.box.start("/bin/bash",
+            {"-c", "cat laser | '" + test::axiscompProgram() + "' " + quotedWords.join(u' ')})));
         VERIFY_CODE(run, 0);
         verifyRuns(fixture.box, 2e-6);
         QVERIFY(
@@ -228,7 +270,7 @@ private Q_SLOTS:
         CaptureFixture fixture;
         fixture.startMachine();
         const QString laser = "serial:" + fixture.box.path("laser") + "?baud=9600";
-        const ProgramRun run = fixture.box.run(fixture.words(laser, more));
+        const ProgramRun run = fixture.run(fixture.start(fixture.words(laser, more)));
         VERIFY_CODE(run, 0);
         verifyRuns(fixture.box, 2e-6);
     }
@@ -237,8 +279,8 @@ private Q_SLOTS:
     {
         CaptureFixture fixture(4.0);
         fixture.startMachine();
-        auto process = fixture.box.start(test::axiscompProgram(), fixture.words("typed"));
-        QByteArray err;
+        RunningCapture capture = fixture.start(fixture.words("typed"));
+        QVERIFY(fixture.play(capture));
         const QByteArray plan = fixture.box.content("plan.csv");
         int step = 0;
         qsizetype doubts = 0;
@@ -247,19 +289,17 @@ private Q_SLOTS:
             const QByteArray direction = cells.at(2) == "+" ? "up" : "down";
             const QByteArray question =
                 cells.at(3) + " mm " + direction + ": what does the instrument say, in mm?";
-            QVERIFY2(CaptureFixture::hasSaid(*process, question, err), err.constData());
+            QVERIFY2(capture.warns(question), capture.err.constData());
             const double target = cells.at(3).toDouble();
             if (++step == 2) { // a slip of the pen, and what it should have been
-                process->write(QByteArray::number(target + 5.0 + 17.3, 'f', 5) + "\n");
-                QVERIFY2(
-                    CaptureFixture::hasSaid(*process, "type it once more", err), err.constData());
+                capture.type(QByteArray::number(target + 5.0 + 17.3, 'f', 5));
+                QVERIFY2(capture.warns("type it once more"), capture.err.constData());
             }
-            doubts += err.count("type it once more");
-            err.clear();
-            process->write(QByteArray::number(target * (1 + 12e-6) + 17.3, 'f', 5) + "\n");
+            doubts += capture.err.count("type it once more");
+            capture.err.clear();
+            capture.type(QByteArray::number(target * (1 + 12e-6) + 17.3, 'f', 5));
         }
-        QVERIFY(process->waitForFinished(test::patienceMs));
-        QCOMPARE(process->exitCode(), 0);
+        VERIFY_CODE(capture.end(), 0);
         QCOMPARE(doubts, 1);
         verifyRuns(fixture.box, 6e-6);
     }
@@ -301,13 +341,12 @@ private Q_SLOTS:
         CaptureFixture fixture;
         fixture.box.file("machine.json", machine);
         fixture.startMachine();
-        auto process = fixture.box.start(
-            test::axiscompProgram(), fixture.words("serial:" + fixture.box.path("laser"), more));
-        QByteArray err;
-        QVERIFY2(CaptureFixture::hasSaid(*process, said, err), err.constData());
-        process->terminate();
-        QVERIFY(process->waitForFinished(test::patienceMs));
-        QCOMPARE(process->exitCode(), 130);
+        RunningCapture capture =
+            fixture.start(fixture.words("serial:" + fixture.box.path("laser"), more));
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.warns(said), capture.err.constData());
+        capture.send(SIGTERM);
+        VERIFY_CODE(capture.end(), 130);
         QCOMPARE(fixture.taken(), static_cast<long>(taken));
     }
 
@@ -317,13 +356,12 @@ private Q_SLOTS:
         fixture.startMachine();
         QStringList words = fixture.words();
         words[words.indexOf("--zero-at") + 1] = "0";
-        auto process = fixture.box.start(test::axiscompProgram(), words);
-        QByteArray err;
-        QVERIFY2(CaptureFixture::hasSaid(
-                     *process, "if that is right, begin a new file with --zero-at -17.300", err),
-            err.constData());
-        process->terminate();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        RunningCapture capture = fixture.start(words);
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.warns("if that is right, begin a new file with --zero-at -17.300"),
+            capture.err.constData());
+        capture.send(SIGTERM);
+        VERIFY_CODE(capture.end(), 130);
     }
 
     void whatCannotBeCapturedIsRefused_data()
@@ -391,20 +429,16 @@ private Q_SLOTS:
             fixture.box.run({"status", "--drive", drive, "--axis", "X", "--json"}).json();
         const auto crc =
             static_cast<uint>(status.value("table").toObject().value("crc").toInteger());
-        auto process = fixture.box.start(test::axiscompProgram(), fixture.words());
-        QByteArray said;
-        while (!said.contains("1/4  ") && process->waitForReadyRead(test::patienceMs))
-            said += process->readAllStandardOutput();
+        RunningCapture capture = fixture.start(fixture.words());
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.says("1/4  "), capture.out.constData());
         const QByteArray file = fixture.box.content("runs.csv");
         const QByteArray expected =
             "// compensation: crc:" + QByteArray::number(crc, 16).rightJustified(8, '0') + "\n";
         QVERIFY2(file.contains(expected), file.constData());
         VERIFY_CODE(fixture.box.run({"deactivate", "--drive", drive, "--axis", "X"}), 0);
-        QByteArray err;
-        QVERIFY2(
-            CaptureFixture::hasSaid(*process, "error: MeasurementState: ", err), err.constData());
-        QVERIFY(process->waitForFinished(test::patienceMs));
-        QCOMPARE(process->exitCode(), 2);
+        QVERIFY2(capture.warns("error: MeasurementState: "), capture.err.constData());
+        VERIFY_CODE(capture.end(), 2);
         // What is active now belongs into another file.
         const ProgramRun other = fixture.box.run(fixture.words());
         VERIFY_CODE(other, 3);
