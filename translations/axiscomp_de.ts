@@ -9752,7 +9752,7 @@
     </message>
     <message>
         <source>More: language, log, settings</source>
-        <translation>Weiteres: Sprache, Protokoll, Einstellungen</translation>
+        <translation>Weiteres: Sprache, Logbuch, Einstellungen</translation>
     </message>
     <message>
         <source>Menu</source>
@@ -10034,7 +10034,7 @@
     </message>
     <message>
         <source>Save Log</source>
-        <translation>Protokoll speichern</translation>
+        <translation>Logbuch speichern</translation>
     </message>
     <message>
         <source>Text files (*.txt)</source>
@@ -11336,7 +11336,7 @@
     <name>axiscomp::ui::LogView</name>
     <message>
         <source>Log</source>
-        <translation>Protokoll</translation>
+        <translation>Logbuch</translation>
     </message>
     <message>
         <source>Copy the selected lines, or all of them</source>
@@ -11344,11 +11344,11 @@
     </message>
     <message>
         <source>Save the log to a file</source>
-        <translation>Protokoll in eine Datei speichern</translation>
+        <translation>Logbuch in eine Datei speichern</translation>
     </message>
     <message>
         <source>Hide the log</source>
-        <translation>Protokoll ausblenden</translation>
+        <translation>Logbuch ausblenden</translation>
     </message>
 </context>
 <context>
@@ -12223,7 +12223,7 @@
     </message>
     <message>
         <source>Save Lo&amp;g…</source>
-        <translation>&amp;Protokoll speichern…</translation>
+        <translation>Lo&amp;gbuch speichern…</translation>
     </message>
     <message>
         <source>&amp;About</source>
@@ -13847,11 +13847,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>&amp;Log</source>
-        <translation>Protoko&amp;ll</translation>
+        <translation>&amp;Logbuch</translation>
     </message>
     <message>
         <source>Show the log (Ctrl+L)</source>
-        <translation>Das Protokoll zeigen (Strg+L)</translation>
+        <translation>Das Logbuch zeigen (Strg+L)</translation>
     </message>
 </context>
 <context>
