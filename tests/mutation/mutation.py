@@ -54,6 +54,7 @@ inline bool on(int fault)
 }}
 }}
 """
+STATEMENT = re.compile(r"\s*(if|for|while|switch|return)\b")
 FAILURE = b"\nFAIL!"  # of Qt Test
 PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
 PATIENCE_FACTOR = 30  # a fault that makes it hang is found, a busy machine finds none
@@ -122,6 +123,8 @@ def problems_of(root, faults):
             problems.append(f"{fault.name}: there is no file {fault.file}")
         elif problem := locate(fault, path.read_text(encoding="utf-8")):
             problems.append(problem)
+        elif STATEMENT.match(fault.original) and not fault.original.rstrip().endswith((";", "}")):
+            problems.append(f"{fault.name}: a piece is whole statements or an expression: {fault.original}")
         if not fault.tests:
             problems.append(f"{fault.name}: it has no tests")
         problems += [f"{fault.name}: there is no test {test}" for test in fault.tests if test not in known]
@@ -130,7 +133,7 @@ def problems_of(root, faults):
 
 def switched(fault, original):
     chosen = f"::axiscomp::mutation::on({fault.number})"
-    if re.match(r"(if|for|while)\b", fault.original.strip()) or fault.original.strip().endswith(";"):
+    if STATEMENT.match(fault.original) or fault.original.rstrip().endswith(";"):
         return f"{{ if ({chosen}) {{ {fault.faulty} }} else {{ {original} }} }}"
     return f"({chosen} ? ({fault.faulty}) : ({original}))"
 
@@ -331,6 +334,8 @@ SAMPLES = {
     "a line that stands twice": ([{**FOUND, "original": "half"}], 2, "this stands 2 times: half"),
     "a file that is gone": ([{**FOUND, "file": "core/other.cpp"}], 2, "there is no file core/other.cpp"),
     "a test that does not exist": ([{**FOUND, "tests": ["tst_other"]}], 2, "there is no test tst_other"),
+    "a condition with its keyword": ([{**FOUND, "original": "if (number < 0)", "faulty": "if (number > 0)"}], 2,
+                                     "whole statements or an expression: if (number < 0)"),
     "no test at all": ([{**FOUND, "tests": []}], 2, "it has no tests"),
     "one name twice": ([FOUND, FOUND], 2, "several faults of this name"),
     "a word that no entry has": ([{**FOUND, "why": "so"}], 2, "why"),
