@@ -6014,6 +6014,18 @@
         <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
         <translation>die Läufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</translation>
     </message>
+    <message>
+        <source>a table for each direction is made of runs over targets; make those of a track one after the other (--direction positive, then --direction negative)</source>
+        <translation>eine Tabelle für jede Richtung entsteht aus Durchläufen über Zielpositionen; die einer Bahn nacheinander erstellen (--direction positive, dann --direction negative)</translation>
+    </message>
+    <message>
+        <source>{name} has one value for both directions, and so has what is merged onto it: make the table of the mean (--direction mean)</source>
+        <translation>{name} hat einen Wert für beide Richtungen, also auch, was damit verbunden wird: die Tabelle des Mittels erstellen (--direction mean)</translation>
+    </message>
+    <message>
+        <source>a table over position and temperature is for a drive, which has one value for both directions (--direction mean)</source>
+        <translation>eine Tabelle über Position und Temperatur ist für einen Antrieb, und der hat einen Wert für beide Richtungen (--direction mean)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6300,12 +6312,12 @@
         <translation>{count} Zielpositionen liegen in {turns} Perioden von {period}</translation>
     </message>
     <message>
-        <source>at the home position {home} the drive will add {value}</source>
-        <translation>an der Referenzposition {home} wird der Antrieb {value} addieren</translation>
+        <source>{table} adds {value} at the home position {home}</source>
+        <translation>{table} addiert an der Referenzposition {home} {value}</translation>
     </message>
     <message>
-        <source>over a turn, from {from} to {to}, the table ends {jump} above where it begins</source>
-        <translation>über eine Umdrehung, von {from} bis {to}, endet die Tabelle {jump} über ihrem Anfang</translation>
+        <source>over a turn, from {from} to {to}, {table} ends {jump} above where it begins</source>
+        <translation>über eine Umdrehung, von {from} bis {to}, endet {table} {jump} über ihrem Anfang</translation>
     </message>
     <message>
         <source>the compensation off</source>
@@ -6388,8 +6400,8 @@
         <translation>bei {speed} springt die Geschwindigkeit an einem Punkt der Tabelle um höchstens {step}</translation>
     </message>
     <message>
-        <source>{count} points with straight lines between them are at most {distance} off the curve, at {place}</source>
-        <translation>{count} Punkte mit Geraden dazwischen sind höchstens {distance} von der Kurve entfernt, bei {place}</translation>
+        <source>{count} points of {table} with straight lines between them are at most {distance} off the curve, at {place}</source>
+        <translation>{count} Punkte von {table} mit Geraden dazwischen sind höchstens {distance} von der Kurve entfernt, bei {place}</translation>
     </message>
     <message numerus="yes">
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
@@ -6534,6 +6546,18 @@
     <message>
         <source>{figure} {after}, {before} before</source>
         <translation>{figure} {after}, {before} vorher</translation>
+    </message>
+    <message>
+        <source>there is a table for each direction, and the reversal of up to {reversal} is in them: switch off the controller&apos;s own backlash compensation</source>
+        <translation>es gibt eine Tabelle für jede Richtung, und die Umkehrspanne von bis zu {reversal} ist darin enthalten: die Losekompensation der Steuerung ausschalten</translation>
+    </message>
+    <message>
+        <source>approached upwards: {sentence}</source>
+        <translation>aufwärts angefahren: {sentence}</translation>
+    </message>
+    <message>
+        <source>approached downwards: {sentence}</source>
+        <translation>abwärts angefahren: {sentence}</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,13 @@ _axiscomp()
             return ;;
         --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
         --by) COMPREPLY=($(compgen -W "temperature" -- "$cur")); return ;;
-        --direction) COMPREPLY=($(compgen -W "mean positive negative" -- "$cur")); return ;;
+        --direction)
+            if [[ $command == fit ]]; then
+                COMPREPLY=($(compgen -W "mean positive negative both" -- "$cur"))
+            else
+                COMPREPLY=($(compgen -W "mean positive negative" -- "$cur"))
+            fi
+            return ;;
         --outliers) COMPREPLY=($(compgen -W "mad grubbs none" -- "$cur")); return ;;
         --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
         --direction-from) COMPREPLY=($(compgen -W "order" -- "$cur")); return ;;

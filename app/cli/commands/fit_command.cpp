@@ -133,9 +133,7 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     settings.smoothness = options.smoothness;
     settings.periods = {options.periods, options.harmonics};
     settings.turn = options.turn;
-    settings.direction = options.direction == "positive" ? FitDirection::Positive
-        : options.direction == "negative"                ? FitDirection::Negative
-                                                         : FitDirection::Mean;
+    settings.direction = fitDirectionNamed(options.direction).value_or(FitDirection::Mean);
     if (!options.removedSlope.empty())
         settings.slope =
             options.removedSlope == "lsq" ? SlopeRemoval::LeastSquares : SlopeRemoval::Ends;
@@ -214,14 +212,6 @@ Result<StateSources> readStates(
     return sources;
 }
 
-std::vector<CompensationTable> tablesOf(const FitReport& report)
-{
-    std::vector<CompensationTable> tables;
-    for (const FittedTable& made : report.tables)
-        tables.push_back(made.table);
-    return tables;
-}
-
 /// What a person reads. format: of the table that was written; null: none.
 void tell(Environment& environment, const FitOptions& options, const MeasurementInput& input,
     const MadeCorrections& corrections, const FitReport& report, const std::string& text,
@@ -248,8 +238,13 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (isWritten) {
         AXISCOMP_TRY(format, fittedFormat(environment, options.file));
     }
-    if (!options.record.empty())
+    if (!options.record.empty()) {
         AXISCOMP_CHECK(checkNewRecord(options.record, options.input.command));
+        if (fitDirectionNamed(options.direction) == FitDirection::Both)
+            return wrongUsage("a record is of a drive, which has one value for both directions; "
+                              "leave out --record or --direction both",
+                options.input.command);
+    }
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
     MeasurementInputOptions reading = options.input;
     reading.keepsFiles = !options.record.empty();
@@ -277,7 +272,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
         crcs.push_back(crc);
     }
     if (isWritten)
-        AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, tablesOf(report),
+        AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, report.tables,
             notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement),
                 settings, report)));
     if (!options.record.empty()) {
@@ -359,9 +354,10 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
         ->group(group);
     command
         .add_option("--direction", options.direction,
-            "Which runs the table is made of: mean of both (the default), positive or negative")
+            "Which runs the table is made of: mean of both (the default), positive or negative; "
+            "both makes a table for each, for controllers that keep two")
         ->option_text("CHOICE")
-        ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
+        ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative", "both"}))
         ->group(group);
     command
         .add_option("--by", options.by,

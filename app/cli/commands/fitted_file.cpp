@@ -23,10 +23,22 @@ std::string columnNames(const std::vector<CompensationTable>& tables)
     return names;
 }
 
+bool isPair(const std::vector<FittedTable>& fitted)
+{
+    return fitted.front().direction != Direction::Both;
+}
+
 /// One of several columns, where one was named or the format holds no more.
 Result<void> chooseColumns(const FittedFileOptions& options, const TableFormat& format,
-    std::vector<CompensationTable>& tables)
+    const std::vector<FittedTable>& fitted, std::vector<CompensationTable>& tables)
 {
+    if (isPair(fitted)) {
+        if (!options.table.empty())
+            return wrongUsage("the tables of both directions are written together; for one of them "
+                              "leave out --table and take --direction positive or negative",
+                options.output.command);
+        return {};
+    }
     if (options.table.empty()) {
         if (format.facts.mostColumns == 1 && tables.size() > 1)
             return wrongUsage(std::string(format.facts.name)
@@ -56,9 +68,14 @@ Result<void> stateTargets(const FittedFileOptions& options, std::vector<Compensa
 }
 
 Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& options,
-    const TableFormat& format, const DriveProfile& profile, const CalibrationData& data)
+    const TableFormat& format, const DriveProfile& profile, const CalibrationData& data,
+    const std::vector<FittedTable>& fitted)
 {
-    const NeutralTable tables[] = {neutralTable(data)};
+    NeutralTable table = neutralTable(data);
+    if (isPair(fitted))
+        for (std::size_t i = 0; i < fitted.size(); ++i)
+            table.columns[i].direction = fitted[i].direction;
+    const NeutralTable tables[] = {std::move(table)};
     ConversionOptions conversion = options.conversion;
     conversion.targets.clear(); // stated already
     AXISCOMP_TRY(auto request,
@@ -96,16 +113,20 @@ Result<const TableFormat*> fittedFormat(Environment& environment, const FittedFi
 }
 
 Result<void> writeFitted(Environment& environment, const FittedFileOptions& options,
-    const TableFormat& format, const DriveProfile& profile, std::vector<CompensationTable> tables,
+    const TableFormat& format, const DriveProfile& profile, const std::vector<FittedTable>& fitted,
     std::vector<std::string> notes)
 {
-    AXISCOMP_CHECK(chooseColumns(options, format, tables));
+    std::vector<CompensationTable> tables;
+    for (const FittedTable& made : fitted)
+        tables.push_back(made.table);
+    AXISCOMP_CHECK(chooseColumns(options, format, fitted, tables));
     AXISCOMP_CHECK(stateTargets(options, tables));
     CalibrationData data{tables.front().grid, tables, std::move(notes)};
-    const bool isOwn = isTriamec(format) && options.conversion.toSign.empty()
+    const bool isOwn = isTriamec(format) && !isPair(fitted) && options.conversion.toSign.empty()
         && options.conversion.settings.empty();
     if (!isOwn) {
-        AXISCOMP_TRY(const auto bytes, convertedBytes(environment, options, format, profile, data));
+        AXISCOMP_TRY(
+            const auto bytes, convertedBytes(environment, options, format, profile, data, fitted));
         return writeOutput(environment, options.output, bytes);
     }
     if (&format == &tam_table::format()) {

@@ -23,10 +23,11 @@ struct FittedFileOptions {
     Environment& environment, const FittedFileOptions& options);
 
 /// Writes the tables, converted as `convert` does it where the format is another controller's.
-/// Errors: TableNotFound, InvalidArgument, LargeCorrection, those of convertTables, and
+/// A table for each direction belongs into a format that holds both: FormatCannotHold. Other
+/// errors: TableNotFound, InvalidArgument, LargeCorrection, those of convertTables, and
 /// FileNotWritable.
 [[nodiscard]] Result<void> writeFitted(Environment& environment, const FittedFileOptions& options,
-    const TableFormat& format, const DriveProfile& profile, std::vector<CompensationTable> tables,
+    const TableFormat& format, const DriveProfile& profile, const std::vector<FittedTable>& fitted,
     std::vector<std::string> notes);
 
 } // namespace axiscomp::app

@@ -32,8 +32,9 @@ std::string methodText(
         text += ", smoothness " + shortText(*made.smoothness)
             + (settings.smoothness ? "" : " by cross-validation");
     if (measurement.kind != MeasurementKind::Points)
-        text += settings.direction == FitDirection::Mean
-            ? ", mean of both directions"
+        text += settings.direction == FitDirection::Mean ? ", mean of both directions"
+            : settings.direction == FitDirection::Both
+            ? ", " + std::string(directionName(made.direction)) + " direction"
             : ", " + std::string(fitDirectionName(settings.direction)) + " direction";
     return text;
 }
@@ -94,8 +95,10 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
         lines.emplace_back("Period " + shortText(term.period / term.harmonic),
             "amplitude " + fine(term.amplitude()) + ", standard error " + fine(term.standardError)
                 + ", phase " + fixedText(term.phase(), 3) + " rad");
-    lines.emplace_back("CRC", hexText(crc));
-    lines.emplace_back("On the drive", slotText(made.table.grid, profile));
+    if (made.direction == Direction::Both) { // otherwise it is for another controller
+        lines.emplace_back("CRC", hexText(crc));
+        lines.emplace_back("On the drive", slotText(made.table.grid, profile));
+    }
     return "\nTable " + made.table.name + "\n" + labelled(lines, "  ");
 }
 
@@ -143,7 +146,8 @@ Json periodsJson(const FittedTable& made)
 
 Json columnJson(const FittedTable& made, std::uint32_t crc)
 {
-    return {{"name", made.table.name}, {"target", made.table.target}, {"crc", crc},
+    return {{"name", made.table.name}, {"target", made.table.target},
+        {"direction", directionName(made.direction)}, {"crc", crc},
         {"smoothness", jsonOf(made.smoothness)},
         {"residual", {{"rms", made.residualRms}, {"largest", made.residualLargest}}},
         {"crossValidation", jsonOf(made.crossValidation)},

@@ -193,7 +193,13 @@ void remarkOfReversal(const FitInput& input, const TableFit& fit, Remarks& remar
 {
     if (!fit.remainingReversal)
         return;
-    if (fit.isMostlyReversal)
+    if (input.settings.direction == FitDirection::Both)
+        remarks.say("ReversalInTables",
+            AXISCOMP_TEXT("Measurement",
+                "there is a table for each direction, and the reversal of up to {reversal} is in "
+                "them: switch off the controller's own backlash compensation")
+                .with("reversal", remarks.fine(2.0 * *fit.remainingReversal)));
+    else if (fit.isMostlyReversal)
         remarks.warn("MostlyReversal",
             AXISCOMP_TEXT("Measurement",
                 "most of this error is reversal, which no table removes: up to {reversal} remains "
@@ -247,7 +253,8 @@ void remarkOfHome(const FitInput& input, const CompensationTable& table, Remarks
         return;
     const Lookup lookup(table, input.outside());
     remarks.say("ValueAtHome",
-        AXISCOMP_TEXT("Measurement", "at the home position {home} the drive will add {value}")
+        AXISCOMP_TEXT("Measurement", "{table} adds {value} at the home position {home}")
+            .with("table", table.name)
             .with("home", remarks.place(*input.settings.home))
             .with("value", remarks.fine(lookup.at(*input.settings.home))));
 }
@@ -260,7 +267,8 @@ void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks
     const double jump =
         static_cast<double>(table.values.back()) - static_cast<double>(table.values.front());
     Text ends = AXISCOMP_TEXT("Measurement",
-        "over a turn, from {from} to {to}, the table ends {jump} above where it begins")
+        "over a turn, from {from} to {to}, {table} ends {jump} above where it begins")
+                    .with("table", table.name)
                     .with("from", remarks.place(axis.start))
                     .with("to", remarks.place(axis.last()))
                     .with("jump", remarks.fine(jump));
@@ -275,8 +283,9 @@ void remarkOfDensity(const FitInput& input, const FittedTable& made, Remarks& re
     if (input.settings.method != FitMethod::Linear && made.density)
         remarks.say("Density",
             AXISCOMP_TEXT("Measurement",
-                "{count} points with straight lines between them are at most {distance} off the "
-                "curve, at {place}")
+                "{count} points of {table} with straight lines between them are at most {distance} "
+                "off the curve, at {place}")
+                .with("table", made.table.name)
                 .with("count", made.density->points)
                 .with("distance", remarks.fine(made.density->largestDistance))
                 .with("place", remarks.place(made.density->distanceAt)));
@@ -301,17 +310,18 @@ void addRunsRemarks(
     const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report)
 {
     Remarks remarks(input, report);
-    const FittedTable& made = report.tables.front();
     remarkOfHeldOut(report, remarks);
     remarkOfImprovement(report, remarks);
     remarkOfReversal(input, fit, remarks);
     for (const JudgeWarning& warning : judgement.warnings)
         remarks.warn(warning.name, warning.text);
     remarkOfOutliers(judgement, remarks);
-    remarkOfHome(input, made.table, remarks);
-    remarkOfTurn(input, made.table, remarks);
+    for (const FittedTable& made : report.tables) {
+        remarkOfHome(input, made.table, remarks);
+        remarkOfTurn(input, made.table, remarks);
+        remarkOfDensity(input, made, remarks);
+    }
     remarkOfPeriods(input, remarks);
-    remarkOfDensity(input, made, remarks);
 }
 
 } // namespace axiscomp

@@ -19,6 +19,14 @@ constexpr std::array methodNames{MethodName{FitMethod::Linear, "linear"},
     MethodName{FitMethod::Cubic, "cubic"}, MethodName{FitMethod::Spline, "spline"},
     MethodName{FitMethod::Smooth, "smooth"}, MethodName{FitMethod::Harmonic, "harmonic"}};
 
+struct NamedDirection {
+    FitDirection direction;
+    std::string_view name;
+};
+constexpr std::array directionNames{NamedDirection{FitDirection::Mean, "mean"},
+    NamedDirection{FitDirection::Positive, "positive"},
+    NamedDirection{FitDirection::Negative, "negative"}, NamedDirection{FitDirection::Both, "both"}};
+
 } // namespace
 
 std::string_view fitMethodName(FitMethod method)
@@ -41,15 +49,15 @@ std::string_view lookupAtName(LookupAt lookupAt)
 
 std::string_view fitDirectionName(FitDirection direction)
 {
-    switch (direction) {
-    case FitDirection::Mean:
-        return "mean";
-    case FitDirection::Positive:
-        return "positive";
-    case FitDirection::Negative:
-        return "negative";
-    }
-    return {};
+    return std::ranges::find(directionNames, direction, &NamedDirection::direction)->name;
+}
+
+std::optional<FitDirection> fitDirectionNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(directionNames, name, &NamedDirection::name);
+    if (found == directionNames.end())
+        return std::nullopt;
+    return found->direction;
 }
 
 bool FitReport::isWithinTolerances() const

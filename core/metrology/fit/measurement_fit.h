@@ -8,6 +8,7 @@
 #include "core/metrology/judge/drift.h"
 #include "core/metrology/judge/judgement.h"
 #include "core/metrology/judge/uncertainty.h"
+#include "core/neutral/neutral_table.h"
 
 #include <cstdint>
 #include <optional>
@@ -80,10 +81,13 @@ struct FitSettings {
 [[nodiscard]] std::optional<FitMethod> fitMethodNamed(std::string_view name);
 [[nodiscard]] std::string_view lookupAtName(LookupAt lookupAt); ///< "encoder", "set"
 [[nodiscard]] std::string_view fitDirectionName(FitDirection direction); ///< "mean"
+[[nodiscard]] std::optional<FitDirection> fitDirectionNamed(std::string_view name);
 
-/// One table of the result: that of the axis that was measured, or of one column of points.
+/// One table of the result: that of the axis that was measured, or of one of its directions, or of
+/// one column of points.
 struct FittedTable {
     CompensationTable table; ///< in mm or deg; its name, sources and target after the measurement
+    Direction direction = Direction::Both; ///< of motion: that of FitDirection::Both has two tables
     double removedConstant = 0.0; ///< by the zero
     double removedSlope = 0.0; ///< values per position
     std::size_t knots = 0; ///< of the curve; of points and tracks the points of the grid

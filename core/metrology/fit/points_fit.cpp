@@ -276,6 +276,10 @@ Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
 Result<void> checkScatterMethod(const FitSettings& settings, bool isTrack)
 {
     const bool isOnGrid = settings.method == FitMethod::Linear && settings.periods.periods.empty();
+    if (isTrack && settings.direction == FitDirection::Both)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a table for each direction is made of runs over targets; make those of a track one "
+            "after the other (--direction positive, then --direction negative)"));
     if (!isTrack && !isOnGrid)
         return badFit(AXISCOMP_TEXT("Error",
             "points are fitted on the grid itself, as the drive interpolates it; leave out "

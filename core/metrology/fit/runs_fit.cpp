@@ -112,6 +112,15 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a smoothness is for the method smooth (--method smooth); the others go through every "
             "mean"));
+    if (settings.direction == FitDirection::Both && input.state.active)
+        return badFit(AXISCOMP_TEXT("Error",
+            "{name} has one value for both directions, and so has what is merged onto it: make the "
+            "table of the mean (--direction mean)")
+                          .with("name", input.state.active->name));
+    if (settings.direction == FitDirection::Both && settings.isByTemperature)
+        return badFit(AXISCOMP_TEXT("Error",
+            "a table over position and temperature is for a drive, which has one value for both "
+            "directions (--direction mean)"));
     if (input.state.active && activeTable(input)->grid.dimensions() != 1)
         return badFit(AXISCOMP_TEXT("Error",
             "runs along one axis are merged onto a table of one dimension; {name} has "
@@ -265,23 +274,116 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
 
 namespace {
 
-/// The same runs with the table active, as a measurement of its own.
-Result<Measurement> predictedMeasurement(
-    const FitInput& input, const CompensationTable& table, const TableFitRequest& request)
+/// One table of runs, and how it was made.
+struct RunsTable {
+    FitSettings settings; ///< of this table: never FitDirection::Both
+    TableFitRequest request;
+    TableFit fit;
+
+    [[nodiscard]] FitInput input(const FitInput& whole) const
+    {
+        return {whole.measurement, settings, whole.state, whole.lookupAt, whole.stop};
+    }
+    [[nodiscard]] bool isFor(const MeasuredValue& value) const
+    {
+        return settings.direction == FitDirection::Mean
+            || value.isUp == (settings.direction == FitDirection::Positive);
+    }
+};
+
+Result<RunsTable> fitOne(const FitInput& whole, const Measurement& settled, FitDirection direction,
+    const std::optional<RemovedLine>& removed = {})
 {
-    const FitValues values = fitValues(input.measurement, input);
-    AXISCOMP_TRY(const auto predicted, predictRuns(values.values, table, request));
-    Measurement result = input.measurement;
-    for (std::size_t i = 0; i < predicted.size(); ++i)
-        result.values[values.indices[i]].deviation = predicted[i].deviation;
+    RunsTable made{whole.settings, {}, {}};
+    made.settings.direction = direction;
+    const FitInput input = made.input(whole);
+    AXISCOMP_TRY(made.request, requestOfRuns(input));
+    made.request.removed = removed;
+    AXISCOMP_TRY(made.fit, fitTable(fitValues(settled, input).values, made.request));
+    return made;
+}
+
+/// Both tables lose the slope and the constant of their mean, so that their reversal stays, and
+/// have one grid, the denser one.
+Result<std::vector<RunsTable>> fitBoth(const FitInput& whole, const Measurement& settled)
+{
+    AXISCOMP_TRY(const auto mean, fitOne(whole, settled, FitDirection::Mean));
+    std::vector<RunsTable> tables;
+    std::size_t points = 0;
+    for (const FitDirection direction : {FitDirection::Positive, FitDirection::Negative}) {
+        AXISCOMP_TRY(auto one, fitOne(whole, settled, direction, mean.fit.removed));
+        points = std::max(points, one.fit.grid.size);
+        tables.push_back(std::move(one));
+    }
+    for (RunsTable& one : tables) {
+        if (one.fit.grid.size == points)
+            continue;
+        one.request.within.reset();
+        one.request.grid.points = points;
+        AXISCOMP_TRY(one.fit, fitTable(fitValues(settled, one.input(whole)).values, one.request));
+    }
+    return tables;
+}
+
+Result<std::vector<RunsTable>> fitDirections(const FitInput& input, const Measurement& settled)
+{
+    if (input.settings.direction == FitDirection::Both)
+        return fitBoth(input, settled);
+    AXISCOMP_TRY(auto one, fitOne(input, settled, input.settings.direction));
+    return std::vector{std::move(one)};
+}
+
+/// The same runs with the tables active, as a measurement of its own. made: the tables as a drive
+/// has them.
+Result<Measurement> predictedMeasurement(const FitInput& whole,
+    const std::vector<RunsTable>& tables, const std::vector<FittedTable>& made)
+{
+    Measurement result = whole.measurement;
+    for (std::size_t n = 0; n < tables.size(); ++n) {
+        const FitValues values = fitValues(whole.measurement, tables[n].input(whole));
+        AXISCOMP_TRY(
+            const auto predicted, predictRuns(values.values, made[n].table, tables[n].request));
+        for (std::size_t i = 0; i < predicted.size(); ++i)
+            if (tables[n].isFor(predicted[i]))
+                result.values[values.indices[i]].deviation = predicted[i].deviation;
+    }
     return result;
 }
 
-/// Where the values go up and down by the residuals that no target shows. Errors: Cancelled.
-Result<void> predictBetween(const std::vector<MeasuredValue>& values,
-    const TableFitRequest& request, const std::stop_token& stop, FitReport& report)
+/// Of two tables: the residuals of both, and M as the standard has it, of their mean at each
+/// target.
+HeldOut together(const HeldOut& up, const HeldOut& down)
 {
-    auto heldOut = predictHeldOut(values, request, stop);
+    HeldOut both;
+    both.residuals = up.residuals;
+    both.residuals.insert(both.residuals.end(), down.residuals.begin(), down.residuals.end());
+    both.rms = std::sqrt(0.5 * (up.rms * up.rms + down.rms * down.rms));
+    both.largest = std::max(up.largest, down.largest);
+    std::vector<double> means;
+    for (std::size_t i = 0; i < up.residuals.size(); ++i)
+        means.push_back(0.5 * (up.residuals[i].value + down.residuals[i].value));
+    const auto [lowest, highest] = std::ranges::minmax(means);
+    both.range = highest - lowest;
+    return both;
+}
+
+Result<HeldOut> heldOutOf(
+    const FitInput& whole, const Measurement& settled, const std::vector<RunsTable>& tables)
+{
+    std::vector<HeldOut> found;
+    for (const RunsTable& one : tables) {
+        const FitValues values = fitValues(settled, one.input(whole));
+        AXISCOMP_TRY(auto heldOut, predictHeldOut(values.values, one.request, whole.stop));
+        found.push_back(std::move(heldOut));
+    }
+    return found.size() == 1 ? std::move(found.front()) : together(found[0], found[1]);
+}
+
+/// Where the values go up and down by the residuals that no target shows. Errors: Cancelled.
+Result<void> predictBetween(const FitInput& input, const Measurement& settled,
+    const std::vector<RunsTable>& tables, FitReport& report)
+{
+    auto heldOut = heldOutOf(input, settled, tables);
     if (heldOut) {
         report.heldOut = *std::move(heldOut);
         return {};
@@ -317,7 +419,7 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
     const double reference = isEncoder ? largest->position + whole : largest->position;
     const double reading = reference - whole;
     const double added = lookup.at(largest->position);
-    const double removed = fit.removedConstant + fit.removedSlope * largest->position;
+    const double removed = fit.removed.constant + fit.removed.slope * largest->position;
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;
@@ -342,18 +444,26 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
 
 namespace {
 
-FittedTable describe(const FitInput& input, const TableFit& fit)
+FittedTable describe(const FitInput& input, const RunsTable& one)
 {
+    const TableFit& fit = one.fit;
     const Measurement& measurement = input.measurement;
     const std::string unit(positionUnit(measurement));
     const std::string& axis = measurement.header.axis;
+    std::string name = axis.empty() ? "Error" : "d" + axis;
+    Direction direction = Direction::Both;
+    if (input.settings.direction == FitDirection::Both) {
+        const bool isUp = one.settings.direction == FitDirection::Positive;
+        direction = isUp ? Direction::Positive : Direction::Negative;
+        name += isUp ? " up" : " down";
+    }
     Grid grid;
     grid.axes = {{axis.empty() ? "Position" : axis, unit, fit.grid.start, fit.grid.distance,
         static_cast<std::uint32_t>(fit.grid.size)}};
-    FittedTable made =
-        fittedTable(fit.values, std::move(grid), axis.empty() ? "Error" : "d" + axis, axis, unit);
-    made.removedConstant = fit.removedConstant;
-    made.removedSlope = fit.removedSlope;
+    FittedTable made = fittedTable(fit.values, std::move(grid), std::move(name), axis, unit);
+    made.direction = direction;
+    made.removedConstant = fit.removed.constant;
+    made.removedSlope = fit.removed.slope;
     made.knots = fit.knots.size();
     made.means = fit.knots;
     made.periods = fit.curve.terms;
@@ -365,6 +475,23 @@ FittedTable describe(const FitInput& input, const TableFit& fit)
     return made;
 }
 
+/// Of two tables that of the one with the larger value.
+Text signOfTables(
+    const FitInput& input, const std::vector<RunsTable>& tables, const FitReport& report)
+{
+    const auto largest = [&](std::size_t n) {
+        const TableStatistics values = statistics(report.tables[n].table);
+        return std::max(std::abs(values.minimum), std::abs(values.maximum));
+    };
+    const std::size_t n = tables.size() == 2 && largest(1) > largest(0) ? 1 : 0;
+    Text sign = signOfRuns(input, tables[n].fit, report.tables[n].table);
+    if (tables.size() == 1)
+        return sign;
+    return (n == 0 ? AXISCOMP_TEXT("Measurement", "approached upwards: {sentence}")
+                   : AXISCOMP_TEXT("Measurement", "approached downwards: {sentence}"))
+        .with("sentence", std::move(sign));
+}
+
 } // namespace
 
 Result<FitReport> fitRuns(const FitInput& input)
@@ -373,27 +500,25 @@ Result<FitReport> fitRuns(const FitInput& input)
     AXISCOMP_CHECK(checkRunsSettings(input));
     if (settings.isByTemperature)
         return fitRunsByTemperature(input);
-    AXISCOMP_TRY(const auto request, requestOfRuns(input));
     const Measurement settled =
         settings.drift ? withoutDrift(input.measurement, *settings.drift) : input.measurement;
-    const FitValues values = fitValues(settled, input);
-    AXISCOMP_TRY(const auto fit, fitTable(values.values, request));
+    AXISCOMP_TRY(const auto tables, fitDirections(input, settled));
 
     FitReport report;
-    report.tables.push_back(describe(input, fit));
-    const CompensationTable& table = report.tables.front().table;
+    for (const RunsTable& one : tables)
+        report.tables.push_back(describe(input, one));
     if (const CompensationTable* const old = activeTable(input))
-        report.merge = mergeOnto(input, *old, table);
+        report.merge = mergeOnto(input, *old, report.tables.front().table);
     JudgeOptions judging;
     judging.outlierRule = settings.outlierRule;
     const Judgement judgement = judge(input.measurement, judging);
     report.before = judgement.figures;
-    AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, table, request));
+    AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, tables, report.tables));
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    AXISCOMP_CHECK(predictBetween(values.values, request, input.stop, report));
-    report.sign = signOfRuns(input, fit, table);
-    addRunsRemarks(input, judgement, fit, report);
+    AXISCOMP_CHECK(predictBetween(input, settled, tables, report));
+    report.sign = signOfTables(input, tables, report);
+    addRunsRemarks(input, judgement, tables.front().fit, report);
     return report;
 }
 

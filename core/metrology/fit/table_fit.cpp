@@ -193,38 +193,44 @@ Result<FittedCurve> fitCurve(
     return curve;
 }
 
-/// Slope and constant that are taken out of the table.
-void findRemoved(const TableFitRequest& request, TableFit& fit)
+double slopeOf(SlopeRemoval removal, const std::vector<FitKnot>& knots)
 {
-    const std::vector<FitKnot>& knots = fit.knots;
-    if (request.slope == SlopeRemoval::Ends) {
-        fit.removedSlope = (knots.back().value - knots.front().value)
+    if (removal == SlopeRemoval::Keep)
+        return 0.0;
+    if (removal == SlopeRemoval::Ends)
+        return (knots.back().value - knots.front().value)
             / (knots.back().position - knots.front().position);
-    } else if (request.slope == SlopeRemoval::LeastSquares) {
-        double position = 0.0;
-        double value = 0.0;
-        for (const FitKnot& knot : knots) {
-            position += knot.position / static_cast<double>(knots.size());
-            value += knot.value / static_cast<double>(knots.size());
-        }
-        double square = 0.0;
-        double product = 0.0;
-        for (const FitKnot& knot : knots) {
-            square += (knot.position - position) * (knot.position - position);
-            product += (knot.position - position) * (knot.value - value);
-        }
-        fit.removedSlope = product / square;
+    double position = 0.0;
+    double value = 0.0;
+    for (const FitKnot& knot : knots) {
+        position += knot.position / static_cast<double>(knots.size());
+        value += knot.value / static_cast<double>(knots.size());
     }
-    const auto flat = [&fit](double position) {
-        return fit.curve.at(position) - fit.removedSlope * position;
+    double square = 0.0;
+    double product = 0.0;
+    for (const FitKnot& knot : knots) {
+        square += (knot.position - position) * (knot.position - position);
+        product += (knot.position - position) * (knot.value - value);
+    }
+    return product / square;
+}
+
+RemovedLine removedLine(const TableFitRequest& request, const TableFit& fit)
+{
+    if (request.removed)
+        return *request.removed;
+    RemovedLine line{slopeOf(request.slope, fit.knots), 0.0};
+    const auto flat = [&](double position) {
+        return fit.curve.at(position) - line.slope * position;
     };
     if (request.zero == ZeroRule::First)
-        fit.removedConstant = flat(knots.front().position);
+        line.constant = flat(fit.knots.front().position);
     else if (request.zero == ZeroRule::Position)
-        fit.removedConstant = flat(request.zeroPosition);
+        line.constant = flat(request.zeroPosition);
     else if (request.zero == ZeroRule::Mean)
-        for (const FitKnot& knot : knots)
-            fit.removedConstant += flat(knot.position) / static_cast<double>(knots.size());
+        for (const FitKnot& knot : fit.knots)
+            line.constant += flat(knot.position) / static_cast<double>(fit.knots.size());
+    return line;
 }
 
 /// Slope and zero of a curve that is shown beside its table.
@@ -232,9 +238,9 @@ FittedCurve relieved(const TableFit& fit)
 {
     FittedCurve curve = fit.curve;
     for (std::size_t i = 0; i < curve.base.knots.size(); ++i) {
-        curve.base.values[i] -= fit.removedSlope * curve.base.knots[i] + fit.removedConstant;
+        curve.base.values[i] -= fit.removed.slope * curve.base.knots[i] + fit.removed.constant;
         if (!curve.base.slopes.empty())
-            curve.base.slopes[i] -= fit.removedSlope;
+            curve.base.slopes[i] -= fit.removed.slope;
     }
     return curve;
 }
@@ -366,7 +372,7 @@ Result<TableFit> fitTable(std::span<const MeasuredValue> values, const TableFitR
     AXISCOMP_TRY(fit.knots, meansOf(targets, request));
     AXISCOMP_CHECK(placeKnots(fit.knots, request));
     AXISCOMP_TRY(fit.curve, fitCurve(fit.knots, request, fit));
-    findRemoved(request, fit);
+    fit.removed = removedLine(request, fit);
     const FittedCurve curve = relieved(fit);
     AXISCOMP_TRY(const PlannedAxis plan, planGrid(curve, request));
     if (plan.knots.size() > request.mostPoints)

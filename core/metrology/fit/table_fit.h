@@ -25,8 +25,9 @@ struct MeasuredValue {
     double deviation = 0.0;
 };
 
-/// Which values a table is made of; a drive has one value for both directions.
-enum class FitDirection { Mean, Positive, Negative };
+/// Which values a table is made of; a drive has one value for both directions. Both: a table for
+/// each, for controllers that keep two.
+enum class FitDirection { Mean, Positive, Negative, Both };
 
 enum class FitMethod {
     Linear, ///< straight lines through the means: what the drive does anyway
@@ -45,8 +46,14 @@ enum class SlopeRemoval {
 /// Where the value of the table is 0, since the zero of the instrument is arbitrary.
 enum class ZeroRule { Keep, First, Mean, Position };
 
+/// What is taken out of a table: slope x + constant.
+struct RemovedLine {
+    double slope = 0.0; ///< value per position
+    double constant = 0.0;
+};
+
 struct TableFitRequest {
-    FitDirection direction = FitDirection::Mean;
+    FitDirection direction = FitDirection::Mean; ///< of one table: not Both
     FitMethod method = FitMethod::Linear;
     std::optional<double> smoothness = {}; ///< of Smooth
     KnownPeriods periods = {}; ///< of Smooth; harmonics also of Harmonic
@@ -54,6 +61,8 @@ struct TableFitRequest {
     SlopeRemoval slope = SlopeRemoval::Keep;
     ZeroRule zero = ZeroRule::First;
     double zeroPosition = 0.0; ///< of ZeroRule::Position
+    /// In place of slope and zero: that of another table, so that what is between both stays.
+    std::optional<RemovedLine> removed = {};
     LookupAt lookupAt = LookupAt::Encoder;
     /// During the measurement. The new table is this one, everywhere, and the curve through the
     /// residuals.
@@ -80,8 +89,7 @@ struct TableFit {
     std::vector<double> values; ///< at the points of the grid
     FittedCurve curve; ///< before slope and zero are taken out
     std::vector<FitKnot> knots; ///< by target
-    double removedSlope = 0.0; ///< value per position
-    double removedConstant = 0.0; ///< table(x) = curve(x) - removedSlope x - removedConstant
+    RemovedLine removed; ///< table(x) = curve(x) - slope x - constant
     CurveGrid density; ///< of the table beside the curve
     double residualRms = 0.0; ///< of the curve at the knots, weighted
     double residualLargest = 0.0;

@@ -231,7 +231,7 @@ Result<StateCurves> curvesOf(const FitInput& input, const Measurement& settled)
     AXISCOMP_TRY(const auto request, requestOfRuns(reference));
     AXISCOMP_TRY(
         const auto fit, fitTable(fitValues(nearest->measurement, reference).values, request));
-    curves.removedConstant = fit.removedConstant;
+    curves.removedConstant = fit.removed.constant;
     return curves;
 }
 
@@ -337,7 +337,7 @@ Result<FittedTable> tableOf(const FitInput& input, const StateCurves& curves)
         std::move(values), std::move(grid), axis.empty() ? "Error" : "d" + axis, axis, unit);
     const TableFit& reference = curves.fits[curves.reference];
     made.removedConstant = curves.removedConstant;
-    made.removedSlope = reference.removedSlope;
+    made.removedSlope = reference.removed.slope;
     made.knots = reference.knots.size();
     made.means = reference.knots;
     made.periods = reference.curve.terms;
@@ -451,7 +451,7 @@ Result<FitReport> fitRunsByTemperature(const FitInput& input)
     const FitInput referenceInput{
         reference.measurement, ofState, input.state, input.lookupAt, input.stop};
     TableFit fit = curves.fits[curves.reference];
-    fit.removedConstant += curves.removedConstant;
+    fit.removed.constant += curves.removedConstant;
     report.sign = AXISCOMP_TEXT("Measurement", "at {temperature}: {sentence}")
                       .with("temperature", degrees(reference.temperature))
                       .with("sentence",

@@ -57,6 +57,7 @@ Text methodText(const CalibrationRecord& record)
     case FitDirection::Negative:
         return AXISCOMP_TEXT("Report", "{method}, from the runs ↓").with("method", method);
     case FitDirection::Mean:
+    case FitDirection::Both: // is not on record
         break;
     }
     return AXISCOMP_TEXT("Report", "{method}, from the mean of both directions")

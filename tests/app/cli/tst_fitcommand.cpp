@@ -91,6 +91,43 @@ private Q_SLOTS:
         QVERIFY2(refused.err.contains("--method smooth"), refused.err.constData());
     }
 
+    /// LinuxCNC adds its values to the command: c(x) = -e(x + c(x)), here at constant e.
+    void aTableForEachDirectionIsWrittenWhereAFormatHoldsBoth()
+    {
+        const Sandbox box;
+        box.file("runs.csv",
+            "// axis: X\ntarget [mm],direction,deviation [um]\n"
+            "0,+,2\n10,+,2\n20,+,2\n0,-,-3\n10,-,-3\n20,-,-3\n");
+        const QStringList fit =
+            QStringList{"fit", "runs.csv", "--direction", "both", "--zero", "keep", "-o"}
+            + offAtEncoder;
+        QStringList written = fit;
+        written.insert(7, "x.comp");
+        VERIFY_CODE(box.run(written + QStringList{"--to", "linuxcnc", "--set-out", "type=1"}), 0);
+        int lines = 0;
+        for (const QByteArray& line : box.content("x.comp").split('\n')) {
+            const QByteArrayList cells = line.simplified().split(' ');
+            if (cells.size() != 3)
+                continue;
+            ++lines;
+            QVERIFY2(std::abs(cells.at(1).toDouble() + 0.002) < 1e-9
+                    && std::abs(cells.at(2).toDouble() - 0.003) < 1e-9,
+                line.constData());
+        }
+        QVERIFY(lines >= 2);
+        QStringList refused = fit;
+        refused.insert(7, "x.csv");
+        const ProgramRun drive = box.run(refused);
+        VERIFY_CODE(drive, 2);
+        QVERIFY2(drive.err.contains("it has one value for both directions of motion"),
+            drive.err.constData());
+        QVERIFY(!QFile::exists(box.path("x.csv")));
+        const ProgramRun record = box.run(written + QStringList{"--record", "x.axcal"});
+        VERIFY_CODE(record, 2);
+        QVERIFY2(record.err.contains("a record is of a drive"), record.err.constData());
+        QVERIFY(!QFile::exists(box.path("x.axcal")));
+    }
+
     void aFitHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;

@@ -108,6 +108,87 @@ private Q_SLOTS:
             report->sign.english().c_str());
     }
 
+    /// f + r/2 going up and f - r/2 going down, with f of 0.003 mm at the first target.
+    void aTableForEachDirectionKeepsTheReversalBetweenThem()
+    {
+        const auto mean = [](double x) { return 0.003 + 1e-5 * x * (x - 40.0); };
+        const auto reversal = [](double x) { return 0.004 + 2e-5 * x; };
+        Measurement runs = runsOver(0.0, 10.0, 6, mean);
+        for (RunValue& value : runs.values)
+            value.deviation += (value.direction == Approach::Up ? 0.5 : -0.5)
+                * reversal(runs.targets[value.target]);
+        FitSettings settings = keeping();
+        settings.zero = FitZero::First;
+        settings.direction = FitDirection::Both;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->tables.size(), std::size_t{2});
+        const FittedTable& up = report->tables[0];
+        const FittedTable& down = report->tables[1];
+        QVERIFY(up.direction == Direction::Positive && down.direction == Direction::Negative);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const double x = 10.0 * static_cast<double>(i);
+            const double middle = mean(x) - 0.003;
+            QVERIFY(std::abs(static_cast<double>(up.table.values[i]) - middle - 0.5 * reversal(x))
+                < 1e-9);
+            QVERIFY(std::abs(static_cast<double>(down.table.values[i]) - middle + 0.5 * reversal(x))
+                < 1e-9);
+        }
+        // 0.005 at the last target is what the table of the mean leaves of B.
+        for (const Iso230Figure figure : {Iso230Figure::B, Iso230Figure::M, Iso230Figure::E})
+            QVERIFY(*(*report->predicted)[figure].value < 1e-8);
+        QVERIFY(std::abs(*(*report->before)[Iso230Figure::B].value - 0.005) < 1e-12);
+        QVERIFY(hasRemark(*report, "ReversalInTables", "the reversal of up to 5.000 um"));
+        QVERIFY(!hasRemark(*report, "MostlyReversal"));
+        // A quarter of the second difference of f at each target, and nothing of a straight r
+        QVERIFY(std::abs(report->heldOut->rms - 0.001) < 1e-9);
+        QVERIFY(report->heldOut->range < 1e-9);
+        QVERIFY2(report->sign.english().starts_with("approached upwards: where the encoder reads "),
+            report->sign.english().c_str());
+    }
+
+    /// As few points as the rougher of the two needs, in both.
+    void tablesForBothDirectionsHaveOneGrid()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double x) { return 1e-5 * x; });
+        for (RunValue& value : runs.values)
+            if (value.direction == Approach::Down)
+                value.deviation += 0.003 * std::sin(runs.targets[value.target] / 12.0);
+        FitSettings settings = keeping();
+        settings.direction = FitDirection::Both;
+        settings.method = FitMethod::Spline;
+        settings.within = 1e-4;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        settings.direction = FitDirection::Negative;
+        const auto alone = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(alone);
+        QVERIFY(alone->tables.front().table.values.size() > 4);
+        for (const FittedTable& made : report->tables)
+            QVERIFY(made.table.grid == alone->tables.front().table.grid);
+        QVERIFY(report->tables[1].table.values == alone->tables.front().table.values);
+    }
+
+    void whatHasOneValueForBothDirectionsRefusesATableForEach()
+    {
+        const Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.001; });
+        FitSettings settings = keeping();
+        settings.direction = FitDirection::Both;
+        const KnownTables old = toothed();
+        QVERIFY(isRefused(
+            fitMeasurement(runs, settings, FoundState{FoundState::Kind::On, &old, {}, {}}),
+            "old.csv has one value for both directions"));
+        settings.isByTemperature = true;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "(--direction mean)"));
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        for (int i = 0; i < 100; ++i)
+            track.track.push_back({.encoder = 0.1 * i, .reference = 0.1 * i});
+        settings.isByTemperature = false;
+        settings.grid = {{.points = 3}};
+        QVERIFY(isRefused(fitMeasurement(track, settings, measuredOff()), "--direction positive"));
+    }
+
     /// With the table active that the residuals belong to, the knots are the error itself; adding
     /// residuals at the targets would be micrometres off.
     void residualsAreMergedExactly()

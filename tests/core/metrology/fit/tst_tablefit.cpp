@@ -236,7 +236,7 @@ private Q_SLOTS:
         const auto first = fitTable(values, request);
         VERIFY_RESULT(first);
         QCOMPARE(first->values.front(), 0.0);
-        QVERIFY(std::abs(first->removedConstant - keep->values.front()) < 1e-15);
+        QVERIFY(std::abs(first->removed.constant - keep->values.front()) < 1e-15);
         request.zero = ZeroRule::Position;
         request.zeroPosition = 10.0;
         QCOMPARE(fitTable(values, request)->values[6], 0.0);
@@ -260,12 +260,12 @@ private Q_SLOTS:
         request.slope = SlopeRemoval::Ends;
         const auto ends = fitTable(values, request);
         VERIFY_RESULT(ends);
-        QVERIFY(std::abs(ends->removedSlope - 0.002) < 1e-15);
+        QVERIFY(std::abs(ends->removed.slope - 0.002) < 1e-15);
         QVERIFY(std::abs(ends->values[10] - 0.5) < 1e-12);
         QVERIFY(std::abs(ends->values[5] - 0.6) < 1e-12);
         request.slope = SlopeRemoval::LeastSquares; // the bump in the middle has no slope
         const auto least = fitTable(values, request);
-        QVERIFY(std::abs(least->removedSlope - 0.002) < 1e-15);
+        QVERIFY(std::abs(least->removed.slope - 0.002) < 1e-15);
         request.turn = 360.0;
         VERIFY_ERROR(fitTable(values, request), ErrorCode::InvalidArgument);
     }
