@@ -5287,10 +5287,6 @@
         <translation>--robust ist für die Anpassung auf dem Gitter selbst; lassen Sie --robust oder --method smooth weg</translation>
     </message>
     <message>
-        <source>--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets along one axis</source>
-        <translation>--remove-slope, --within, --turn, --home und --remove-drift sind für Durchläufe über Zielpositionen entlang einer Achse</translation>
-    </message>
-    <message>
         <source>the figures of the standard need targets; leave --tolerance out</source>
         <translation>die Kennwerte der Norm brauchen Zielpositionen; lassen Sie --tolerance weg</translation>
     </message>
@@ -6025,6 +6021,14 @@
     <message>
         <source>a table over position and temperature is for a drive, which has one value for both directions (--direction mean)</source>
         <translation>eine Tabelle über Position und Temperatur ist für einen Antrieb, und der hat einen Wert für beide Richtungen (--direction mean)</translation>
+    </message>
+    <message>
+        <source>--remove-slope, --turn, --home and --remove-drift are for runs over targets along one axis</source>
+        <translation>--remove-slope, --turn, --home und --remove-drift sind für Durchläufe über Zielpositionen entlang einer Achse</translation>
+    </message>
+    <message>
+        <source>the fewest points that leave no more than a deviation (--within) are counted on a curve, which runs have, and a track with --method smooth; say the points of the grid or their distance (--points or --distance)</source>
+        <translation>die wenigsten Punkte, die nicht mehr als eine Abweichung lassen (--within), werden an einer Kurve gezählt; die haben Durchläufe und eine Bahn mit --method smooth; sonst die Punkte des Gitters oder ihren Abstand angeben (--points oder --distance)</translation>
     </message>
 </context>
 <context>

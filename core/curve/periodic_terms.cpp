@@ -49,6 +49,12 @@ Result<void> checkPeriods(const KnownPeriods& periods, const std::string& unit)
 
 } // namespace
 
+std::size_t KnownPeriods::pointsOver(double length) const
+{
+    const double shortest = std::ranges::min(periods) / static_cast<double>(harmonics);
+    return static_cast<std::size_t>(std::ceil(20.0 * length / shortest)) + 1;
+}
+
 double PeriodicTerm::amplitude() const
 {
     return std::hypot(cosine, sine);

@@ -19,6 +19,9 @@ struct KnownPeriods {
     {
         return 2 * periods.size() * static_cast<std::size_t>(harmonics);
     }
+    /// Of an even grid over `length`, with 20 points for the shortest harmonic: straight lines
+    /// between them lose 1.2 % of its amplitude. periods is not empty.
+    [[nodiscard]] std::size_t pointsOver(double length) const;
 
     friend bool operator==(const KnownPeriods&, const KnownPeriods&) = default;
 };

@@ -34,6 +34,7 @@ FitFields fieldsOfTrack(const FitSettings& settings)
     fields.periods = isSmooth;
     fields.harmonics = isSmooth && !settings.periods.periods.empty();
     fields.direction = true;
+    fields.within = isSmooth;
     fields.farPoints = true;
     fields.robust = !isSmooth;
     return fields;

@@ -184,7 +184,26 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
     return {};
 }
 
-Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::size_t axis)
+/// The points of a grid that the curve through a track decides; 0: it does not.
+Result<std::size_t> pointsOfCurve(
+    const FitInput& input, const SmoothedCurve* smoothed, double from, double to)
+{
+    const FitSettings& settings = input.settings;
+    if (!smoothed)
+        return std::size_t{0};
+    if (settings.within) {
+        AXISCOMP_TRY(const auto fewest,
+            fewestCurvePoints(smoothed->curve, from, to, *settings.within, settings.mostPoints,
+                std::string(positionUnit(input.measurement))));
+        return fewest.points;
+    }
+    const bool isOpen = settings.grid.empty() && !settings.periods.periods.empty();
+    return isOpen ? settings.periods.pointsOver(to - from) : std::size_t{0};
+}
+
+/// smoothed: the curve through a track; null: the fit is on the grid itself.
+Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::size_t axis,
+    const SmoothedCurve* smoothed)
 {
     const FitSettings& settings = input.settings;
     const ScatteredNumbers& positions = scatter.positions[axis];
@@ -196,6 +215,12 @@ Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::si
     if (!(to > from))
         return badFit(AXISCOMP_TEXT("Error", "all points have the same position along {axis}")
                           .with("axis", made.name));
+    AXISCOMP_TRY(const std::size_t points, pointsOfCurve(input, smoothed, from, to));
+    if (points > 0) {
+        made.size = static_cast<std::uint32_t>(std::min<std::size_t>(points, 100'000'000));
+        made.distance = evenDistance(from, to, made.size);
+        return made;
+    }
     if (settings.grid.empty()) {
         const auto lines = distinctTargets(positions);
         const bool isGrid = input.measurement.kind == MeasurementKind::Points
@@ -233,7 +258,7 @@ Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::si
 /// for.
 std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter)
 {
-    if (!input.settings.grid.empty())
+    if (!input.settings.grid.empty() || input.settings.within)
         return std::nullopt;
     const ActiveTable active = activeFor(input, scatter.columns.front().target);
     if (!active.table)
@@ -249,7 +274,8 @@ std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter
     return grid;
 }
 
-Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
+Result<Grid> gridOf(
+    const FitInput& input, const Scatter& scatter, const SmoothedCurve* smoothed)
 {
     const FitSettings& settings = input.settings;
     if (settings.grid.size() > 1 && settings.grid.size() != scatter.dimensions())
@@ -260,7 +286,7 @@ Result<Grid> gridOf(const FitInput& input, const Scatter& scatter)
         return *std::move(old);
     Grid grid;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
-        AXISCOMP_TRY(auto made, gridAxis(input, scatter, axis));
+        AXISCOMP_TRY(auto made, gridAxis(input, scatter, axis, smoothed));
         grid.axes.push_back(std::move(made));
     }
     if (grid.pointCount() > settings.mostPoints)
@@ -299,11 +325,15 @@ Result<void> checkScatterSettings(const FitInput& input, std::size_t dimensions)
     const FitSettings& settings = input.settings;
     const bool isTrack = input.measurement.kind == MeasurementKind::Track;
     AXISCOMP_CHECK(checkScatterMethod(settings, isTrack));
-    if (settings.slope != SlopeRemoval::Keep || settings.within || settings.turn || settings.home
-        || settings.drift)
+    if (settings.slope != SlopeRemoval::Keep || settings.turn || settings.home || settings.drift)
         return badFit(AXISCOMP_TEXT("Error",
-            "--remove-slope, --within, --turn, --home and --remove-drift are for runs over targets "
-            "along one axis"));
+            "--remove-slope, --turn, --home and --remove-drift are for runs over targets along one "
+            "axis"));
+    if (settings.within && isFittedOnGrid(input.measurement, settings))
+        return badFit(AXISCOMP_TEXT("Error",
+            "the fewest points that leave no more than a deviation (--within) are counted on a "
+            "curve, which runs have, and a track with --method smooth; say the points of the grid "
+            "or their distance (--points or --distance)"));
     if (!settings.tolerances.empty())
         return badFit(AXISCOMP_TEXT(
             "Error", "the figures of the standard need targets; leave --tolerance out"));
@@ -388,21 +418,23 @@ void describeCurve(const SmoothedCurve& smoothed, const GridAxis& axis, FittedTa
     made.density = curveGrid(smoothed.curve, axis.start, axis.last(), axis.size);
 }
 
-/// The smoothing spline through a track at the points of the grid.
-Result<SmoothedCurve> curveOf(const FitInput& input, const Scatter& scatter,
-    const Scatter::Column& column, const GridAxis& axis, GridFitRequest& request)
+/// The smoothing spline through a track, where one is asked for.
+Result<std::optional<SmoothedCurve>> curveOf(const FitInput& input, const Scatter& scatter)
 {
-    const CurveSamples samples{column.places.front(), column.values, scatter.weights, axis.unit};
+    if (isFittedOnGrid(input.measurement, input.settings))
+        return std::nullopt;
+    const Scatter::Column& column = scatter.columns.front();
+    const CurveSamples samples{column.places.front(), column.values, scatter.weights,
+        std::string(positionUnit(input.measurement))};
     AXISCOMP_TRY(auto smoothed,
         smoothingSpline(
             samples, {.smoothness = input.settings.smoothness, .periods = input.settings.periods}));
-    for (std::size_t i = 0; i < axis.size; ++i)
-        request.nodes.push_back(smoothed.curve.at(axis.position(i)));
-    return smoothed;
+    return std::optional(std::move(smoothed));
 }
 
+/// smoothed: the curve that the grid takes its values from; null: they are fitted on it.
 Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
-    const Scatter::Column& column, const Grid& grid, GridFit& fit)
+    const Scatter::Column& column, const Grid& grid, const SmoothedCurve* smoothed, GridFit& fit)
 {
     // Residuals are fitted, and what was active is added as it is: a table that is denser than the
     // points keeps what it has between them.
@@ -416,9 +448,10 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     values.weights = scatter.weights;
     GridFitRequest request;
     request.grid = grid;
-    std::optional<SmoothedCurve> smoothed;
-    if (!isFittedOnGrid(input.measurement, input.settings)) {
-        AXISCOMP_TRY(smoothed, curveOf(input, scatter, column, grid.axes.front(), request));
+    if (smoothed) {
+        const GridAxis& axis = grid.axes.front();
+        for (std::size_t i = 0; i < axis.size; ++i)
+            request.nodes.push_back(smoothed->curve.at(axis.position(i)));
     } else {
         request.smoothness = input.settings.smoothness;
     }
@@ -560,10 +593,12 @@ Result<FitReport> fitScattered(const FitInput& input)
     AXISCOMP_TRY(report.removedBody, removeBody(input, scatter));
     if (!isTrack)
         AXISCOMP_CHECK(placeColumns(input, scatter));
-    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter));
+    AXISCOMP_TRY(const auto curve, curveOf(input, scatter));
+    const SmoothedCurve* const smoothed = curve ? &*curve : nullptr;
+    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter, smoothed));
     for (const Scatter::Column& column : scatter.columns) {
         GridFit fit;
-        AXISCOMP_TRY(auto made, fitColumn(input, scatter, column, grid, fit));
+        AXISCOMP_TRY(auto made, fitColumn(input, scatter, column, grid, smoothed, fit));
         report.tables.push_back(std::move(made));
         remarkOfFit(input, column, fit, report);
     }

@@ -272,11 +272,8 @@ Result<PlannedAxis> planGrid(const FittedCurve& curve, const TableFitRequest& re
     }
     AxisRequest wanted = request.grid;
     const bool isOpen = wanted.points == 0 && wanted.distance == 0.0;
-    if (isOpen && !request.periods.periods.empty()) {
-        const double shortest = std::ranges::min(request.periods.periods)
-            / static_cast<double>(request.periods.harmonics);
-        wanted.points = static_cast<std::size_t>(std::ceil(20.0 * (to - from) / shortest)) + 1;
-    }
+    if (isOpen && !request.periods.periods.empty())
+        wanted.points = request.periods.pointsOver(to - from);
     return planAxis(line, 0, wanted, request.holdsEnds);
 }
 

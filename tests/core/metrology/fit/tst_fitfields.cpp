@@ -95,6 +95,10 @@ private Q_SLOTS:
         QVERIFY(fitFields(runs, settings).harmonics);
         settings.method = FitMethod::Harmonic;
         QVERIFY(fitFields(runs, settings).harmonics && !fitFields(runs, settings).periods);
+        const Measurement track = ofKind(MeasurementKind::Track);
+        QVERIFY(!fitFields(track, settings).within);
+        settings.method = FitMethod::Smooth;
+        QVERIFY(fitFields(track, settings).within);
         QVERIFY(!isMethodFor(MeasurementKind::Track, FitMethod::Cubic));
         QVERIFY(!isMethodFor(MeasurementKind::Points, FitMethod::Smooth));
     }

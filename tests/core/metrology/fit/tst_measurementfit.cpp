@@ -414,6 +414,26 @@ private Q_SLOTS:
         QVERIFY(std::abs(made.residualLargest - 9.748906e-6) < 1e-9);
         QVERIFY(made.density && std::abs(made.density->largestDistance - 9.749044e-6) < 1e-9);
 
+        // 20 points for each period; by Python, 1257 points are 1.0008e-6 off.
+        settings.grid.clear();
+        const auto open = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(open);
+        QCOMPARE(open->tables.front().table.values.size(), std::size_t{401});
+        settings.within = 1e-6;
+        const auto fewest = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(fewest);
+        QCOMPARE(fewest->tables.front().table.values.size(), std::size_t{1258});
+        QVERIFY(std::abs(fewest->tables.front().density->largestDistance - 9.99214e-7) < 1e-11);
+        settings.mostPoints = 1000;
+        VERIFY_ERROR(fitMeasurement(track, settings, state), ErrorCode::ResamplingImpossible);
+        settings.mostPoints = FitSettings().mostPoints;
+        settings.method = FitMethod::Linear;
+        settings.periods = {};
+        QVERIFY(isRefused(fitMeasurement(track, settings, state), "a track with --method smooth"));
+        settings.method = FitMethod::Smooth;
+        settings.within.reset();
+
+        settings.grid = {{.distance = 0.5}};
         settings.isRobust = true;
         QVERIFY(isRefused(fitMeasurement(track, settings, state), "leave out --robust"));
         settings.isRobust = false;
