@@ -202,8 +202,8 @@ Result<std::size_t> pointsOfCurve(
 }
 
 /// smoothed: the curve through a track; null: the fit is on the grid itself.
-Result<GridAxis> gridAxis(const FitInput& input, const Scatter& scatter, std::size_t axis,
-    const SmoothedCurve* smoothed)
+Result<GridAxis> gridAxis(
+    const FitInput& input, const Scatter& scatter, std::size_t axis, const SmoothedCurve* smoothed)
 {
     const FitSettings& settings = input.settings;
     const ScatteredNumbers& positions = scatter.positions[axis];
@@ -274,8 +274,7 @@ std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter
     return grid;
 }
 
-Result<Grid> gridOf(
-    const FitInput& input, const Scatter& scatter, const SmoothedCurve* smoothed)
+Result<Grid> gridOf(const FitInput& input, const Scatter& scatter, const SmoothedCurve* smoothed)
 {
     const FitSettings& settings = input.settings;
     if (settings.grid.size() > 1 && settings.grid.size() != scatter.dimensions())
