@@ -159,8 +159,8 @@ DeviationCanvas::DeviationCanvas(QWidget* parent)
     plot.legend->setMargins(QMargins(4, 0, 4, 4));
     plot.legend->setIconSize(24, 12);
     letLegendBeWide(*plot.legend);
-    const auto paint = [&plot](const char* layer, PaintedItem::Paint paint, bool isClipped = true) {
-        auto* item = new PaintedItem(plot, layer, std::move(paint));
+    const auto paint = [&plot](const char* layer, PaintedItem::Paint what, bool isClipped = true) {
+        auto* item = new PaintedItem(plot, layer, std::move(what));
         item->setClipToAxisRect(isClipped);
     };
     paint("axes", [this](QCPPainter& painter, const QRectF&) {

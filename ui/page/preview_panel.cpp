@@ -311,9 +311,9 @@ void PreviewPanel::showTabTips()
 /// The errors of two axes, when the open file has them.
 void PreviewPanel::showVectors()
 {
-    const auto& data = m_controller.dataFile().data;
-    const bool canShow = VectorView::canShow(data);
-    m_vectors->setData(canShow ? data : nullptr);
+    const auto& file = m_controller.dataFile().data;
+    const bool canShow = VectorView::canShow(file);
+    m_vectors->setData(canShow ? file : nullptr);
     showTab(*m_vectors, canShow);
     showMarker();
     showOrigin();
@@ -389,13 +389,13 @@ void PreviewPanel::showTravel()
 std::optional<std::array<double, 3>> PreviewPanel::vectorPlace(
     std::array<double, 3> positions) const
 {
-    const auto& data = m_controller.dataFile().data;
+    const auto& file = m_controller.dataFile().data;
     const auto table = m_controller.selectedTable();
-    if (!data || !table || data->grid.dimensions() != table->grid.dimensions())
+    if (!file || !table || file->grid.dimensions() != table->grid.dimensions())
         return std::nullopt;
     for (std::size_t n = 0; n < table->grid.axes.size(); ++n)
         positions.at(n) *=
-            unitFactor(table->grid.axes[n].unit, data->grid.axes[n].unit).value_or(1.0);
+            unitFactor(table->grid.axes[n].unit, file->grid.axes[n].unit).value_or(1.0);
     return positions;
 }
 

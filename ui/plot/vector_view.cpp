@@ -251,8 +251,8 @@ ScaleArrow VectorView::Private::arrow(std::size_t n, double seen) const
     const double perValue = factor->factor() * plane.perValue.at(n);
     const std::string& unit = plane.errors.at(n)->unit;
     const std::array<float, 1> wanted{static_cast<float>(range / part / perValue)};
-    const double shown = ValueScale(unit, wanted).factor();
-    const double value = roundFactor(static_cast<double>(wanted[0]) * shown) / shown;
+    const double perUnit = ValueScale(unit, wanted).factor();
+    const double value = roundFactor(static_cast<double>(wanted[0]) * perUnit) / perUnit;
     const std::array<float, 1> rounded{static_cast<float>(value)};
     return {ValueScale(unit, rounded).sizeWithUnit(value), value * perValue / range * seen};
 }
@@ -350,12 +350,12 @@ bool VectorView::canShow(const Data& data)
     return data && vectorColumns(data->tables).hasAnyPlane();
 }
 
-void VectorView::setData(const Data& data)
+void VectorView::setData(const Data& now)
 {
-    if (data == d->data)
+    if (now == d->data)
         return;
-    d->data = data;
-    d->columns = data ? vectorColumns(data->tables) : VectorColumns{};
+    d->data = now;
+    d->columns = now ? vectorColumns(now->tables) : VectorColumns{};
     d->factor->showFitting();
     chooseColumns();
 }

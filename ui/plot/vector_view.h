@@ -29,7 +29,7 @@ public:
     /// Whether a file has columns for it.
     [[nodiscard]] static bool canShow(const Data& data);
     /// Null: none.
-    void setData(const Data& data);
+    void setData(const Data& now);
     /// Where the axes are, one position for each dimension of the file, in its units; none hides
     /// them.
     void setMarker(const std::optional<std::array<double, 3>>& positions);

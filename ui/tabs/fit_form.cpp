@@ -259,38 +259,38 @@ FitChoices FitForm::read() const
 {
     FitChoices choices = m_shown;
     FitSettings& settings = choices.settings;
-    const auto data = [](const QComboBox* list) { return list->currentData().toInt(); };
+    const auto chosen = [](const QComboBox* list) { return list->currentData().toInt(); };
     settings.lookupAt.reset();
-    if (data(m_lookup) == 1)
+    if (chosen(m_lookup) == 1)
         settings.lookupAt = LookupAt::Encoder;
-    else if (data(m_lookup) == 2)
+    else if (chosen(m_lookup) == 2)
         settings.lookupAt = LookupAt::Set;
-    choices.measuredWith = static_cast<MeasuredWith>(data(m_measuredWith));
-    choices.onto = static_cast<Onto>(data(m_onto));
+    choices.measuredWith = static_cast<MeasuredWith>(chosen(m_measuredWith));
+    choices.onto = static_cast<Onto>(chosen(m_onto));
     settings.gain = firstOf(*m_gain).value_or(1.0);
-    settings.method = static_cast<FitMethod>(data(m_method));
-    settings.direction = static_cast<FitDirection>(data(m_direction));
+    settings.method = static_cast<FitMethod>(chosen(m_method));
+    settings.direction = static_cast<FitDirection>(chosen(m_direction));
     settings.smoothness = firstOf(*m_smoothness);
     settings.periods = {m_periods->numbers(), m_harmonics->value()};
     settings.turn = firstOf(*m_turn);
     readGrid(settings);
     settings.holdsEnds = m_hold->isChecked();
-    settings.zero = static_cast<FitZero>(data(m_zero));
+    settings.zero = static_cast<FitZero>(chosen(m_zero));
     settings.zeroPosition = m_zeroPosition->numbers();
     settings.home = firstOf(*m_home);
-    settings.slope = static_cast<SlopeRemoval>(data(m_slope));
+    settings.slope = static_cast<SlopeRemoval>(chosen(m_slope));
     settings.drift.reset();
-    if (data(m_drift) > 0)
-        settings.drift = data(m_drift) == 1 ? DriftRemoval::Offset : DriftRemoval::Trend;
+    if (chosen(m_drift) > 0)
+        settings.drift = chosen(m_drift) == 1 ? DriftRemoval::Offset : DriftRemoval::Trend;
     // None, rigid, rigid along one of three axes, scale.
-    const int body = data(m_body);
+    const int body = chosen(m_body);
     settings.remove = body == 0 ? BodyRemoval::None
         : body == 1             ? BodyRemoval::Rigid
         : body == 5             ? BodyRemoval::Scale
                                 : BodyRemoval::RigidAlong;
     settings.removeAlong =
         settings.remove == BodyRemoval::RigidAlong ? static_cast<std::size_t>(body - 2) : 0;
-    settings.farPoints = static_cast<FarPoints>(data(m_far));
+    settings.farPoints = static_cast<FarPoints>(chosen(m_far));
     settings.isRobust = m_robust->isChecked();
     return choices;
 }

@@ -2,6 +2,7 @@
 #include "tests/reliability/soak/drive_picture.h"
 
 #include "core/table/tam_table.h"
+#include "core/text/crc_text.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <algorithm>
@@ -29,11 +30,6 @@ AxisPicture axisPicture(const std::vector<RegisterReading>& readings, std::size_
     return picture;
 }
 
-std::string hex(std::uint32_t number)
-{
-    return QByteArray::number(number, 16).rightJustified(8, '0').toStdString();
-}
-
 } // namespace
 
 bool AxisPicture::canBeActivated() const
@@ -50,7 +46,7 @@ std::string AxisPicture::text() const
 {
     std::string text = slot;
     if (!table.empty())
-        text += " (crc " + hex(crc32(table)) + ", " + std::to_string(table.size()) + " bytes, "
+        text += " (crc " + crcText(crc32(table)) + ", " + std::to_string(table.size()) + " bytes, "
             + (persistent ? "persistent)" : "volatile)");
     text += ", sources";
     for (const std::uint32_t source : sources)
