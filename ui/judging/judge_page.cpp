@@ -13,6 +13,7 @@
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
 #include "ui/tabs/next_step.h"
+#include "ui/tabs/tab_columns.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -60,17 +61,8 @@ JudgePage::JudgePage(RecordModel& record, QWidget* parent)
 
 void JudgePage::build()
 {
-    auto* columns = new QSplitter(Qt::Horizontal);
-    columns->setObjectName(QStringLiteral("judgeColumns"));
-    columns->setChildrenCollapsible(false);
-    columns->addWidget(buildLeft());
-    columns->addWidget(buildRight());
-    columns->setStretchFactor(0, 0);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({456, 800});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(columns);
+    QWidget* const chosen = buildLeft();
+    fillWithColumns(*this, QStringLiteral("judgeColumns"), chosen, buildRight());
 }
 
 QWidget* JudgePage::buildLeft()

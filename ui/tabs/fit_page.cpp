@@ -14,6 +14,7 @@
 #include "ui/tabs/fit_form.h"
 #include "ui/tabs/fit_results.h"
 #include "ui/tabs/next_step.h"
+#include "ui/tabs/tab_columns.h"
 #include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
@@ -55,17 +56,8 @@ FitPage::FitPage(RecordModel& record, QWidget* parent)
 
 void FitPage::build()
 {
-    auto* columns = new QSplitter(Qt::Horizontal);
-    columns->setObjectName(QStringLiteral("fitColumns"));
-    columns->setChildrenCollapsible(false);
-    columns->addWidget(buildLeft());
-    columns->addWidget(buildRight());
-    columns->setStretchFactor(0, 0);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({456, 800});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(columns);
+    QWidget* const chosen = buildLeft();
+    fillWithColumns(*this, QStringLiteral("fitColumns"), chosen, buildRight());
 }
 
 QWidget* FitPage::buildLeft()

@@ -10,13 +10,13 @@
 #include "ui/tabs/measurement_files.h"
 #include "ui/tabs/next_step.h"
 #include "ui/tabs/run_values_view.h"
+#include "ui/tabs/tab_columns.h"
 #include "ui/text/message_text.h"
 
 #include <QBoxLayout>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSplitter>
 
 #include <algorithm>
 
@@ -43,17 +43,7 @@ void MeasurePage::build()
 {
     m_views->setObjectName(QStringLiteral("measureTabs"));
     m_views->addTab(m_values, QString());
-    auto* columns = new QSplitter(Qt::Horizontal);
-    columns->setObjectName(QStringLiteral("measureColumns"));
-    columns->setChildrenCollapsible(false);
-    columns->addWidget(buildLeft());
-    columns->addWidget(m_views);
-    columns->setStretchFactor(0, 0);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({456, 800});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(columns);
+    fillWithColumns(*this, QStringLiteral("measureColumns"), buildLeft(), m_views);
 }
 
 QWidget* MeasurePage::buildLeft()

@@ -11,6 +11,7 @@
 #include "ui/tabs/measurement_files.h"
 #include "ui/tabs/next_step.h"
 #include "ui/tabs/residual_plot.h"
+#include "ui/tabs/tab_columns.h"
 #include "ui/text/fine_scale.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
@@ -145,17 +146,7 @@ void ProvePage::build()
     m_views->insertTab(0, m_comparisonView, QString());
     m_views->insertTab(1, m_residual, QString());
     m_views->setCurrentIndex(0);
-    auto* columns = new QSplitter(Qt::Horizontal);
-    columns->setObjectName(QStringLiteral("proveColumns"));
-    columns->setChildrenCollapsible(false);
-    columns->addWidget(buildLeft());
-    columns->addWidget(m_views);
-    columns->setStretchFactor(0, 0);
-    columns->setStretchFactor(1, 1);
-    columns->setSizes({456, 800});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(columns);
+    fillWithColumns(*this, QStringLiteral("proveColumns"), buildLeft(), m_views);
 }
 
 QWidget* ProvePage::buildLeft()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/patience.h"
 #include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/record/judgement_models.h"
 #include "ui/record/record_model.h"
@@ -14,13 +14,9 @@ namespace tst_judgementmodels {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
+using test::settled;
 
 namespace {
-
-[[nodiscard]] bool settled(const RecordModel& record)
-{
-    return QTest::qWaitFor([&] { return !record.isEvaluating(); }, test::patienceMs);
-}
 
 QString text(const QAbstractItemModel& model, int row, int column)
 {

@@ -2,8 +2,8 @@
 #include "core/metrology/record/fit_record.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "tests/support/compensator_fixture.h"
-#include "tests/support/patience.h"
 #include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/record/record_model.h"
 
@@ -18,14 +18,9 @@ namespace tst_recordfit {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
+using test::settled;
 
 namespace {
-
-[[nodiscard]] bool settled(const RecordModel& model)
-{
-    return QTest::qWaitFor(
-        [&] { return !model.isEvaluating() && !model.isFitting(); }, test::patienceMs);
-}
 
 /// As in chapter 4.2 of the specification: encoder lookup, the zero as measured.
 FitChoices asSpecified()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/patience.h"
 #include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/record/record_model.h"
 
@@ -15,13 +15,9 @@ namespace tst_recordmodel {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
+using test::settled;
 
 namespace {
-
-[[nodiscard]] bool settled(const RecordModel& model)
-{
-    return QTest::qWaitFor([&] { return !model.isEvaluating(); }, test::patienceMs);
-}
 
 double figureOf(const RecordModel& model, Iso230Figure figure)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/patience.h"
 #include "tests/ui/support/measurement_files.h"
+#include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/record/record_model.h"
 #include "ui/record/run_values_model.h"
@@ -15,13 +15,9 @@ namespace tst_runvaluesmodel {
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using test::publicMeasurement;
+using test::settled;
 
 namespace {
-
-[[nodiscard]] bool settled(const RecordModel& record)
-{
-    return QTest::qWaitFor([&] { return !record.isEvaluating(); }, test::patienceMs);
-}
 
 QString text(const RunValuesModel& model, int row, int column)
 {
