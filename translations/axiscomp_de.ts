@@ -6444,10 +6444,6 @@
         <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzposition und Quelle der Tabelle prüfen</translation>
     </message>
     <message>
-        <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points (--points)</source>
-        <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte verlangen (--points)</translation>
-    </message>
-    <message>
         <source>not known</source>
         <translation>nicht bekannt</translation>
     </message>
@@ -6478,18 +6474,6 @@
     <message>
         <source>the table of axis {index} ({axis})</source>
         <translation>die Tabelle der Achse {index} ({axis})</translation>
-    </message>
-    <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero (--zero)</source>
-        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle an ihrer Nullstelle 0 ist (--zero)</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} values do not fit the others and are in the table; judging names them, and they can be left out (axiscomp judge, --exclude)</source>
-        <comment>1 value does not fit the others and is in the table; judging names it, and it can be left out (axiscomp judge, --exclude)</comment>
-        <translation>
-            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; die Beurteilung nennt ihn, und er lässt sich weglassen (axiscomp judge, --exclude)</numerusform>
-            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; die Beurteilung nennt sie, und sie lassen sich weglassen (axiscomp judge, --exclude)</numerusform>
-        </translation>
     </message>
     <message>
         <source>{temperature}</source>
@@ -6562,6 +6546,22 @@
     <message>
         <source>approached downwards: {sentence}</source>
         <translation>abwärts angefahren: {sentence}</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
+        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle an ihrer Nullstelle 0 ist</translation>
+    </message>
+    <message>
+        <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
+        <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte nehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values do not fit the others and are in the table; judging names them, and they can be excluded</source>
+        <comment>1 value does not fit the others and is in the table; judging names it, and it can be excluded</comment>
+        <translation>
+            <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; die Beurteilung nennt ihn, und er lässt sich ausschließen</numerusform>
+            <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; die Beurteilung nennt sie, und sie lassen sich ausschließen</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -47,8 +47,7 @@ void remarkOfZero(const FittedTable& made, Remarks& remarks)
     if (made.removedConstant != 0.0)
         remarks.say("ZeroMoved",
             AXISCOMP_TEXT("Measurement",
-                "{constant} was taken out of all values of {table}, which makes it 0 at its zero "
-                "(--zero)")
+                "{constant} was taken out of all values of {table}, which makes it 0 at its zero")
                 .with("constant", remarks.fine(made.removedConstant))
                 .with("table", made.table.name));
 }
@@ -134,7 +133,7 @@ void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
         remarks.warn("OldDetailLost",
             AXISCOMP_TEXT("Measurement",
                 "the new table is coarser than {name}: up to {lost} of what that has between the "
-                "new points is lost; take more points (--points)")
+                "new points is lost; take more points")
                 .with("name", merge.onto)
                 .with("lost", remarks.fine(merge.lostDetail)));
 }
@@ -241,9 +240,9 @@ void remarkOfOutliers(const Judgement& judgement, Remarks& remarks)
         remarks.warn("OutliersLeftIn",
             AXISCOMP_COUNTED("Measurement",
                 "{count} values do not fit the others and are in the table; judging names them, "
-                "and they can be left out (axiscomp judge, --exclude)",
+                "and they can be excluded",
                 "1 value does not fit the others and is in the table; judging names it, and it can "
-                "be left out (axiscomp judge, --exclude)")
+                "be excluded")
                 .with("count", count));
 }
 
