@@ -6030,6 +6030,10 @@
         <source>the fewest points that leave no more than a deviation (--within) are counted on a curve, which runs have, and a track with --method smooth; say the points of the grid or their distance (--points or --distance)</source>
         <translation>die wenigsten Punkte, die nicht mehr als eine Abweichung lassen (--within), werden an einer Kurve gezählt; die haben Durchläufe und eine Bahn mit --method smooth; sonst die Punkte des Gitters oder ihren Abstand angeben (--points oder --distance)</translation>
     </message>
+    <message>
+        <source>the name is {name}, and axis {other} is called {target}</source>
+        <translation>ist der Name {name}, und Achse {other} heißt {target}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

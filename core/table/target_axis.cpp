@@ -96,6 +96,11 @@ std::optional<std::size_t> sourceNamed(std::string_view name, std::span<const st
 
 } // namespace
 
+bool isAxisName(std::string_view statement)
+{
+    return !statement.empty() && statement.front() != '#' && statement != otherAxis;
+}
+
 std::string sourceTarget(std::size_t source)
 {
     return '#' + std::to_string(source + 1);

@@ -20,6 +20,9 @@ namespace axiscomp {
 inline constexpr std::string_view otherAxis = "other";
 [[nodiscard]] std::string sourceTarget(std::size_t source); ///< "#1" for 0
 
+/// Whether a statement is the name of an axis, not a number of a source and not "other".
+[[nodiscard]] bool isAxisName(std::string_view statement);
+
 /// What a statement means for a table.
 struct TargetAxis {
     std::optional<std::size_t> source; ///< the source axis that is corrected; none: another axis

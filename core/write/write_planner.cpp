@@ -7,6 +7,9 @@
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 
@@ -266,6 +269,29 @@ Result<void> WritePlanner::doubtSources(const WriteRequest& request)
     return {};
 }
 
+/// A file that corrects Y is not for axis X, as long as the drive has an axis Y.
+Result<void> WritePlanner::checkTargetName(const CompensationTable& table)
+{
+    const std::string own(trimmed(m_status.axis.name));
+    if (!isAxisName(table.target) || own.empty() || sameLetters(table.target, own))
+        return {};
+    for (int axis = 0; axis < m_drive.axes; ++axis) {
+        if (axis == m_axis)
+            continue;
+        AXISCOMP_TRY(const auto other, positionFacts(axis));
+        if (sameLetters(table.target, trimmed(other.name)))
+            return fail(ErrorCode::TargetMismatch,
+                {{"table", table.name}, {"target", Verbatim{table.target}}, {"axis", m_axis},
+                    {"role",
+                        AXISCOMP_TEXT(
+                            "Error", "the name is {name}, and axis {other} is called {target}")
+                            .with("name", Verbatim{own})
+                            .with("other", axis)
+                            .with("target", Verbatim{table.target})}});
+    }
+    return {};
+}
+
 Result<void> WritePlanner::decideNoTable()
 {
     WritePlan& plan = m_write.plan;
@@ -306,6 +332,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         return fail(ErrorCode::DimensionMismatch,
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
     AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
+    AXISCOMP_CHECK(checkTargetName(table));
     AXISCOMP_TRY(auto file, encodeTamTable(table, false, m_access.profile().layout));
     m_write.elementCrc = elementCrcOf(file, table);
     m_write.plan.tableBytes = file.size();

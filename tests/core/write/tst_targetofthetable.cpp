@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/target_axis.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+namespace tst_targetofthetable {
+
+using namespace axiscomp;
+using test::CompensatorFixture;
+
+namespace {
+
+/// A table of one dimension whose file says what it corrects, looked up by the position of X.
+WriteRequest requestFor(const std::string& target, const std::string& column)
+{
+    WriteRequest request;
+    request.dimensionality = 1;
+    request.sources = {test::masterX};
+    request.table = test::exampleTable(1);
+    request.table->grid.axes.front().name = column;
+    request.table->target = target;
+    request.persistency = Persistency::Volatile;
+    return request;
+}
+
+bool names(const Error& error, std::string_view words)
+{
+    const std::string said = sentence(error);
+    if (said.find(words) == std::string::npos)
+        qInfo("%s", said.c_str());
+    return said.find(words) != std::string::npos;
+}
+
+} // namespace
+
+/// What a file says of the axis that it corrects, against the axis that is written. The axes of
+/// the drive are called X and Y.
+class TestTargetOfTheTable : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten_data()
+    {
+        QTest::addColumn<QString>("target");
+        QTest::newRow("its name") << "Y";
+        QTest::newRow("small letters") << "y";
+    }
+    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten()
+    {
+        QFETCH(const QString, target);
+        CompensatorFixture f;
+        const auto before = f.state();
+        const std::string name = target.toStdString();
+        const auto refused = f.compensator.write(0, requestFor(name, name));
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QVERIFY(names(refused.error(), "correct " + name + ", but for axis 0 the name is X, and "));
+        QVERIFY(f.state() == before);
+        // The way out: a person states the target.
+        VERIFY_RESULT(f.compensator.write(0, requestFor("#1", name)));
+    }
+
+    void aNameThatNoAxisOfTheDriveHasSaysNothing_data()
+    {
+        QTest::addColumn<QString>("target");
+        for (const char* target : {"", "X", "x", "Z", "#1"})
+            QTest::addRow("\"%s\"", target) << target;
+    }
+    void aNameThatNoAxisOfTheDriveHasSaysNothing()
+    {
+        QFETCH(const QString, target);
+        CompensatorFixture f;
+        const std::string name = target.toStdString();
+        VERIFY_RESULT(f.compensator.write(0, requestFor(name, name)));
+    }
+
+    void theErrorsOfOneSourceAreNotWrittenToTheAxisOfAnother()
+    {
+        CompensatorFixture f;
+        WriteRequest request = test::exampleRequest();
+        request.table->grid.axes[0].name = "A";
+        request.table->grid.axes[1].name = "B";
+        request.table->target = "#2";
+        const auto refused = f.compensator.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QVERIFY(names(refused.error(), "dimension 1 is its own position"));
+        request.table->target = otherAxis;
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::TargetMismatch);
+        request.table->target = "#1";
+        VERIFY_RESULT(f.compensator.write(0, request));
+    }
+};
+
+AXISCOMP_TEST(TestTargetOfTheTable)
+
+} // namespace tst_targetofthetable
+
+#include "tst_targetofthetable.moc"
