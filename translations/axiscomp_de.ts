@@ -6031,8 +6031,20 @@
         <translation>die wenigsten Punkte, die nicht mehr als eine Abweichung lassen (--within), werden an einer Kurve gezählt; die haben Durchläufe und eine Bahn mit --method smooth; sonst die Punkte des Gitters oder ihren Abstand angeben (--points oder --distance)</translation>
     </message>
     <message>
-        <source>the name is {name}, and axis {other} is called {target}</source>
-        <translation>ist der Name {name}, und Achse {other} heißt {target}</translation>
+        <source>the name on the drive is {name}</source>
+        <translation>der Name auf dem Antrieb ist {name}</translation>
+    </message>
+    <message>
+        <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
+        <translation>was an Achse {measured} gemessen wurde, wird nicht mit {name} verbunden, das zu Achse {axis} gehört: die Tabelle der gemessenen Achse nehmen</translation>
+    </message>
+    <message>
+        <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
+        <translation>die erste Messung ist von Achse {before}, die zweite von Achse {after}; sie sind nicht von derselben Achse</translation>
+    </message>
+    <message>
+        <source>measurements of axis {axis} and of axis {other} cannot be joined</source>
+        <translation>Messungen der Achse {axis} und der Achse {other} lassen sich nicht zusammenfügen</translation>
     </message>
 </context>
 <context>

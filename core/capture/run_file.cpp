@@ -23,6 +23,7 @@ namespace {
 constexpr std::string_view firstLine = "// axiscomp runs: 1";
 constexpr std::string_view stateKey = "// compensation: ";
 constexpr std::string_view referenceKey = "// reference: ";
+constexpr std::string_view axisKey = "// axis: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -166,10 +167,10 @@ Result<RunFile> RunFile::open(
 Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
 {
     const std::string unit = unitOf(plan);
-    return write(std::string(firstLine) + "\n// axis: " + plan.axis + "\n// date: " + origin.date
-        + "\n" + std::string(stateKey) + origin.state + "\n" + std::string(referenceKey)
-        + origin.reference + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
-        + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n// corrected: none\n"
+    return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
+        + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n"
+        + std::string(referenceKey) + origin.reference + "\n// feed: " + toText(plan.feedPerMinute)
+        + " " + unit + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n// corrected: none\n"
         + columnLine(plan) + "\n");
 }
 
@@ -197,6 +198,8 @@ Result<void> RunFile::goOn(
         };
         if (number == 1 && line != firstLine)
             return wrong(Verbatim{std::string(firstLine)});
+        if (isOther(line, axisKey, plan.axis))
+            return wrong(Verbatim{std::string(axisKey) + plan.axis});
         if (isOther(line, stateKey, origin.state))
             return wrong(Verbatim{std::string(stateKey) + origin.state});
         if (isOther(line, referenceKey, origin.reference))

@@ -94,6 +94,8 @@ Result<AxisTables> tablesOfAxis(const AxisOfDrive& axis, CompensationTable table
             along.unit = driveUnit;
     AXISCOMP_TRY(const auto crc, elementCrc(table, profile.layout));
     AXISCOMP_CHECK(addTable(tables.active, table, crc, unit, profile.layout, &tables.remarks));
+    if (!axis.axis.name.empty()) // what an axis uses corrects that axis
+        tables.active.tables.back().target = axis.axis.name;
     tables.source = axis.source;
     if (!axis.source.empty())
         tables.lookupAt = lookupAtSource(profile, axis.source);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/run_selection.h"
 
+#include "core/table/target_axis.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -76,10 +77,18 @@ std::vector<double> allTargets(std::span<const Measurement> measurements)
 }
 
 /// Measurements of different states of the drive are not one measurement.
-bool isSameState(const MeasuredState& a, const MeasuredState& b)
+bool areOfOneState(std::span<const Measurement> measurements)
 {
-    return a == b || a.kind == MeasuredState::Kind::NotSaid
-        || b.kind == MeasuredState::Kind::NotSaid;
+    const MeasuredState* said = nullptr;
+    for (const Measurement& measurement : measurements) {
+        const MeasuredState& state = measurement.header.compensation;
+        if (state.kind == MeasuredState::Kind::NotSaid)
+            continue;
+        if (said && state != *said)
+            return false;
+        said = &state;
+    }
+    return true;
 }
 
 /// What a joined file says otherwise than the first one is kept as a note.
@@ -206,11 +215,16 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
         if (measurement.isAngular != whole.isAngular)
             return wrong(AXISCOMP_TEXT(
                 "Error", "a measurement of lengths and one of angles cannot be joined"));
-        if (!isSameState(measurement.header.compensation, whole.header.compensation))
-            return wrong(AXISCOMP_TEXT("Error",
-                "measurements with different tables, or with and without compensation, cannot be "
-                "joined"));
+        if (areDifferentAxes(measurement.header.axis, whole.header.axis))
+            return wrong(AXISCOMP_TEXT(
+                "Error", "measurements of axis {axis} and of axis {other} cannot be joined")
+                             .with("axis", whole.header.axis)
+                             .with("other", measurement.header.axis));
     }
+    if (!areOfOneState(measurements))
+        return wrong(AXISCOMP_TEXT("Error",
+            "measurements with different tables, or with and without compensation, cannot be "
+            "joined"));
     whole.targets = allTargets(measurements);
     whole.values.clear();
     whole.published.clear();

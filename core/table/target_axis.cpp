@@ -96,9 +96,11 @@ std::optional<std::size_t> sourceNamed(std::string_view name, std::span<const st
 
 } // namespace
 
-bool isAxisName(std::string_view statement)
+bool areDifferentAxes(std::string_view one, std::string_view other)
 {
-    return !statement.empty() && statement.front() != '#' && statement != otherAxis;
+    const std::string_view a = trimmed(one);
+    const std::string_view b = trimmed(other);
+    return isAxisLetter(a) && isAxisLetter(b) && !sameLetters(a.substr(0, 1), b.substr(0, 1));
 }
 
 std::string sourceTarget(std::size_t source)

@@ -20,8 +20,10 @@ namespace axiscomp {
 inline constexpr std::string_view otherAxis = "other";
 [[nodiscard]] std::string sourceTarget(std::size_t source); ///< "#1" for 0
 
-/// Whether a statement is the name of an axis, not a number of a source and not "other".
-[[nodiscard]] bool isAxisName(std::string_view statement);
+/// Whether two names are certainly those of different axes: both are letters of machine axes (ISO
+/// 841) and these differ, as X and Y, or X1 and Y. X and X1 may be one axis, numbers and other
+/// names may be anything.
+[[nodiscard]] bool areDifferentAxes(std::string_view one, std::string_view other);
 
 /// What a statement means for a table.
 struct TargetAxis {

@@ -66,7 +66,7 @@ private:
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
     [[nodiscard]] Result<void> doubtSources(const WriteRequest& request);
-    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table);
+    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table) const;
     void warn();
     void warnOfDeletion();
     void warnOfSaving();

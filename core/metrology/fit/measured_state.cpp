@@ -106,6 +106,7 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
                                   .with("crc", crcDigits(*state.tableCrc))
                                   .with("name", request.onto->name)
                                   .with("known", crcList(*request.onto)));
+        found.tableCrc = state.tableCrc;
         found.text = AXISCOMP_TEXT("Measurement", "measured with the table {crc} of {name} active")
                          .with("crc", crcDigits(*state.tableCrc))
                          .with("name", found.active->name);
@@ -127,6 +128,12 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
 bool KnownTables::has(std::uint32_t crc) const
 {
     return std::ranges::find(crcs, crc) != crcs.end();
+}
+
+const CompensationTable* KnownTables::withCrc(std::uint32_t crc) const
+{
+    const auto found = std::ranges::find(crcs, crc);
+    return found == crcs.end() ? nullptr : &tables[static_cast<std::size_t>(found - crcs.begin())];
 }
 
 std::string_view stateName(FoundState::Kind kind)

@@ -20,6 +20,8 @@ struct KnownTables {
     std::vector<std::uint32_t> crcs; ///< of each, as a drive shows it
 
     [[nodiscard]] bool has(std::uint32_t crc) const;
+    /// Null: there is none with it.
+    [[nodiscard]] const CompensationTable* withCrc(std::uint32_t crc) const;
 };
 
 /// What is known of the drive's state, and what is asked for.
@@ -43,6 +45,7 @@ struct FoundState {
     const KnownTables* active = nullptr; ///< with On; one of those of the request
     Text text; ///< "measured with the table 1c291ca3 of x.csv active"
     Text assumption; ///< what was taken for granted; empty: nothing
+    std::optional<std::uint32_t> tableCrc = {}; ///< of the table that was active, where it is known
 };
 [[nodiscard]] std::string_view stateName(FoundState::Kind kind); ///< "off", "on", "irrelevant"
 

@@ -2,6 +2,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/fit_parts.h"
 #include "core/table/even_spacing.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,12 +81,16 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
 
 namespace {
 
-/// The table for the axis itself among those that were active.
+/// Of those that were active the one whose CRC is on record, else the one for the axis itself.
 const CompensationTable* activeTable(const FitInput& input)
 {
     if (!input.state.active)
         return nullptr;
     const std::vector<CompensationTable>& tables = input.state.active->tables;
+    if (input.state.tableCrc)
+        if (const CompensationTable* const known =
+                input.state.active->withCrc(*input.state.tableCrc))
+            return known;
     const auto own = std::ranges::find_if(tables, [&](const CompensationTable& table) {
         return !input.measurement.header.axis.empty()
             && table.target == input.measurement.header.axis;
@@ -121,6 +126,14 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over position and temperature is for a drive, which has one value for both "
             "directions (--direction mean)"));
+    const std::string& axis = input.measurement.header.axis;
+    if (input.state.active && areDifferentAxes(activeTable(input)->target, axis))
+        return badFit(AXISCOMP_TEXT("Error",
+            "what was measured of axis {measured} is not merged onto {name}, which is of axis "
+            "{axis}: take the table of the axis that was measured")
+                          .with("measured", axis)
+                          .with("name", input.state.active->name)
+                          .with("axis", activeTable(input)->target));
     if (input.state.active && activeTable(input)->grid.dimensions() != 1)
         return badFit(AXISCOMP_TEXT("Error",
             "runs along one axis are merged onto a table of one dimension; {name} has "

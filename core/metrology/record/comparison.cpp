@@ -3,6 +3,7 @@
 
 #include "core/curve/smoothing_spline.h"
 #include "core/store/backup_json.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -276,6 +277,14 @@ Result<Comparison> compareMeasurements(
                 AXISCOMP_TEXT("Error",
                     "one measurement is of lengths and the other of angles; they are not of the "
                     "same axis")}});
+    if (areDifferentAxes(before.header.axis, after.header.axis))
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the first measurement is of axis {before} and the second of axis {after}; "
+                    "they are not of the same axis")
+                    .with("before", before.header.axis)
+                    .with("after", after.header.axis)}});
     AXISCOMP_CHECK(checkStateAfter(after, request));
     Comparison comparison{
         iso230Figures(before), request.predicted, request.heldOut, iso230Figures(after), {}, {}};
@@ -295,8 +304,7 @@ void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Compa
     recorded.measurement = std::move(after);
     recorded.figures = figureValues(comparison.after);
     recorded.isAsPredicted = comparison.isAsPredicted;
-    if (!record.tables.empty())
-        recorded.tableCrc = record.tables.front().crc;
+    recorded.tableCrc = comparisonRequest(record).tableCrc;
     record.after.push_back(std::move(recorded));
     record.verdict = RecordedVerdict{comparison.verdicts};
 }

@@ -581,6 +581,9 @@ private Q_SLOTS:
                                  "crc:1c291ca3 is expected")
                 != std::string::npos,
             otherState.c_str());
+        std::string otherAxis = whole;
+        otherAxis.replace(otherAxis.find("// axis: "), 10, "// axis: Q");
+        QVERIFY(refusal(otherAxis).find("where // axis: ") != std::string::npos);
         std::string otherPlan = whole;
         otherPlan.replace(otherPlan.find("\n0.000,+,1,") + 1, 5, "0.001");
         const std::string said = refusal(otherPlan);

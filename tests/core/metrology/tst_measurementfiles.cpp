@@ -421,6 +421,24 @@ private Q_SLOTS:
         off.header.compensation.kind = MeasuredState::Kind::Off;
         const std::array different{on, off};
         VERIFY_ERROR(joined(different), ErrorCode::InvalidArgument);
+        Measurement silent = one;
+        silent.header.compensation = {};
+        const std::array behindOne{silent, on, off};
+        VERIFY_ERROR(joined(behindOne), ErrorCode::InvalidArgument);
+        const std::array alike{silent, on, silent};
+        VERIFY_RESULT(joined(alike));
+    }
+
+    void filesOfTwoAxesAreNotJoined()
+    {
+        std::array both{publicRuns("bifrost.csv"), publicRuns("bifrost.csv")};
+        both[0].header.axis = "X";
+        both[1].header.axis = "Y";
+        const auto refused = joined(both);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error()).find("of axis X and of axis Y") != std::string::npos);
+        both[1].header.axis.clear();
+        VERIFY_RESULT(joined(both));
     }
 
     void exclusionsAreReadAndChecked()

@@ -32,6 +32,43 @@ private Q_SLOTS:
         QTEST(QString::fromStdString(std::string(axisInHeader(header.toStdString()))), "axis");
     }
 
+    void namesOfDifferentLettersAreDifferentAxes_data()
+    {
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("other");
+        QTest::addColumn<bool>("areDifferent");
+        QTest::newRow("letters") << "X"
+                                 << "Y" << true;
+        QTest::newRow("small letters") << "x"
+                                       << "Y" << true;
+        QTest::newRow("one of two axes") << "X1"
+                                         << "Y" << true;
+        QTest::newRow("the same") << "X"
+                                  << "x" << false;
+        QTest::newRow("one of two axes may be meant") << "X"
+                                                      << "X2" << false;
+        QTest::newRow("blanks") << " X"
+                                << "X " << false;
+        QTest::newRow("a number") << "1"
+                                  << "X" << false;
+        QTest::newRow("a word") << "Spindle"
+                                << "X" << false;
+        QTest::newRow("nothing") << ""
+                                 << "X" << false;
+        QTest::newRow("a source by its number") << "#2"
+                                                << "X" << false;
+        QTest::newRow("no source") << "other"
+                                   << "X" << false;
+    }
+    void namesOfDifferentLettersAreDifferentAxes()
+    {
+        QFETCH(QString, one);
+        QFETCH(QString, other);
+        QFETCH(bool, areDifferent);
+        QCOMPARE(areDifferentAxes(one.toStdString(), other.toStdString()), areDifferent);
+        QCOMPARE(areDifferentAxes(other.toStdString(), one.toStdString()), areDifferent);
+    }
+
     void aHeaderOfValuesStatesATargetOrNone_data()
     {
         QTest::addColumn<QString>("header");

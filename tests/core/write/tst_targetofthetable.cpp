@@ -42,13 +42,15 @@ class TestTargetOfTheTable : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
-    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten_data()
+    void theErrorsOfAnotherAxisAreNotWritten_data()
     {
         QTest::addColumn<QString>("target");
         QTest::newRow("its name") << "Y";
         QTest::newRow("small letters") << "y";
+        QTest::newRow("one of two") << "Y2";
+        QTest::newRow("an axis that the drive does not have") << "Z";
     }
-    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten()
+    void theErrorsOfAnotherAxisAreNotWritten()
     {
         QFETCH(const QString, target);
         CompensatorFixture f;
@@ -56,19 +58,20 @@ private Q_SLOTS:
         const std::string name = target.toStdString();
         const auto refused = f.compensator.write(0, requestFor(name, name));
         VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
-        QVERIFY(names(refused.error(), "correct " + name + ", but for axis 0 the name is X, and "));
+        QVERIFY(names(
+            refused.error(), "correct " + name + ", but for axis 0 the name on the drive is X"));
         QVERIFY(f.state() == before);
         // The way out: a person states the target.
         VERIFY_RESULT(f.compensator.write(0, requestFor("#1", name)));
     }
 
-    void aNameThatNoAxisOfTheDriveHasSaysNothing_data()
+    void aNameThatMayBeThatOfTheAxisIsTaken_data()
     {
         QTest::addColumn<QString>("target");
-        for (const char* target : {"", "X", "x", "Z", "#1"})
+        for (const char* target : {"", "X", "x", "X1", "Spindle", "1", "#1"})
             QTest::addRow("\"%s\"", target) << target;
     }
-    void aNameThatNoAxisOfTheDriveHasSaysNothing()
+    void aNameThatMayBeThatOfTheAxisIsTaken()
     {
         QFETCH(const QString, target);
         CompensatorFixture f;

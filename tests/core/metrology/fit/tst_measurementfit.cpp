@@ -147,6 +147,35 @@ private Q_SLOTS:
             report->sign.english().c_str());
     }
 
+    /// A file with the tables of a plane: that of X says nothing of what was measured with Y.
+    void residualsAreMergedOntoTheTableThatWasActive()
+    {
+        KnownTables old = toothed();
+        CompensationTable other = old.tables.front();
+        for (float& value : other.values)
+            value = 0.5F;
+        old.tables.insert(old.tables.begin(), other);
+        old.crcs = {7, 8};
+        const Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        const auto report =
+            fitMeasurement(runs, keeping(), FoundState{FoundState::Kind::On, &old, {}, {}, 8});
+        VERIFY_RESULT(report);
+        QVERIFY(report->tables.front().table.values == old.tables[1].values);
+    }
+
+    void whatWasMeasuredOfOneAxisIsNotMergedOntoTheTableOfAnother()
+    {
+        KnownTables old = toothed();
+        old.tables.front().target = "Y";
+        Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        const FoundState state{FoundState::Kind::On, &old, {}, {}, 1};
+        QVERIFY(isRefused(fitMeasurement(runs, keeping(), state),
+            "measured of axis X is not merged onto old.csv, which is of axis Y"));
+        old.tables.front().target = "X2";
+        VERIFY_RESULT(fitMeasurement(runs, keeping(), state));
+    }
+
     /// As few points as the rougher of the two needs, in both.
     void tablesForBothDirectionsHaveOneGrid()
     {

@@ -112,6 +112,34 @@ private Q_SLOTS:
         QCOMPARE(record.verdict->figures.front().result, VerdictResult::Passed);
     }
 
+    /// Of several tables of a record the one that was written.
+    void whatIsKeptNamesTheTableThatWasWritten()
+    {
+        const auto comparison =
+            compareMeasurements(measured(&errorBefore), measured(&errorBefore), promised(1e-3));
+        VERIFY_RESULT(comparison);
+        CalibrationRecord record;
+        record.tables = {{{}, 7}, {{}, 8}};
+        record.write = RecordedWrite{};
+        record.write->crc = 8;
+        keepAfter(record, {}, *comparison);
+        QCOMPARE(record.after.front().tableCrc, std::optional<std::uint32_t>(8));
+    }
+
+    void measurementsOfTwoAxesAreNotCompared()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        before.header.axis = "X";
+        after.header.axis = "Y";
+        const auto refused = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error()).find("of axis X and the second of axis Y")
+            != std::string::npos);
+        after.header.axis = "X1";
+        VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+    }
+
     void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
     {
         const auto after = measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4);
