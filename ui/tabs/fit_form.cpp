@@ -370,8 +370,11 @@ void FitForm::showCurve()
     m_direction->setCurrentIndex(indexOf(*m_direction, static_cast<int>(settings.direction)));
     m_smoothness->setNumbers(listOf(settings.smoothness));
     m_periods->setNumbers(settings.periods.periods);
-    const QSignalBlocker blocker(m_harmonics);
-    m_harmonics->setValue(settings.periods.harmonics);
+    // A number that is being typed is left to the user.
+    if (m_harmonics->value() != settings.periods.harmonics) {
+        const QSignalBlocker blocker(m_harmonics);
+        m_harmonics->setValue(settings.periods.harmonics);
+    }
     m_turn->setNumbers(listOf(settings.turn));
 }
 
