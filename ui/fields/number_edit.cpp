@@ -37,6 +37,12 @@ void NumberEdit::setNumbers(const std::vector<double>& numbers)
     setWrong(false);
 }
 
+void NumberEdit::forgetTyped()
+{
+    setModified(false);
+    setNumbers(std::vector(m_numbers));
+}
+
 QString NumberEdit::problem() const
 {
     if (!m_isWrong)

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const std::vector<double>& numbers() const { return m_numbers; }
     /// Leaves what is being typed, or is wrong, as long as they are numbers() already.
     void setNumbers(const std::vector<double>& numbers);
+    /// Shows numbers() in place of what was typed and not taken.
+    void forgetTyped();
     /// Why the text is not taken, a translated sentence; empty: it is.
     [[nodiscard]] QString problem() const;
 

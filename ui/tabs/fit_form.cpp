@@ -348,6 +348,14 @@ void FitForm::show(const FitChoices& choices, const RecordState& state, const Fi
     showRows();
 }
 
+void FitForm::forgetTyped()
+{
+    m_openGrid.reset();
+    for (NumberEdit* field : m_numbers)
+        field->forgetTyped();
+    showGrid();
+}
+
 void FitForm::showDrive()
 {
     m_lookup->setCurrentIndex(!m_shown.settings.lookupAt      ? 0
