@@ -12,6 +12,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -285,7 +286,7 @@ void CaptureDialog::nameFields()
     const auto name = [](QLabel& label, QWidget& field, const QString& text,
                           const QString& description) {
         label.setText(text);
-        describeField(field, plainName(text), description);
+        describeField(field, withoutKey(text), description);
     };
     name(*m_axisLabel, *m_axis, tr("Axis"), tr("The current one; something else moves it"));
     name(*m_planLabel, *m_planField, tr("Pla&n"), tr("As New Program saves it"));
@@ -310,7 +311,7 @@ void CaptureDialog::nameFields()
     name(*m_valuesLabel, *m_values, tr("&Values"),
         tr("File of the values; one that is there goes on where it ends"));
     m_invert->setText(tr("The instrument counts the &other way"));
-    describeField(*m_invert, plainName(m_invert->text()),
+    describeField(*m_invert, withoutKey(m_invert->text()),
         tr("For an instrument that counts down while the axis moves up"));
     describeField(*m_choosePlan, tr("Choose the plan"), m_planField->toolTip());
     describeField(*m_chooseValues, tr("Choose the file of the values"), m_values->toolTip());
