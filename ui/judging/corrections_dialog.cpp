@@ -262,9 +262,7 @@ void CorrectionsDialog::retranslate()
     m_isConfirmed->setToolTip(tr("Needed where the file does not say it"));
     m_deadPathBox->setTitle(tr("Dead path of the interferometer"));
     m_openDeadPath->setText(tr("&Open…"));
-    m_openDeadPath->setToolTip(
-        tr("A JSON file with its length and the air of each run, as axiscomp "
-           "judge --dead-path takes it"));
+    m_openDeadPath->setToolTip(tr("A JSON file with its length and the air of each run"));
     m_removeDeadPath->setText(tr("Re&move"));
     m_removeDeadPath->setToolTip(tr("Do not correct for the dead path"));
     m_accept->setText(tr("&Correct"));
