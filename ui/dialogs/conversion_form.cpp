@@ -5,6 +5,7 @@
 #include "ui/dialogs/file_filters.h"
 #include "ui/dialogs/setting_fields.h"
 #include "ui/style/plain_label.h"
+#include "ui/text/free_key.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -50,7 +51,7 @@ void nameRow(QFormLayout& form, QWidget* field, const QString& text)
     auto* label = qobject_cast<QLabel*>(form.labelForField(field));
     if (label)
         label->setText(text);
-    field->setAccessibleName(QString(text).remove(u'&'));
+    field->setAccessibleName(withoutKey(text));
 }
 
 void describe(QWidget& field, const QString& text)
@@ -297,8 +298,8 @@ void ConversionForm::nameRows()
     nameRow(*m_form, m_method, tr("&Between points"));
     m_dropsWrap->setText(tr("Treat a modulo axis as a &linear one"));
     m_holds->setText(tr("&Hold the end values beyond the data"));
-    m_dropsWrap->setAccessibleName(m_dropsWrap->text().remove(u'&'));
-    m_holds->setAccessibleName(m_holds->text().remove(u'&'));
+    m_dropsWrap->setAccessibleName(withoutKey(m_dropsWrap->text()));
+    m_holds->setAccessibleName(withoutKey(m_holds->text()));
 }
 
 void ConversionForm::describeFields()

@@ -235,7 +235,7 @@ void SettingFields::retranslate(QSet<QChar> usedKeys)
         else if (auto* box = qobject_cast<QCheckBox*>(row.field))
             box->setText(name);
         row.field->setToolTip(sentenceText(row.setting.meaning));
-        row.field->setAccessibleName(QString(name).remove(u'&'));
+        row.field->setAccessibleName(withoutKey(name));
         row.field->setAccessibleDescription(row.field->toolTip());
         const QString standard = qString(row.setting.standard);
         if (auto* combo = qobject_cast<QComboBox*>(row.field)) {

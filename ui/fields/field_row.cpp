@@ -6,6 +6,7 @@
 #include "ui/style/dirty_style.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/symbols.h"
+#include "ui/text/free_key.h"
 
 #include <QAccessible>
 #include <QAction>
@@ -29,11 +30,6 @@ QString breakable(QString text)
 {
     constexpr QChar zeroWidthSpace(0x200b);
     return text.replace(u'/', QString(u'/') + zeroWidthSpace);
-}
-
-QString withoutMnemonic(QString text)
-{
-    return text.remove(u'&');
 }
 
 QFont smallFont(const QWidget& widget)
@@ -139,8 +135,8 @@ void FieldRow::setTexts(const FieldTexts& texts)
 {
     m_texts = texts;
     m_label->setText(texts.label);
-    m_editor->setAccessibleName(withoutMnemonic(texts.label));
-    m_revert->setAccessibleName(tr("Revert %1").arg(withoutMnemonic(texts.label)));
+    m_editor->setAccessibleName(withoutKey(texts.label));
+    m_revert->setAccessibleName(tr("Revert %1").arg(withoutKey(texts.label)));
     showState();
 }
 
@@ -287,8 +283,7 @@ void FieldRow::showProposal()
     m_take->setVisible(m_isVisible && !m_proposal.isEmpty() && m_problem.isEmpty());
     m_take->setText(tr("Use", "what is proposed"));
     m_take->setToolTip(tr("Use what is proposed: %1").arg(m_proposal));
-    m_take->setAccessibleName(
-        tr("Use what is proposed for %1").arg(withoutMnemonic(m_texts.label)));
+    m_take->setAccessibleName(tr("Use what is proposed for %1").arg(withoutKey(m_texts.label)));
     m_take->setAccessibleDescription(m_proposal);
 }
 

@@ -20,6 +20,9 @@ NumberEdit::NumberEdit(const Rule& rule, QWidget* parent) : QLineEdit(parent), m
 
 void NumberEdit::setNumbers(const std::vector<double>& numbers)
 {
+    // What is being typed is the user's, until it is done or another number has its place.
+    if (isModified() && numbers == m_numbers)
+        return;
     m_numbers = numbers;
     const auto shown = numbersOf(text());
     if (!shown || *shown != numbers) {
@@ -34,6 +37,12 @@ void NumberEdit::setNumbers(const std::vector<double>& numbers)
     setWrong(false);
 }
 
+void NumberEdit::forgetTyped()
+{
+    setModified(false);
+    setNumbers(std::vector(m_numbers));
+}
+
 QString NumberEdit::problem() const
 {
     if (!m_isWrong)
@@ -46,7 +55,10 @@ void NumberEdit::take()
 {
     const auto numbers = numbersOf(text());
     setWrong(!numbers);
-    if (!numbers || *numbers == m_numbers)
+    if (!numbers)
+        return;
+    setModified(false);
+    if (*numbers == m_numbers)
         return;
     m_numbers = *numbers;
     Q_EMIT chosen();

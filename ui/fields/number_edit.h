@@ -26,7 +26,10 @@ public:
     void setMost(std::size_t most) { m_rule.most = most; }
     /// Of which the text is, or which it was before it became wrong.
     [[nodiscard]] const std::vector<double>& numbers() const { return m_numbers; }
+    /// Leaves what is being typed, or is wrong, as long as they are numbers() already.
     void setNumbers(const std::vector<double>& numbers);
+    /// Shows numbers() in place of what was typed and not taken.
+    void forgetTyped();
     /// Why the text is not taken, a translated sentence; empty: it is.
     [[nodiscard]] QString problem() const;
 

@@ -6,6 +6,7 @@
 #include "ui/async/background_job.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -23,11 +24,6 @@
 namespace axiscomp::ui {
 
 namespace {
-
-QString withoutMnemonic(QString text)
-{
-    return text.remove(u'&');
-}
 
 Result<DeadPathCorrection> deadPathFromFile(const QString& path)
 {
@@ -255,7 +251,7 @@ void CorrectionsDialog::retranslate()
         tr("0 for a laser that is compensated for its wavelength"), tr("Empty: the first target")};
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         m_labels[i]->setText(labels.at(i));
-        m_numbers[i]->setAccessibleName(withoutMnemonic(labels.at(i)));
+        m_numbers[i]->setAccessibleName(withoutKey(labels.at(i)));
         m_numbers[i]->setToolTip(purposes.at(i));
         m_numbers[i]->setAccessibleDescription(purposes.at(i));
     }
@@ -266,9 +262,7 @@ void CorrectionsDialog::retranslate()
     m_isConfirmed->setToolTip(tr("Needed where the file does not say it"));
     m_deadPathBox->setTitle(tr("Dead path of the interferometer"));
     m_openDeadPath->setText(tr("&Open…"));
-    m_openDeadPath->setToolTip(
-        tr("A JSON file with its length and the air of each run, as axiscomp "
-           "judge --dead-path takes it"));
+    m_openDeadPath->setToolTip(tr("A JSON file with its length and the air of each run"));
     m_removeDeadPath->setText(tr("Re&move"));
     m_removeDeadPath->setToolTip(tr("Do not correct for the dead path"));
     m_accept->setText(tr("&Correct"));

@@ -3,7 +3,6 @@
 
 #include "ui/judging/corrections_dialog.h"
 #include "ui/judging/judge_outlook.h"
-#include "ui/judging/judgement_table.h"
 #include "ui/judging/limit_fields.h"
 #include "ui/judging/outlier_list.h"
 #include "ui/plot/deviation_plot.h"
@@ -11,6 +10,7 @@
 #include "ui/record/judgement_models.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/row_table.h"
 #include "ui/style/tone_label.h"
 #include "ui/tabs/next_step.h"
 #include "ui/tabs/tab_columns.h"
@@ -134,7 +134,7 @@ QWidget* JudgePage::buildRight()
 
 void JudgePage::addTable(const char* name, JudgementTableModel* model)
 {
-    QTableView* view = newJudgementTable(name, *model);
+    QTableView* view = newRowTable(name, *model);
     m_tables.push_back({model, view});
     m_views->addTab(view, QString());
     connect(view->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

@@ -61,6 +61,7 @@ LimitFields::LimitFields(RecordModel& record, QWidget* parent)
     m_problem->setWordWrap(true);
     layout->addWidget(m_problem, layout->rowCount(), 0, 1, 2 * fieldsInARow);
     m_problem->hide();
+    connect(&record, &RecordModel::opened, this, &LimitFields::forgetTyped);
     connect(&record, &RecordModel::changed, this, &LimitFields::follow);
     connect(&record, &RecordModel::stateChanged, this, &LimitFields::follow);
     retranslate();
@@ -95,6 +96,13 @@ void LimitFields::follow()
         const auto value = valueOf(field);
         field.edit->setText(value ? amountText(*value, isAngular()) : QString());
     }
+}
+
+void LimitFields::forgetTyped()
+{
+    for (const Field& field : m_fields)
+        field.edit->setModified(false);
+    say({});
 }
 
 void LimitFields::take(const Field& field)

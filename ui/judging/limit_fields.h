@@ -34,6 +34,7 @@ private:
         QLineEdit* edit;
     };
     void follow();
+    void forgetTyped();
     void take(const Field& field);
     void say(const QString& problem);
     [[nodiscard]] bool isAngular() const;

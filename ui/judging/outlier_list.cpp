@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/judging/outlier_list.h"
 
-#include "ui/judging/judgement_table.h"
 #include "ui/record/judgement_models.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/row_table.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -21,7 +21,7 @@ OutlierList::OutlierList(RecordModel& record, QWidget* parent)
     , m_model(new OutliersModel(record, this))
     , m_ruleLabel(new PlainLabel)
     , m_rule(new QComboBox)
-    , m_table(newJudgementTable("outliers", *m_model))
+    , m_table(newRowTable("outliers", *m_model))
     , m_excludeAll(new QPushButton)
     , m_exclude(new QPushButton)
     , m_useAgain(new QPushButton)

@@ -12,6 +12,7 @@
 #include "ui/style/busy_mark.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -127,25 +128,21 @@ void CaptureDialog::build(bool hasSerial)
         field->setReadOnly(true);
     m_choosePlan->setObjectName(QStringLiteral("choosePlanButton"));
     m_chooseValues->setObjectName(QStringLiteral("chooseValuesButton"));
-    addRow(m_axisLabel, m_axis, "captureAxis");
-    addRow(m_planLabel, withButton(m_planField, m_choosePlan), "planRow");
-    m_planField->setObjectName(QStringLiteral("planField"));
-    addRow(m_kindLabel, m_kind, "referenceKindField");
-    addRow(m_registerLabel, m_register, "referenceRegisterField");
-    addRow(m_portLabel, m_port, "instrumentPortField");
-    addRow(m_requestLabel, m_request, "instrumentRequestField");
-    addRow(m_patternLabel, m_pattern, "instrumentPatternField");
-    addRow(m_unitLabel, m_unit, "referenceUnitField");
-    addRow(m_zeroLabel, m_zero, "zeroField");
+    addRow(m_axis, "captureAxis");
+    addRow(m_planField, "planField", withButton(m_planField, m_choosePlan));
+    addRow(m_kind, "referenceKindField");
+    addRow(m_register, "referenceRegisterField");
+    addRow(m_port, "instrumentPortField");
+    addRow(m_request, "instrumentRequestField");
+    addRow(m_pattern, "instrumentPatternField");
+    addRow(m_unit, "referenceUnitField");
+    addRow(m_zero, "zeroField");
     m_invert->setObjectName(QStringLiteral("invertReferenceField"));
     m_form->addRow(QString(), m_invert);
-    addRow(m_windowLabel, m_window, "windowField");
-    addRow(m_dwellLabel, m_dwell, "captureDwellField");
-    addRow(m_averageLabel, m_average, "averageField");
-    addRow(m_valuesLabel, withButton(m_values, m_chooseValues), "valuesRow");
-    m_values->setObjectName(QStringLiteral("valuesField"));
-    m_planLabel->setBuddy(m_planField);
-    m_valuesLabel->setBuddy(m_values);
+    addRow(m_window, "windowField");
+    addRow(m_dwell, "captureDwellField");
+    addRow(m_average, "averageField");
+    addRow(m_values, "valuesField", withButton(m_values, m_chooseValues));
     m_begin->setObjectName(QStringLiteral("beginCaptureButton"));
     m_begin->setDefault(true);
     m_cancel->setObjectName(QStringLiteral("cancelCaptureButton"));
@@ -168,12 +165,13 @@ void CaptureDialog::build(bool hasSerial)
     resize(640, 520);
 }
 
-void CaptureDialog::addRow(QLabel*& label, QWidget* field, const char* name)
+/// row: what the field stands in, if not alone.
+void CaptureDialog::addRow(QWidget* field, const char* name, QWidget* row)
 {
-    label = new PlainLabel;
+    auto* label = new PlainLabel;
     label->setBuddy(field);
     field->setObjectName(QLatin1StringView(name));
-    m_form->addRow(label, field);
+    m_form->addRow(label, row ? row : field);
 }
 
 QWidget* CaptureDialog::withButton(QLineEdit* field, QPushButton* button)
@@ -280,37 +278,42 @@ void CaptureDialog::retranslate()
     showState();
 }
 
+void CaptureDialog::nameRow(QWidget* field, const QString& name, const QString& description)
+{
+    QWidget* label = m_form->labelForField(field);
+    // One that has a button beside it.
+    if (!label)
+        label = m_form->labelForField(field->parentWidget());
+    if (auto* text = qobject_cast<QLabel*>(label))
+        text->setText(name);
+    describeField(*field, withoutKey(name), description);
+}
+
 void CaptureDialog::nameFields()
 {
-    const auto name = [](QLabel& label, QWidget& field, const QString& text,
-                          const QString& description) {
-        label.setText(text);
-        describeField(field, plainName(text), description);
-    };
-    name(*m_axisLabel, *m_axis, tr("Axis"), tr("The current one; something else moves it"));
-    name(*m_planLabel, *m_planField, tr("Pla&n"), tr("As New Program saves it"));
-    name(*m_kindLabel, *m_kind, tr("&Reference"), tr("Where it comes from"));
-    name(*m_registerLabel, *m_register, tr("Re&gister"),
+    nameRow(m_axis, tr("Axis"), tr("The current one; something else moves it"));
+    nameRow(m_planField, tr("Pla&n"), tr("As New Program saves it"));
+    nameRow(m_kind, tr("&Reference"), tr("Where it comes from"));
+    nameRow(m_register, tr("Re&gister"),
         tr("Which says where the axis really is: chosen from the list, or a path, URI or address"));
-    name(*m_portLabel, *m_port, tr("&Port"), tr("Of the instrument, with its speed"));
-    name(*m_requestLabel, *m_request, tr("Re&quest"),
+    nameRow(m_port, tr("&Port"), tr("Of the instrument, with its speed"));
+    nameRow(m_request, tr("Re&quest"),
         tr("Sent before each reading, with \\r and \\n for line ends; empty: the instrument sends "
            "by itself"));
-    name(*m_patternLabel, *m_pattern, tr("Pa&ttern"),
+    nameRow(m_pattern, tr("Pa&ttern"),
         tr("Regular expression for the number in a line; empty: the first number of the line"));
-    name(*m_unitLabel, *m_unit, tr("&Unit"), tr("Of the numbers of the instrument"));
-    name(*m_zeroLabel, *m_zero, tr("&Zero at"),
-        tr("Position of the axis where the instrument says 0"));
-    name(*m_windowLabel, *m_window, tr("&Window"),
+    nameRow(m_unit, tr("&Unit"), tr("Of the numbers of the instrument"));
+    nameRow(m_zero, tr("&Zero at"), tr("Position of the axis where the instrument says 0"));
+    nameRow(m_window, tr("&Window"),
         tr("The axis stands while its encoder stays within this, and readings may differ by as "
            "much"));
-    name(*m_dwellLabel, *m_dwell, tr("&Dwell"),
-        tr("So long the axis must have stood before its value is taken"));
-    name(*m_averageLabel, *m_average, tr("&Average of"), tr("Readings that make a value"));
-    name(*m_valuesLabel, *m_values, tr("&Values"),
-        tr("File of the values; one that is there goes on where it ends"));
+    nameRow(
+        m_dwell, tr("&Dwell"), tr("So long the axis must have stood before its value is taken"));
+    nameRow(m_average, tr("&Average of"), tr("Readings that make a value"));
+    nameRow(
+        m_values, tr("&Values"), tr("File of the values; one that is there goes on where it ends"));
     m_invert->setText(tr("The instrument counts the &other way"));
-    describeField(*m_invert, plainName(m_invert->text()),
+    describeField(*m_invert, withoutKey(m_invert->text()),
         tr("For an instrument that counts down while the axis moves up"));
     describeField(*m_choosePlan, tr("Choose the plan"), m_planField->toolTip());
     describeField(*m_chooseValues, tr("Choose the file of the values"), m_values->toolTip());

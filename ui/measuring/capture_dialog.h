@@ -63,12 +63,13 @@ private:
     using ReadPlan = Result<std::shared_ptr<const MeasuringPlan>>;
 
     void build(bool hasSerial);
-    void addRow(QLabel*& label, QWidget* field, const char* name);
+    void addRow(QWidget* field, const char* name, QWidget* row = nullptr);
     [[nodiscard]] QWidget* withButton(QLineEdit* field, QPushButton* button);
     void show(const CaptureChoices& choices);
     void follow();
     void retranslate();
     void nameFields();
+    void nameRow(QWidget* field, const QString& name, const QString& description);
     void offerSources();
     void readPlan(const QString& path);
     void askForPlan();
@@ -93,33 +94,20 @@ private:
     std::optional<Error> m_refusal; ///< of the last attempt
 
     QFormLayout* m_form;
-    QLabel* m_axisLabel = nullptr;
     QLabel* m_axis;
-    QLabel* m_planLabel = nullptr;
     QLineEdit* m_planField;
     QPushButton* m_choosePlan;
-    QLabel* m_kindLabel = nullptr;
     QComboBox* m_kind;
-    QLabel* m_registerLabel = nullptr;
     SourceCombo* m_register;
-    QLabel* m_portLabel = nullptr;
     QLineEdit* m_port;
-    QLabel* m_requestLabel = nullptr;
     QLineEdit* m_request;
-    QLabel* m_patternLabel = nullptr;
     QLineEdit* m_pattern;
-    QLabel* m_unitLabel = nullptr;
     QComboBox* m_unit;
-    QLabel* m_zeroLabel = nullptr;
     QDoubleSpinBox* m_zero;
     QCheckBox* m_invert;
-    QLabel* m_windowLabel = nullptr;
     QDoubleSpinBox* m_window;
-    QLabel* m_dwellLabel = nullptr;
     QDoubleSpinBox* m_dwell;
-    QLabel* m_averageLabel = nullptr;
     QSpinBox* m_average;
-    QLabel* m_valuesLabel = nullptr;
     QLineEdit* m_values;
     QPushButton* m_chooseValues;
     ToneLabel* m_reason;

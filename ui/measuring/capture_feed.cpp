@@ -187,7 +187,10 @@ void CaptureFeed::followBusy()
     if (isWaiting && !m_view.isWaiting)
         m_stop.request_stop();
     m_view.isWaiting = isWaiting;
-    if (m_connection && !m_connection->isConnected() && m_connection->problem() && !m_view.lost)
+    // While nothing is read nobody else would say that the drive is there again.
+    if (m_connection && m_connection->isConnected())
+        m_view.lost.reset();
+    else if (m_connection && m_connection->problem() && !m_view.lost)
         m_view.lost = m_connection->problem();
     Q_EMIT changed();
 }

@@ -7,6 +7,7 @@
 #include "ui/measuring/plan_targets_model.h"
 #include "ui/measuring/plan_text.h"
 #include "ui/style/tone_label.h"
+#include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
 #include "ui/text/value_text.h"
 
@@ -247,7 +248,7 @@ void PlanDialog::retranslate()
     m_dialect->setItemText(static_cast<int>(GcodeDialect::Siemens), QStringLiteral("Siemens"));
     nameFields();
     m_dialectLabel->setText(tr("Cont&rol"));
-    m_dialect->setAccessibleName(plainName(m_dialectLabel->text()));
+    m_dialect->setAccessibleName(withoutKey(m_dialectLabel->text()));
     m_dialect->setToolTip(tr("The control of the machine, which plays the program"));
     m_dialect->setAccessibleDescription(m_dialect->toolTip());
     m_saveProgram->setText(tr("Save Pro&gram…"));
@@ -265,7 +266,7 @@ void PlanDialog::nameFields()
     const auto name = [this](Field field, const QString& label, const QString& description) {
         m_labels.at(field)->setText(label);
         QWidget& editor = *m_editors.at(field);
-        editor.setAccessibleName(plainName(label));
+        editor.setAccessibleName(withoutKey(label));
         editor.setToolTip(description);
         editor.setAccessibleDescription(description);
     };
@@ -284,7 +285,7 @@ void PlanDialog::nameFields()
     name(SeedField, tr("Ran&dom seed"),
         tr("Another number gives other targets, the same number the same"));
     m_byLabel->setText(tr("Given b&y"));
-    m_by->setAccessibleName(plainName(m_byLabel->text()));
+    m_by->setAccessibleName(withoutKey(m_byLabel->text()));
     m_by->setToolTip(tr("Whether targets are counted, or their distance is given"));
     m_by->setAccessibleDescription(m_by->toolTip());
     for (QWidget* box : {static_cast<QWidget*>(m_count), static_cast<QWidget*>(m_spacing)}) {
@@ -361,7 +362,7 @@ void PlanDialog::take(const Planned& plan)
 
 QString PlanDialog::nameOf(Field field) const
 {
-    return plainName(m_labels.at(field)->text());
+    return withoutKey(m_labels.at(field)->text());
 }
 
 QString PlanDialog::summary() const

@@ -24,9 +24,4 @@ QString planSummaryText(const MeasuringPlan& plan)
         .arg(qString(plan.axis), countText(targetsOf(plan).size()), countText(plan.steps.size()));
 }
 
-QString plainName(QString label)
-{
-    return label.remove(u'&');
-}
-
 } // namespace axiscomp::ui

@@ -14,7 +14,4 @@ namespace axiscomp::ui {
 /// "Axis X, 51 targets, 510 values"
 [[nodiscard]] QString planSummaryText(const MeasuringPlan& plan);
 
-/// The text of a label without its key.
-[[nodiscard]] QString plainName(QString label);
-
 } // namespace axiscomp::ui

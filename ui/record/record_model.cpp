@@ -134,6 +134,7 @@ void RecordModel::change(Record next, StepKind kind, const QString& subject)
 void RecordModel::open(const Record& record)
 {
     m_ownSteps.clear();
+    Q_EMIT opened();
     apply(record);
 }
 

@@ -87,6 +87,7 @@ public:
     void redo();
 
 Q_SIGNALS:
+    void opened(); ///< before changed(): what is typed and not taken was for the record before
     void changed(); ///< record()
     void stateChanged(); ///< state() but for its fit, isEvaluating()
     void fitChanged(); ///< state().fit, isFitting(), drive()

@@ -7,6 +7,7 @@
 #include "ui/measuring/plan_steps_model.h"
 #include "ui/measuring/plan_text.h"
 #include "ui/style/plain_label.h"
+#include "ui/style/row_table.h"
 #include "ui/style/tone_label.h"
 #include "ui/tabs/next_step.h"
 #include "ui/text/fine_scale.h"
@@ -16,7 +17,6 @@
 #include <QBoxLayout>
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QLocale>
@@ -62,7 +62,7 @@ CapturePanel::CapturePanel(CaptureFeed& feed, QWidget* parent)
     , m_undo(new QPushButton)
     , m_pause(new QPushButton)
     , m_stop(new QPushButton)
-    , m_steps(new QTableView)
+    , m_steps(newRowTable("planSteps", *m_model))
     , m_plot(new CapturedPlot)
 {
     setObjectName(QStringLiteral("capturePanel"));
@@ -82,19 +82,6 @@ void CapturePanel::build()
 {
     m_title->setObjectName(QStringLiteral("captureTitle"));
     m_notes->setTone(Tone::Warning);
-    m_steps->setObjectName(QStringLiteral("planSteps"));
-    m_steps->setModel(m_model);
-    m_steps->setAlternatingRowColors(true);
-    m_steps->setTabKeyNavigation(false);
-    m_steps->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_steps->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_steps->setShowGrid(false);
-    m_steps->verticalHeader()->hide();
-    m_steps->verticalHeader()->setDefaultSectionSize(m_steps->fontMetrics().height() + 6);
-    m_steps->horizontalHeader()->setHighlightSections(false);
-    m_steps->horizontalHeader()->setResizeContentsPrecision(20);
-    m_steps->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_steps->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     auto* views = new QSplitter(Qt::Horizontal);
     views->setObjectName(QStringLiteral("captureViews"));
     views->setChildrenCollapsible(false);

@@ -95,8 +95,11 @@ void FileChoices::show(const MeasurementChoices& choices)
     m_values->setCurrentIndex(static_cast<int>(choices.values));
     m_unit->setCurrentIndex(std::max(0, m_unit->findData(qString(choices.unit))));
     m_valueUnit->setCurrentIndex(std::max(0, m_valueUnit->findData(qString(choices.valueUnit))));
-    const QSignalBlocker blocker(m_skippedLines);
-    m_skippedLines->setValue(static_cast<int>(choices.skippedLines));
+    // A number that is being typed is left to the user.
+    if (m_skippedLines->value() != static_cast<int>(choices.skippedLines)) {
+        const QSignalBlocker blocker(m_skippedLines);
+        m_skippedLines->setValue(static_cast<int>(choices.skippedLines));
+    }
     m_fromOrder->setChecked(choices.takesDirectionFromOrder);
     m_invert->setChecked(choices.invertsReference);
 }

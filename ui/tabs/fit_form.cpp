@@ -348,6 +348,14 @@ void FitForm::show(const FitChoices& choices, const RecordState& state, const Fi
     showRows();
 }
 
+void FitForm::forgetTyped()
+{
+    m_openGrid.reset();
+    for (NumberEdit* field : m_numbers)
+        field->forgetTyped();
+    showGrid();
+}
+
 void FitForm::showDrive()
 {
     m_lookup->setCurrentIndex(!m_shown.settings.lookupAt      ? 0
@@ -370,8 +378,11 @@ void FitForm::showCurve()
     m_direction->setCurrentIndex(indexOf(*m_direction, static_cast<int>(settings.direction)));
     m_smoothness->setNumbers(listOf(settings.smoothness));
     m_periods->setNumbers(settings.periods.periods);
-    const QSignalBlocker blocker(m_harmonics);
-    m_harmonics->setValue(settings.periods.harmonics);
+    // A number that is being typed is left to the user.
+    if (m_harmonics->value() != settings.periods.harmonics) {
+        const QSignalBlocker blocker(m_harmonics);
+        m_harmonics->setValue(settings.periods.harmonics);
+    }
     m_turn->setNumbers(listOf(settings.turn));
 }
 

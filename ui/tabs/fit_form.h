@@ -29,6 +29,8 @@ public:
 
     /// state: with no measurement while there is none.
     void show(const FitChoices& choices, const RecordState& state, const FitDrive& drive);
+    /// What is not taken yet goes; show() follows.
+    void forgetTyped();
     /// used: keys that other widgets have; gets those of the fields that are shown.
     void retranslate(QSet<QChar>& used);
     /// Why a field's text is not taken, a translated sentence; empty: all are.

@@ -127,6 +127,7 @@ void FitPage::connectParts()
         offerUse();
         sayNextStep();
     });
+    connect(&m_record, &RecordModel::opened, m_form, &FitForm::forgetTyped);
     connect(m_column, &QComboBox::activated, this, &FitPage::chooseColumn);
     connect(m_use, &QPushButton::clicked, this, [this] {
         if (const auto outcome = current())

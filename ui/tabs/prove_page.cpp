@@ -5,6 +5,7 @@
 #include "ui/record/comparison_figures_model.h"
 #include "ui/record/record_model.h"
 #include "ui/record/residual_model.h"
+#include "ui/style/row_table.h"
 #include "ui/style/symbols.h"
 #include "ui/style/tone_label.h"
 #include "ui/tabs/file_views.h"
@@ -119,23 +120,8 @@ ProvePage::ProvePage(RecordModel& record, RecordModel& after, QWidget* parent)
 
 QTableView* ProvePage::table(const char* name, QAbstractItemModel* model) const
 {
-    auto* view = new QTableView;
-    view->setObjectName(QLatin1StringView(name));
-    view->setModel(model);
-    view->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view->setSelectionMode(QAbstractItemView::SingleSelection);
-    view->setAlternatingRowColors(true);
-    view->setShowGrid(false);
-    view->setTabKeyNavigation(false);
-    view->setWordWrap(false);
-    view->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    view->verticalHeader()->hide();
-    view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() + 6);
-    view->horizontalHeader()->setHighlightSections(false);
+    QTableView* view = newRowTable(name, *model);
     view->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    // Thousands of targets need not be looked at for it.
-    view->horizontalHeader()->setResizeContentsPrecision(20);
     return view;
 }
 

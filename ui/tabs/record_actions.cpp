@@ -94,6 +94,7 @@ RecordActions::RecordActions(RecordModel& record, WizardController& controller,
     });
     connect(&m_file, &RecordFile::obstructed, this, &RecordActions::tellObstacle);
     connect(&m_file, &RecordFile::saved, this, [this] {
+        forgetQuestion();
         if (const auto action = std::exchange(m_afterSave, nullptr))
             action();
     });
@@ -118,7 +119,11 @@ void RecordActions::attach(const Page& page)
         [this] { m_recovery.end(); },
     });
     connect(&m_file, &RecordFile::changed, &page.guard, &UnsavedChangesGuard::followRecord);
-    connect(&m_file, &RecordFile::opened, this, [this] { m_page->messages.remove(reportId()); });
+    connect(&m_file, &RecordFile::opened, this, [this] {
+        m_afterSave = nullptr;
+        forgetQuestion();
+        m_page->messages.remove(reportId());
+    });
     retranslate();
 }
 
@@ -247,6 +252,13 @@ void RecordActions::loseRecord(Reason reason, std::function<void()> action)
     };
     question.isClosable = false;
     m_page->messages.show(question);
+}
+
+/// What it was about is saved, or another record is there: an answer would be for the wrong one.
+void RecordActions::forgetQuestion()
+{
+    if (m_page)
+        m_page->messages.remove(questionId());
 }
 
 QString RecordActions::unsavedText() const

@@ -81,6 +81,7 @@ private:
     void showMenu();
     enum class Reason { Begin, Open };
     void loseRecord(Reason reason, std::function<void()> action);
+    void forgetQuestion();
     [[nodiscard]] QString unsavedText() const;
     void saveThen(std::function<void()> action);
     void saveNow();

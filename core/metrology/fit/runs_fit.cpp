@@ -111,7 +111,7 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT(
             "Error", "the measurement is along one axis: give one number for its grid and zero"));
     if (settings.zero == FitZero::Position && settings.zeroPosition.empty())
-        return badFit(AXISCOMP_TEXT("Error", "the position of the zero is missing (--zero)"));
+        return badFit(AXISCOMP_TEXT("Error", "the position of the zero is missing"));
     const bool isSmooth = settings.method == FitMethod::Smooth;
     if (settings.smoothness && !isSmooth)
         return badFit(AXISCOMP_TEXT("Error",

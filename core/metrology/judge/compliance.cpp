@@ -143,8 +143,8 @@ void Conditions::checkPeriod()
     if (!m_period) {
         add("period",
             AXISCOMP_TEXT("Measurement",
-                "the targets are not all at the same place of a period of the axis; --period "
-                "states one"),
+                "the targets are not all at the same place of a period of the axis; no period is "
+                "stated"),
             std::nullopt);
         return;
     }

@@ -74,6 +74,29 @@ private Q_SLOTS:
         QCOMPARE(chosen.size(), 2);
     }
 
+    /// What is made on another thread comes while somebody types.
+    void whatIsBeingTypedStaysWhileTheNumberIsTheSame()
+    {
+        NumberEdit field({.smallest = 0.0, .isMore = true});
+        field.setNumbers({4.0});
+        field.selectAll();
+        QTest::keyClicks(&field, QStringLiteral("0."));
+        field.setNumbers({4.0});
+        QTest::keyClicks(&field, QStringLiteral("5"));
+        QCOMPARE(field.text(), QStringLiteral("0.5"));
+        Q_EMIT field.editingFinished();
+        QCOMPARE(field.numbers(), Numbers{0.5});
+        field.selectAll();
+        QTest::keyClicks(&field, QStringLiteral("four"));
+        Q_EMIT field.editingFinished();
+        field.setNumbers({0.5});
+        QCOMPARE(field.text(), QStringLiteral("four"));
+        QVERIFY(!field.problem().isEmpty());
+        field.setNumbers({2.0});
+        QCOMPARE(field.text(), QStringLiteral("2"));
+        QVERIFY(field.problem().isEmpty());
+    }
+
     void aCountIsWhole()
     {
         NumberEdit field({.most = 2, .smallest = 2.0, .areWhole = true});

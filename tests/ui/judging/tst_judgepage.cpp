@@ -6,6 +6,7 @@
 #include "ui/page/page_tabs.h"
 #include "ui/plot/deviation_plot.h"
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGroupBox>
@@ -130,6 +131,20 @@ private Q_SLOTS:
         // What no table can do is not asked of one.
         QVERIFY(bench.user.enter("toleranceR", QStringLiteral("1")));
         QTRY_VERIFY(hint(bench).endsWith(QStringLiteral("look at the mechanics.")));
+    }
+
+    /// It would become a tolerance of the next record when the keyboard leaves the field.
+    void whatWasTypedIsNotTakenForTheNextRecord()
+    {
+        PageFixture bench;
+        QVERIFY(judge(bench, "bifrost"));
+        QVERIFY(bench.user.enter("toleranceA", QStringLiteral("ten")));
+        QTRY_VERIFY(bench.user.sees("limitProblem"));
+        bench.user.the<QAction>("newRecordAction").trigger();
+        QVERIFY(bench.user.click("loseRecordButton"));
+        QTRY_VERIFY(!bench.user.sees("limitProblem"));
+        QVERIFY(bench.user.the<QLineEdit>("toleranceA").text().isEmpty());
+        QVERIFY(!bench.user.the<QLineEdit>("toleranceA").isModified());
     }
 
     void whatIsNoAmountIsNotTaken()

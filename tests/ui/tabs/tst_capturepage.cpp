@@ -281,6 +281,21 @@ private Q_SLOTS:
         verifyComplete(bench.values);
     }
 
+    void aDriveThatIsBackDuringAPauseIsSaidToBe()
+    {
+        CaptureBench bench;
+        bench.holdAfter = 1;
+        QVERIFY(bench.open() && bench.beginWithRegister());
+        QVERIFY(bench.hasTaken(1));
+        QVERIFY(bench.page.user.click("pauseButton"));
+        QVERIFY(bench.says(QStringLiteral("Paused: nothing is taken. Step")));
+        bench.page.served.stop();
+        QVERIFY(bench.says(QStringLiteral("Nothing is taken:")));
+        bench.page.served.start();
+        QVERIFY(bench.says(QStringLiteral("Paused: nothing is taken. Step")));
+        QVERIFY(bench.page.user.the("undoLastButton").isEnabled());
+    }
+
     void aPauseTakesNothing()
     {
         CaptureBench bench;

@@ -218,6 +218,18 @@ private Q_SLOTS:
         QVERIFY(hasTable(bench));
     }
 
+    void whatWasTypedIsNotTakenForTheNextRecord()
+    {
+        PageFixture bench;
+        QVERIFY(fit(bench, publicMeasurement("b02_x")) && chooseAsSpecified(bench));
+        QVERIFY(bench.user.enter("fitTurn", QStringLiteral("many")));
+        QVERIFY(hints(bench, QStringLiteral("Turn: \"many\" cannot be taken")));
+        bench.user.the<QAction>("newRecordAction").trigger();
+        QVERIFY(bench.user.click("loseRecordButton"));
+        QTRY_VERIFY(bench.user.the<QLineEdit>("fitTurn").text().isEmpty());
+        QVERIFY(hints(bench, QStringLiteral("Add the files of a measurement")));
+    }
+
     void theGridNeedsItsNumber()
     {
         PageFixture bench;

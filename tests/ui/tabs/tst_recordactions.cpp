@@ -182,6 +182,30 @@ private Q_SLOTS:
         QVERIFY(savedRecord(bench, "other.axcal").draft);
     }
 
+    /// Overwrite would put another record over that file.
+    void aQuestionGoesWithTheRecordThatItIsAbout()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && openRecord(bench, test::recordOfFit()));
+        const QString other = bench.file(QStringLiteral("other.axcal"), "something else");
+        for (const bool opensAnother : {false, true}) {
+            bench.picked = other;
+            bench.user.press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+            QTRY_VERIFY(
+                bench.user.message("recordQuestion").contains(QStringLiteral("other.axcal")));
+            if (opensAnother) {
+                bench.wizard.openRecord(recordFile(bench, test::recordOfFit("b02_y"), "y.axcal"));
+                QVERIFY(isNamed(bench, "y.axcal"));
+            } else {
+                bench.picked = bench.path(QStringLiteral("z.axcal"));
+                bench.user.press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+                QVERIFY(isNamed(bench, "z.axcal"));
+            }
+            QTRY_VERIFY(!bench.user.sees("recordQuestion"));
+        }
+        QCOMPARE(contentOf(other), QByteArray("something else"));
+    }
+
     void closingAsksOnceForFieldsAndRecord()
     {
         PageFixture bench;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+class QAbstractItemModel;
 class QTableView;
 
 namespace axiscomp::ui {
 
-class JudgementTableModel;
-
 /// A view of whole rows, read row by row. name: of the widget.
-[[nodiscard]] QTableView* newJudgementTable(const char* name, JudgementTableModel& model);
+[[nodiscard]] QTableView* newRowTable(const char* name, QAbstractItemModel& model);
 
 } // namespace axiscomp::ui

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/judging/judgement_table.h"
-
-#include "ui/record/judgement_table_model.h"
+#include "ui/style/row_table.h"
 
 #include <QHeaderView>
 #include <QTableView>
 
 namespace axiscomp::ui {
 
-QTableView* newJudgementTable(const char* name, JudgementTableModel& model)
+QTableView* newRowTable(const char* name, QAbstractItemModel& model)
 {
     auto* table = new QTableView;
     table->setObjectName(QLatin1StringView(name));
