@@ -4971,10 +4971,6 @@
         <translation>nach der Datei sind die Werte schon auf 20 °C korrigiert; eine weitere Korrektur würde sie verfälschen</translation>
     </message>
     <message>
-        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, say so with --not-corrected</source>
-        <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, geben Sie --not-corrected an</translation>
-    </message>
-    <message>
         <source>a temperature is in deg C and a coefficient of expansion in 1/K, such as 22.5 and 11.5e-6</source>
         <translation>eine Temperatur ist in °C und ein Ausdehnungskoeffizient in 1/K, zum Beispiel 22.5 und 11.5e-6</translation>
     </message>
@@ -5911,10 +5907,6 @@
         <translation>eine Tabelle über der Temperatur entsteht aus Läufen mit Zielpositionen entlang einer Achse</translation>
     </message>
     <message>
-        <source>the position of the zero is missing (--zero)</source>
-        <translation>die Position der Nullstelle fehlt (--zero)</translation>
-    </message>
-    <message>
         <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
         <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie an (--home), oder die Position der Nullstelle (--zero)</translation>
     </message>
@@ -6046,6 +6038,14 @@
         <source>measurements of axis {axis} and of axis {other} cannot be joined</source>
         <translation>Messungen der Achse {axis} und der Achse {other} lassen sich nicht zusammenfügen</translation>
     </message>
+    <message>
+        <source>the position of the zero is missing</source>
+        <translation>die Position der Nullstelle fehlt</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
+        <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, muss das angegeben werden</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6154,10 +6154,6 @@
     <message>
         <source>every target is approached in both directions</source>
         <translation>jede Zielposition ist in beiden Richtungen angefahren</translation>
-    </message>
-    <message>
-        <source>the targets are not all at the same place of a period of the axis; --period states one</source>
-        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; --period nennt eine</translation>
     </message>
     <message>
         <source>the targets are not all at the same place of the period {period}</source>
@@ -6578,6 +6574,10 @@
             <numerusform>1 Wert passt nicht zu den anderen und ist in der Tabelle; die Beurteilung nennt ihn, und er lässt sich ausschließen</numerusform>
             <numerusform>{count} Werte passen nicht zu den anderen und sind in der Tabelle; die Beurteilung nennt sie, und sie lassen sich ausschließen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
+        <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
     </message>
 </context>
 <context>
@@ -9533,10 +9533,6 @@
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>A JSON file with its length and the air of each run, as axiscomp judge --dead-path takes it</source>
-        <translation>Eine JSON-Datei mit ihrer Länge und der Luft jedes Durchlaufs, wie axiscomp judge --dead-path sie nimmt</translation>
-    </message>
-    <message>
         <source>Re&amp;move</source>
         <translation>&amp;Entfernen</translation>
     </message>
@@ -9559,6 +9555,10 @@
     <message>
         <source>Leave the corrections as they are (Esc)</source>
         <translation>Die Korrekturen lassen, wie sie sind (Esc)</translation>
+    </message>
+    <message>
+        <source>A JSON file with its length and the air of each run</source>
+        <translation>Eine JSON-Datei mit ihrer Länge und der Luft jedes Durchlaufs</translation>
     </message>
 </context>
 <context>
@@ -11043,6 +11043,10 @@
     <message>
         <source>Which column of the points is shown and used</source>
         <translation>Welche Spalte der Punkte gezeigt und verwendet wird</translation>
+    </message>
+    <message>
+        <source>The table corrects axis %1, and the current axis is %2: it is refused there. Choose the axis that was measured.</source>
+        <translation>Die Tabelle korrigiert Achse %1, und die aktuelle Achse ist %2: dort wird sie abgelehnt. Wählen Sie die Achse, die gemessen wurde.</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "core/axis/proposals.h"
 #include "core/compensator/drive_record.h"
+#include "core/table/target_axis.h"
 #include "ui/data/table_view_model.h"
 #include "ui/dialogs/setting_fields.h"
 #include "ui/plot/fit_plot.h"
@@ -174,7 +175,7 @@ FitPage::State FitPage::state() const
         return State::Empty;
     const bool hasWarnings = outcome->refusal
         || std::ranges::any_of(outcome->report->remarks, &FitRemark::isWarning)
-        || !outcome->report->isWithinTolerances() || !lookupDoubt().isEmpty();
+        || !outcome->report->isWithinTolerances() || !axisDoubt().isEmpty();
     return hasWarnings ? State::Warning : State::Ready;
 }
 
@@ -285,13 +286,19 @@ void FitPage::offerUse()
         button->setAccessibleDescription(button->toolTip());
 }
 
-/// A table that the current axis would look up on the other side of the compensation.
-QString FitPage::lookupDoubt() const
+/// A table of another axis than the current one, or one that it would look up on the other side of
+/// the compensation.
+QString FitPage::axisDoubt() const
 {
     const auto& outcome = m_record.state().fit;
     const FitDrive& drive = m_record.drive();
     if (!outcome || !outcome->report || !drive.profile || !drive.axis)
         return {};
+    const std::string& target = outcome->report->tables.front().table.target;
+    if (outcome->report->tables.size() == 1 && areDifferentAxes(target, drive.axis->axis.name))
+        return tr("The table corrects axis %1, and the current axis is %2: it is refused there. "
+                  "Choose the axis that was measured.")
+            .arg(QString::fromStdString(target), QString::fromStdString(drive.axis->axis.name));
     const auto checked =
         checkLookupSource(outcome->report->lookupAt, *drive.profile, drive.axis->source);
     return checked ? QString() : errorText(checked.error());
@@ -315,7 +322,7 @@ void FitPage::sayNextStep()
             tr("Choose where the drive looks its table up: it decides where the values belong."));
     else if (outcome->refusal)
         m_nextStep->say(Tone::Error, errorText(*outcome->refusal));
-    else if (const QString doubt = lookupDoubt(); !doubt.isEmpty())
+    else if (const QString doubt = axisDoubt(); !doubt.isEmpty())
         m_nextStep->say(Tone::Warning, doubt);
     else if (state() == State::Warning)
         m_nextStep->say(Tone::Warning,

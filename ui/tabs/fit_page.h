@@ -75,7 +75,7 @@ private:
     /// Of the measurement and what is said of it now; null: none, or of an earlier one.
     [[nodiscard]] std::shared_ptr<const FitOutcome> current() const;
     [[nodiscard]] bool isPending() const;
-    [[nodiscard]] QString lookupDoubt() const;
+    [[nodiscard]] QString axisDoubt() const;
 
     RecordModel& m_record;
     FitForm* m_form;
