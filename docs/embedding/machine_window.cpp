@@ -2,6 +2,7 @@
 #include "machine_window.h"
 
 #include "core/store/drive_store.h"
+#include "drivecomm/capture/serial_instrument.h"
 #include "drivecomm/link_factory.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "ui/compensation_wizard.h"
@@ -31,6 +32,7 @@ axiscomp::ui::WizardOptions wizardOptions()
             return axiscomp::fail(endpoint.error());
         return axiscomp::drivecomm::makeLink(*endpoint, profile);
     };
+    options.instrumentFactory = axiscomp::drivecomm::openSerialInstrument;
     return options;
 }
 

@@ -345,6 +345,28 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
     }
 
+    /// In one dimension both are the first source: their names tell them apart.
+    void aTableOfAnotherAxisIsNotWritten()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.enter("source1Field", QString::fromStdString(test::masterX)));
+        const QByteArray runs = "// axis: Y\n// compensation: off\n"
+                                "target [mm],direction,run,deviation [um]\n"
+                                "0,+,1,1\n10,+,1,3\n20,+,1,2\n30,+,1,5\n";
+        QVERIFY(fit(bench, bench.file(QStringLiteral("y.csv"), runs)) && hasTable(bench));
+        QVERIFY(hints(
+            bench, QStringLiteral("The table corrects axis Y, and the current axis is X: ")));
+        QVERIFY(bench.user.click("useAsTable"));
+        QTRY_VERIFY(bench.controller().dataFile().isMade);
+        QVERIFY(bench.user.click("writeButton"));
+        QVERIFY(bench.idle());
+        QTRY_VERIFY(bench.controller().isOutcomeAnError());
+        QVERIFY2(bench.outcome().contains(QStringLiteral("the name on the drive is X")),
+            qPrintable(bench.outcome()));
+        QVERIFY(!bench.user.sees("confirmWriteButton"));
+    }
+
     /// As the same table from a file: the errors of Y are not written to X, and no angles.
     void whatDoesNotSuitTheAxisIsNotWritten()
     {
