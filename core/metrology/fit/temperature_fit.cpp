@@ -241,16 +241,16 @@ GridAxis temperatureAxis(const FitSettings& settings, const std::vector<ThermalS
 {
     const double from = states.front().temperature;
     const double span = states.back().temperature - from;
-    std::size_t points = states.size() > mostStatesOnALine ? states.size() : 2;
+    double points = states.size() > mostStatesOnALine ? static_cast<double>(states.size()) : 2.0;
     if (settings.grid.size() > 1) {
         const AxisRequest& wanted = settings.grid[1];
-        points = wanted.points != 0
-            ? wanted.points
-            : static_cast<std::size_t>(std::ceil(span / wanted.distance * (1.0 - 1e-12))) + 1;
+        points = wanted.points != 0 ? static_cast<double>(wanted.points)
+                                    : std::ceil(span / wanted.distance * (1.0 - 1e-12)) + 1.0;
     }
-    points = std::max<std::size_t>(points, 2);
-    return {"Temperature", celsius, from, span / static_cast<double>(points - 1),
-        static_cast<std::uint32_t>(points)};
+    // More than any table holds is refused with the whole grid.
+    points = std::clamp(points, 2.0, 1e9);
+    return {
+        "Temperature", celsius, from, span / (points - 1.0), static_cast<std::uint32_t>(points)};
 }
 
 /// The value at one point of the position grid, over temperature: the line of least squares through

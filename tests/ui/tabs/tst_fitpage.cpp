@@ -355,8 +355,8 @@ private Q_SLOTS:
                                 "target [mm],direction,run,deviation [um]\n"
                                 "0,+,1,1\n10,+,1,3\n20,+,1,2\n30,+,1,5\n";
         QVERIFY(fit(bench, bench.file(QStringLiteral("y.csv"), runs)) && hasTable(bench));
-        QVERIFY(hints(
-            bench, QStringLiteral("The table corrects axis Y, and the current axis is X: ")));
+        QVERIFY(
+            hints(bench, QStringLiteral("The table corrects axis Y, and the current axis is X: ")));
         QVERIFY(bench.user.click("useAsTable"));
         QTRY_VERIFY(bench.controller().dataFile().isMade);
         QVERIFY(bench.user.click("writeButton"));

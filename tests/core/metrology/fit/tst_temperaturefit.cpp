@@ -171,6 +171,9 @@ private Q_SLOTS:
         QCOMPARE(report->tables.front().table.grid.axes[1].distance, 1.0);
         settings.mostPoints = 41;
         verifyRefused(fitted(measured({20.0, 23.0, 26.0}, &errorAt), settings), "has 42 points");
+        settings.grid[1] = {.distance = 1e-300}; // more than a number of points can be
+        verifyRefused(
+            fitted(measured({20.0, 23.0, 26.0}, &errorAt), settings), "and a table holds 41");
     }
 
     void whatCannotTellTheTemperatureIsRefused()
