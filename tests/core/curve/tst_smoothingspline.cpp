@@ -200,6 +200,17 @@ private Q_SLOTS:
         VERIFY_BELOW(largestDifference(terms, reference.expected("terms")), 1e-9);
     }
 
+    /// 360 degrees that were read as a little less are 0 degrees, not a place beside it.
+    void theEndOfATurnIsItsBeginning()
+    {
+        const Numbers x{0.0, 90.0, 180.0, 270.0, 360.0 - 1e-8};
+        const Numbers y{0.0, 1.0, 0.0, -1.0, 2.0};
+        const auto curve = interpolatingSpline({x, y}, 360.0);
+        VERIFY_RESULT(curve);
+        VERIFY_BELOW(std::abs(curve->at(0.0) - 1.0), 1e-12);
+        VERIFY_BELOW(std::abs(curve->at(360.0) - 1.0), 1e-12);
+    }
+
     void theOrderOfTheSamplesAndTheUnitsDoNotMatter()
     {
         Numbers x = even(-3.0, 7.0, 60);

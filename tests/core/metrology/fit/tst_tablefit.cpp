@@ -287,7 +287,11 @@ private Q_SLOTS:
         std::erase_if(values, [](const MeasuredValue& v) { return !v.isUp && v.target == 500.0; });
         VERIFY_RESULT(fitTable(values, request));
         request.direction = FitDirection::Mean;
-        VERIFY_ERROR(fitTable(values, request), ErrorCode::InvalidArgument);
+        const auto refused = fitTable(values, request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(sentence(refused.error()).find("target 500 mm has no value of one direction")
+                != std::string::npos,
+            sentence(refused.error()).c_str());
     }
 
     /// Between the targets a linear table does not know the part with the screw's lead, and says

@@ -107,6 +107,17 @@ private Q_SLOTS:
         QVERIFY(std::abs(lookup.at(std::vector<double>{500.0, 20.0}) + 0.0005) < 1e-9);
         QVERIFY(std::abs(lookup.at(std::vector<double>{500.0, 24.0}) - 0.0045) < 1e-9);
         QVERIFY(std::abs(report->tables.front().residualLargest - 0.001) < 1e-9);
+        // 0, 3, 3 um at 20, 21, 26 degrees: 7 / 20.667 um/K through 2 um at 22.333 degrees.
+        const auto uneven =
+            fitted(measured({20.0, 21.0, 26.0},
+                       [](double position, double temperature) {
+                           return (temperature < 20.5 ? 0.0 : 0.003) * position / 500.0;
+                       }),
+                byTemperature());
+        VERIFY_RESULT(uneven);
+        const Lookup line(uneven->tables.front().table, Outside::Hold);
+        QVERIFY(std::abs(line.at(std::vector<double>{500.0, 20.0}) - 0.00120967742) < 1e-9);
+        QVERIFY(std::abs(line.at(std::vector<double>{500.0, 26.0}) - 0.00324193548) < 1e-9);
     }
 
     void moreStatesAreJoinedFromOneToTheNext()
