@@ -112,6 +112,7 @@ void RecordFile::take(
 
 void RecordFile::show(const QString& path, const Content& content)
 {
+    ++m_shown;
     m_path = path;
     m_content = content;
     m_isRecovered = false;
@@ -205,8 +206,10 @@ void RecordFile::saveNow(const QString& path, bool overwrites)
     const OpenedRecord known = current();
     const auto saving =
         inBackground<Result<Saving>>([parts = parts(), target] { return write(parts, target); });
-    whenDone(saving, this, [this, absolute, known](const Result<Saving>& result) {
+    whenDone(saving, this, [this, absolute, known, shown = m_shown](const Result<Saving>& result) {
         setBusy(false);
+        if (shown != m_shown)
+            return; // the record was given up meanwhile, and another one has no file by this
         if (!result) {
             Q_EMIT saveFailed(result.error());
             return;

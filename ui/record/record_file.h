@@ -100,6 +100,7 @@ private:
     OpenedRecord m_known; ///< of which the file is
     bool m_isRecovered = false; ///< no file has what was kept
     bool m_isBusy = false;
+    int m_shown = 0; ///< records that were begun or opened so far
     std::vector<std::function<void(const RecordParts&)>>
         m_waiting; ///< until the measurements are read
 };

@@ -127,6 +127,22 @@ class TestRecordFile : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWindowWarnings(); }
 
+    /// Otherwise the next save would write the new record over the file of the old one.
+    void aSaveThatEndsAfterAnotherRecordWasBegunIsNotTheFileOfThat()
+    {
+        Bench bench;
+        const QString old = bench.saved(QStringLiteral("old.axcal"), withEverything());
+        QVERIFY(bench.open(old));
+        const QString copy = bench.path(QStringLiteral("copy.axcal"));
+        bench.file.save(copy);
+        QVERIFY(bench.file.isBusy());
+        bench.file.begin();
+        QVERIFY(bench.settled());
+        QVERIFY(QFile::exists(copy));
+        QVERIFY(bench.file.path().isEmpty());
+        QVERIFY(!bench.file.isModified());
+    }
+
     void aRecordOfTheCommandLineIsShown()
     {
         Bench bench;
