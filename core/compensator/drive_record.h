@@ -21,17 +21,8 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
 
-/// Where the drive looks a table up whose source is this register; nothing where the profile does
-/// not know it as a position.
-[[nodiscard]] std::optional<LookupAt> lookupAtSource(
-    const DriveProfile& profile, std::string_view source);
-
-/// Whether a source is on the side of the compensation for which a table was made: its values
-/// belong to other positions on the other one. A source that the profile does not know passes.
-/// Errors: InvalidArgument, with the way out.
-[[nodiscard]] Result<void> checkLookupSource(
-    LookupAt made, const DriveProfile& profile, std::string_view source);
-/// The same for the record's table. Errors: likewise.
+/// Whether a source is on the side of the compensation for which the record's table was made
+/// (checkLookupSource). Errors: InvalidArgument, with the way out.
 [[nodiscard]] Result<void> checkRecordSource(
     const CalibrationRecord& record, const DriveProfile& profile, const std::string& source);
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/known_tables.h"
 
-#include "core/compensator/drive_record.h"
 #include "core/drive/axis_target.h"
 #include "core/io/local_file.h"
+#include "core/store/backup_json.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
+#include "core/write/lookup_side.h"
 
 #include <iterator>
 

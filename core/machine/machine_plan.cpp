@@ -126,6 +126,7 @@ Result<void> DrivePlanner::planAxis(
                          : static_cast<std::size_t>(plan.before.setup.dimensionality)));
     } else {
         AXISCOMP_TRY(request.table, settledTable(axis, table, plan));
+        request.lookupAt = table.lookupAt;
         request.dimensionality = request.table->grid.dimensions();
         request.persistency = axis.persistency;
         request.acceptsLarge = axis.acceptsLarge;

@@ -3,6 +3,7 @@
 
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
+#include "core/metrology/fit/lookup_note.h"
 
 #include <algorithm>
 
@@ -79,6 +80,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = fileError(result.file, import);
     } else if (auto table = chosenTable(axis, *import.data)) {
         result.table = *std::move(table);
+        result.lookupAt = lookupInNotes(import.data->notes);
     } else {
         result.problem = std::move(table).error();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/machine/machine_file.h"
+#include "core/metrology/fit/lookup_frame.h"
 #include "core/table/compensation_table.h"
 #include "core/table/table_layout.h"
 
@@ -20,6 +21,7 @@ struct MachineTable {
     /// It has to be known first what the axis is among its sources, which the drive says: read
     /// again with its axisTarget.
     bool isOpen = false;
+    std::optional<LookupAt> lookupAt = {}; ///< as WriteRequest has it
     std::vector<Diagnostic> problems; ///< of the file, warnings too
     std::vector<Text> report; ///< of its conversion
     std::optional<Error> problem; ///< why there is no table

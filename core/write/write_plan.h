@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/drive/compensation_setup.h"
 #include "core/drive/flash_wear.h"
+#include "core/metrology/fit/lookup_frame.h"
 #include "core/table/compensation_table.h"
 
 #include <cstddef>
@@ -27,6 +28,9 @@ struct WriteRequest {
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     bool deletesTable =
         false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest
+    /// The side of the compensation for which the table was made; none: not known. A source on the
+    /// other side is refused.
+    std::optional<LookupAt> lookupAt = {};
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
 };

@@ -8,6 +8,7 @@
 #include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
+#include "core/write/lookup_side.h"
 
 #include <algorithm>
 
@@ -320,6 +321,9 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
     AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
     AXISCOMP_CHECK(checkTargetName(table));
+    if (request.lookupAt)
+        for (const std::string& source : sourcePaths(m_write.plan.after))
+            AXISCOMP_CHECK(checkLookupSource(*request.lookupAt, m_access.profile(), source));
     AXISCOMP_TRY(auto file, encodeTamTable(table, false, m_access.profile().layout));
     m_write.elementCrc = elementCrcOf(file, table);
     m_write.plan.tableBytes = file.size();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/multi_axis_controller.h"
 
-#include "core/compensator/drive_record.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/multi_axis_outcome.h"
 #include "ui/session/axis_list.h"
@@ -48,6 +47,7 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
     WriteRequest common;
     common.dimensionality = m_tables.file().file().data->grid.dimensions();
     common.persistency = m_setup.edited().persistency;
+    common.lookupAt = m_tables.file().file().lookupAt;
     if (lookup == SourcesForSeveral::OfPage) {
         for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
@@ -59,13 +59,8 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
             tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
     }
     ask(Task::WriteSeveral,
-        [tables, lookupAt = m_tables.file().file().lookupAt, &profile = m_profile](
-            AxisCompensator& compensator,
+        [tables](AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {
-            for (const AxisTable& table : tables)
-                for (const std::string& source : table.request.sources)
-                    if (lookupAt)
-                        AXISCOMP_CHECK(checkLookupSource(*lookupAt, profile, source));
             AXISCOMP_TRY(auto plans, planTables(compensator, tables, options));
             return PlannedTables{tables, std::move(plans)};
         });

@@ -128,6 +128,8 @@ void OperationRunner::planWrite()
     m_plannedSetup = edited;
     m_request = requestFor(edited, m_setup.baseline());
     m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
+    if (m_requestTable.table)
+        m_request.lookupAt = m_tables.file().file().lookupAt;
     m_fileTable = m_tables.selectedOfFile().table;
     if (!m_setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.

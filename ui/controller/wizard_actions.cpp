@@ -2,7 +2,7 @@
 #include "ui/controller/wizard_actions.h"
 
 #include "core/axis/activation.h"
-#include "core/compensator/drive_record.h"
+#include "core/write/lookup_side.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,6 +2,7 @@
 #include "ui/data/data_file_model.h"
 
 #include "core/formats/formats.h"
+#include "core/metrology/fit/lookup_note.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -134,7 +135,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     if (loaded.data || !before) {
         m_file.path = loaded.path;
         m_file.isMade = false;
-        m_file.lookupAt.reset();
+        m_file.lookupAt = loaded.data ? lookupInNotes(loaded.data->notes) : std::nullopt;
         m_stamp = loaded.stamp;
     } else if (isSameFile) {
         m_stamp = loaded.stamp; // the offer to read it again has been taken

@@ -32,7 +32,7 @@ struct DataFile {
     bool hasChangedOnDisk = false;
     /// Not of a file: it was made here, and path is what it is called.
     bool isMade = false;
-    /// Where the drive has to look up a table that was made here.
+    /// Where the drive has to look the tables up; nothing: that is not known.
     std::optional<LookupAt> lookupAt;
 };
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/fit_outcome.h"
 
-#include "core/compensator/drive_record.h"
 #include "core/conversion/table_import.h"
 #include "core/metrology/fit/fit_fields.h"
 #include "core/metrology/record/fit_record.h"
 #include "core/table/tam_table.h"
+#include "core/write/lookup_side.h"
 #include "ui/record/record_assembly.h"
 
 #include <QCoreApplication>

@@ -2,8 +2,8 @@
 #include "ui/tabs/fit_page.h"
 
 #include "core/axis/proposals.h"
-#include "core/compensator/drive_record.h"
 #include "core/table/target_axis.h"
+#include "core/write/lookup_side.h"
 #include "ui/data/table_view_model.h"
 #include "ui/dialogs/setting_fields.h"
 #include "ui/plot/fit_plot.h"

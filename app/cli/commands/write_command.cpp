@@ -11,6 +11,8 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
+#include "core/metrology/fit/lookup_note.h"
+#include "core/write/lookup_side.h"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +101,8 @@ Result<void> takeTable(Environment& environment, const WriteOptions& options,
         takeUnit(axis.unit, options.positionUnit);
     pending.request.dimensionality = table.grid.dimensions();
     pending.request.table = std::move(table);
+    if (input.data)
+        pending.request.lookupAt = lookupInNotes(input.data->notes);
     return {};
 }
 
@@ -264,6 +268,8 @@ Result<TableInput> inputOfRecord(const CalibrationRecord& record, const WriteOpt
     input.data = CalibrationData{record.tables.front().table.grid, {}, {}};
     for (const RecordedTable& recorded : record.tables)
         input.data->tables.push_back(recorded.table);
+    if (record.fit && record.fit->settings.lookupAt)
+        input.data->notes.push_back(lookupNote(*record.fit->settings.lookupAt));
     return input;
 }
 
@@ -284,21 +290,19 @@ Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOption
     return {};
 }
 
-/// The sources that the axis will have, against the side of the compensation that the table is for.
-Result<void> checkSources(Environment& environment, CommandSession& session,
-    const CalibrationRecord& record, const WriteRequest& request, const AxisStatus& status)
+/// Whether a table is looked up where it was made for cannot always be told.
+Result<void> warnOfSources(Environment& environment, CommandSession& session, LookupAt made,
+    const WriteRequest& request, const AxisStatus& status)
 {
     const auto sources = request.sources.empty() ? sourcePaths(status.setup) : request.sources;
     for (const std::string& text : sources) {
         AXISCOMP_TRY(
             const auto source, session.compensator().resolveSource(text, session.operation()));
-        AXISCOMP_CHECK(checkRecordSource(record, session.profile(), source.path));
-        if (record.fit && record.fit->settings.lookupAt
-            && !lookupAtSource(session.profile(), source.path))
+        if (!lookupAtSource(session.profile(), source.path))
             environment.warn("the profile does not say whether " + source.path
                 + " is a position before or after the compensation; the table was made for "
                   "--lookup-at "
-                + std::string(lookupAtName(*record.fit->settings.lookupAt)));
+                + std::string(lookupAtName(made)));
     }
     return {};
 }
@@ -311,7 +315,8 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
         return runWrite(environment, session, axis, request, options.isDryRun);
     AXISCOMP_TRY(const auto before, session.compensator().status(axis, session.operation()));
     AXISCOMP_CHECK(checkRecordAxis(record, before));
-    AXISCOMP_CHECK(checkSources(environment, session, record, request, before));
+    if (request.lookupAt)
+        AXISCOMP_CHECK(warnOfSources(environment, session, *request.lookupAt, request, before));
     AXISCOMP_TRY(
         const auto outcome, writeAndReport(environment, session, axis, request, options.isDryRun));
     if (outcome.now) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/fit_record.h"
 
+#include "core/metrology/fit/lookup_note.h"
+
 #include <utility>
 
 namespace axiscomp {
@@ -32,9 +34,8 @@ CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& set
 std::vector<std::string> notesOfFit(
     const std::string& sources, const FitSettings& settings, const FitReport& report)
 {
-    return {"made of " + sources, report.state.text.english(),
-        "method " + std::string(fitMethodName(settings.method)) + ", looked up at "
-            + std::string(lookupAtName(report.lookupAt))};
+    return {lookupNote(report.lookupAt), "made of " + sources, report.state.text.english(),
+        "method " + std::string(fitMethodName(settings.method))};
 }
 
 } // namespace axiscomp

@@ -128,6 +128,28 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("x.axcal")));
     }
 
+    /// The file says for which side of the compensation it was made, also when it is written later.
+    void aTableIsNotWrittenForTheOtherSideOfTheCompensation()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        box.file("x.csv", runs("// axis: X\n", [](double x) { return 0.02 * x; }));
+        VERIFY_CODE(box.run({"fit", "x.csv", "-o", "table.csv", "--measured-with", "off",
+                        "--lookup-at", "set", "--points", "11"}),
+            0);
+        QVERIFY2(box.content("table.csv").contains("lookup: set\n"),
+            box.content("table.csv").constData());
+        const auto write = [&](const QString& source) {
+            return box.run({"write", "--drive", drive.url(), "--axis", "0", "--data", "table.csv",
+                "--dims", "1", "--target", "#1", "--source1", source, "--volatile"});
+        };
+        const ProgramRun refused = write("Axes[0]/Signals/PositionController/MasterPosition");
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("made for a position after the compensation"),
+            refused.err.constData());
+        VERIFY_CODE(write(test::positionSource(0)), 0);
+    }
+
     void aFitHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;

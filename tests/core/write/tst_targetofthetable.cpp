@@ -79,6 +79,25 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, requestFor(name, name)));
     }
 
+    /// The same positions before and after the compensation are not the same places.
+    void aTableForTheOtherSideOfTheCompensationIsNotWritten()
+    {
+        CompensatorFixture f;
+        WriteRequest request = requestFor("X", "X");
+        request.lookupAt = LookupAt::Set;
+        const auto before = f.state();
+        const auto refused = f.compensator.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(names(refused.error(), "made for a position after the compensation"));
+        QVERIFY(f.state() == before);
+        request.sources = {"Axes[0]/Signals/PathPlanner/Position"};
+        VERIFY_RESULT(f.compensator.write(0, request));
+        // The source that the axis has is asked as well.
+        request.sources.clear();
+        request.lookupAt = LookupAt::Encoder;
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::InvalidArgument);
+    }
+
     void theErrorsOfOneSourceAreNotWrittenToTheAxisOfAnother()
     {
         CompensatorFixture f;

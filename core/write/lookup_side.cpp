@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/lookup_side.h"
+
+#include <string>
+
+namespace axiscomp {
+
+std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_view source)
+{
+    if (!profile.axisOfPosition(source))
+        return std::nullopt;
+    return profile.isBeforeCompensation(source) ? LookupAt::Encoder : LookupAt::Set;
+}
+
+Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::string_view source)
+{
+    const auto found = lookupAtSource(profile, source);
+    if (!found || *found == made)
+        return {};
+    const TextPattern pattern = *found == LookupAt::Set
+        ? AXISCOMP_TEXT("Error",
+            "the table was made for a position before the compensation, and {source} is one after "
+            "it: choose another source, or make the table anew for this one (--lookup-at set)")
+        : AXISCOMP_TEXT("Error",
+            "the table was made for a position after the compensation, and {source} is one before "
+            "it: choose another source, or make the table anew for this one (--lookup-at encoder)");
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason", pattern.with("source", Verbatim{std::string(source)})}});
+}
+
+} // namespace axiscomp

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/drive/drive_profile.h"
+#include "core/metrology/fit/lookup_frame.h"
+
+#include <optional>
+#include <string_view>
+
+namespace axiscomp {
+
+/// Where the drive looks a table up whose source is this register; nothing where the profile does
+/// not know it as a position.
+[[nodiscard]] std::optional<LookupAt> lookupAtSource(
+    const DriveProfile& profile, std::string_view source);
+
+/// Whether a source is on the side of the compensation for which a table was made: its values
+/// belong to other positions on the other one. A source that the profile does not know passes.
+/// Errors: InvalidArgument, with the way out.
+[[nodiscard]] Result<void> checkLookupSource(
+    LookupAt made, const DriveProfile& profile, std::string_view source);
+
+} // namespace axiscomp
