@@ -21,8 +21,17 @@ void openMeasurement(const std::shared_ptr<const CalibrationRecord>& calibration
     record.swapsDirections = recorded.swapsDirections;
     record.exclusions = recorded.exclusions;
     record.corrections = {recorded.corrections.temperature, recorded.corrections.deadPath};
-    record.areLimitsAngles =
-        !recorded.files.empty() && recorded.files.front().measurement.isAngular;
+}
+
+/// Of what a record holds of tolerances and uncertainty: they are in deg where its measurement is
+/// of an angle. What is chosen beside the measurement of a table has no part in that.
+bool areLimitsAngles(const CalibrationRecord& record)
+{
+    const RecordedMeasurement* const measurement = record.before ? &*record.before
+        : !record.after.empty()                                  ? &record.after.back().measurement
+                                                                 : nullptr;
+    return measurement && !measurement->files.empty()
+        && measurement->files.front().measurement.isAngular;
 }
 
 bool isUsable(const ReadMeasurement& file)
@@ -128,14 +137,21 @@ Result<void> judgeAnew(CalibrationRecord& made)
 
 Result<void> putJudging(const Record& record, CalibrationRecord& made)
 {
+    std::vector<Tolerance> tolerances;
+    std::optional<double> uncertainty;
+    // 0.01 mm would be read as 0.01 deg.
+    if (record.areLimitsAngles == areLimitsAngles(made)) {
+        tolerances = record.tolerances;
+        uncertainty = record.uncertainty;
+    }
     const RecordedJudging holds = judgingOf(made);
-    if (holds.tolerances == record.tolerances && holds.uncertainty == record.uncertainty
+    if (holds.tolerances == tolerances && holds.uncertainty == uncertainty
         && holds.outlierRule == record.outlierRule)
         return {};
     if (!made.judging)
         made.judging.emplace();
-    made.judging->tolerances = record.tolerances;
-    made.judging->uncertainty = record.uncertainty;
+    made.judging->tolerances = std::move(tolerances);
+    made.judging->uncertainty = uncertainty;
     made.judging->outlierRule = record.outlierRule;
     return judgeAnew(made);
 }
@@ -151,6 +167,7 @@ OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration)
     else if (calibration->before)
         openMeasurement(calibration, *calibration->before, result.record);
     RecordedJudging judging = judgingOf(*calibration);
+    result.record.areLimitsAngles = areLimitsAngles(*calibration);
     result.record.tolerances = std::move(judging.tolerances);
     result.record.uncertainty = judging.uncertainty;
     result.record.outlierRule = judging.outlierRule;

@@ -112,6 +112,16 @@ CalibrationRecord loaded(const QString& path)
     return *std::move(record);
 }
 
+/// A measurement of an axis that turns, in place of the one there is.
+void measureAnAngleInstead(Bench& bench)
+{
+    const QString angle = bench.path(QStringLiteral("angle.csv"));
+    put(angle,
+        "target [deg],direction,run,deviation [arcsec]\n0,+,1,1\n90,+,1,2\n0,-,1,2\n90,-,1,2\n");
+    bench.record.removeFile(0);
+    bench.record.addFiles({angle});
+}
+
 /// Of files that were kept; locks are not counted.
 QStringList keptIn(const QString& folder)
 {
@@ -292,6 +302,54 @@ private Q_SLOTS:
         QVERIFY(saved.before->corrections == record.before->corrections && !saved.draft);
         QVERIFY(saved.before->files.front().others == record.before->files.front().others);
         QVERIFY(saved.judging && saved.judging->tolerances.size() == 1);
+    }
+
+    void limitsOfALengthDoNotComeBackAsThoseOfAnAngle_data()
+    {
+        QTest::addColumn<bool>("hasTable");
+        QTest::newRow("of a measurement") << false;
+        QTest::newRow("of a table, which keeps them") << true;
+    }
+    void limitsOfALengthDoNotComeBackAsThoseOfAnAngle()
+    {
+        QFETCH(bool, hasTable);
+        Bench bench;
+        const QString path = bench.path(QStringLiteral("x.axcal"));
+        if (hasTable)
+            QVERIFY(bench.open(bench.saved(QStringLiteral("x.axcal"), test::recordOfFit())));
+        else
+            bench.record.addFiles({publicMeasurement("b02_x")});
+        QVERIFY(bench.settled());
+        bench.record.setTolerance(Iso230Figure::A, 0.01);
+        bench.record.setUncertainty(0.001);
+        measureAnAngleInstead(bench);
+        QVERIFY(bench.save(path));
+        const RecordedJudging judging = judgingOf(loaded(path));
+        QCOMPARE(judging.tolerances.size(), hasTable ? std::size_t{1} : std::size_t{0});
+        QCOMPARE(judging.uncertainty.has_value(), hasTable);
+        Bench again;
+        QVERIFY(again.open(path));
+        const RecordState& state = again.record.state();
+        QVERIFY(state.measurement && state.measurement->isAngular && state.judgement);
+        QVERIFY(state.judgement->verdicts.empty());
+    }
+
+    void aLimitOfAnAngleIsNoVerdictOfATableOfALength()
+    {
+        Bench bench;
+        CalibrationRecord record = test::recordOfFit();
+        record.verdict =
+            RecordedVerdict{{{{Iso230Figure::A, 0.01}, 0.0032, 0.0021, VerdictResult::Passed}}};
+        const QString path = bench.saved(QStringLiteral("x.axcal"), record);
+        QVERIFY(bench.open(path));
+        measureAnAngleInstead(bench);
+        QVERIFY(bench.settled());
+        bench.record.setTolerance(Iso230Figure::A, 0.003);
+        QVERIFY(bench.save(path));
+        const CalibrationRecord saved = loaded(path);
+        QVERIFY(!saved.before->files.front().measurement.isAngular);
+        QVERIFY(saved.verdict && saved.verdict->figures.empty());
+        QVERIFY(judgingOf(saved).tolerances.empty());
     }
 
     void whatSomebodyElseHasPutThereIsNotWrittenOver()
