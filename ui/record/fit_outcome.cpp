@@ -326,8 +326,7 @@ std::shared_ptr<const CalibrationRecord> calibrationOf(const FitOutcome& outcome
         return nullptr;
     return std::make_shared<const CalibrationRecord>(
         recordOfFit(*std::move(before), outcome.settings, *outcome.report,
-            "axiscomp " + QCoreApplication::applicationVersion().toStdString(),
-            std::chrono::system_clock::now()));
+            "axiscomp " AXISCOMP_VERSION, std::chrono::system_clock::now()));
 }
 
 } // namespace axiscomp::ui

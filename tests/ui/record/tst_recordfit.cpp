@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cctype>
 #include <cmath>
 
 namespace tst_recordfit {
@@ -289,6 +290,9 @@ private Q_SLOTS:
         QVERIFY(settled(model));
         const auto record = calibrationOf(*model.state().fit);
         QCOMPARE(record->before->files.size(), std::size_t{1});
+        // Of the wizard, not of the program that shows its page.
+        QVERIFY(record->program.starts_with("axiscomp "));
+        QVERIFY(std::isdigit(static_cast<unsigned char>(record->program.back())));
         // sha256sum tests/data/metrology/b02_x.csv
         QCOMPARE(record->before->files.front().sha256,
             std::string("c81fa50bf0111e8aec33267f04266e71a798fd79e2c7a8eac44992ac1d3834df"));
