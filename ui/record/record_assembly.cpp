@@ -34,6 +34,20 @@ bool areLimitsAngles(const CalibrationRecord& record)
         && measurement->files.front().measurement.isAngular;
 }
 
+/// How a table was made, as far as the window can say it; nothing of what is said elsewhere, and
+/// not where it was looked up, which is for the source of the axis to say.
+FitSettings chosenSettings(const FitSettings& made)
+{
+    FitSettings chosen = made;
+    const FitSettings unset;
+    chosen.lookupAt = unset.lookupAt;
+    chosen.tolerances = unset.tolerances;
+    chosen.uncertainty = unset.uncertainty;
+    chosen.outlierRule = unset.outlierRule;
+    chosen.mostPoints = unset.mostPoints;
+    return chosen;
+}
+
 bool isUsable(const ReadMeasurement& file)
 {
     return file.measurement() != nullptr;
@@ -173,6 +187,9 @@ OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration)
     result.record.outlierRule = judging.outlierRule;
     if (!calibration->tables.empty())
         result.record.calibration = calibration;
+    // A table over temperature is made by the command line alone.
+    if (calibration->fit && !calibration->fit->settings.isByTemperature)
+        result.record.fit.settings = chosenSettings(calibration->fit->settings);
     if (work && work->after) {
         openMeasurement(calibration, *work->after, result.after);
         result.after.isTableStated = work->isTableStated;

@@ -17,7 +17,8 @@ struct OpenedRecord {
 };
 
 /// Both refer to what they are opened from. The second measurement is the one that is not kept yet,
-/// else the last one that is.
+/// else the last one that is. The choices of the fit are those of the table; where it is looked up
+/// and what was active while it was measured are to be said anew.
 [[nodiscard]] OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration);
 
 /// The files of a measurement as they were read, and what was said of them. There is at least one.
