@@ -2,6 +2,7 @@
 #include "ui/plot/fit_plot.h"
 
 #include "ui/drawing/custom_plot.h"
+#include "ui/drawing/plot_style.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
@@ -21,17 +22,6 @@ namespace axiscomp::ui {
 namespace {
 
 constexpr std::size_t mostBars = 300; ///< that can be told apart
-
-void colourAxis(QCPAxis& axis, const QColor& text, const QColor& grid)
-{
-    axis.setBasePen(QPen(text));
-    axis.setTickPen(QPen(text));
-    axis.setSubTickPen(QPen(text));
-    axis.setTickLabelColor(text);
-    axis.setLabelColor(text);
-    axis.grid()->setPen(QPen(grid, 1, Qt::DotLine));
-    axis.grid()->setZeroLinePen(QPen(grid, 1, Qt::SolidLine));
-}
 
 FineUnit unitOf(const std::vector<double>& values, bool isAngular)
 {
@@ -284,7 +274,7 @@ void FitPlot::colour()
     d->plot->setBackground(base);
     for (QCPAxisRect* rect : {d->above, d->below})
         for (QCPAxis* axis : rect->axes())
-            colourAxis(*axis, text, muted);
+            stylePlotAxis(*axis, text, muted);
     d->curve->setPen(QPen(curve, d->isOutdated ? 1.0 : 1.5));
     const QCPScatterStyle disc(QCPScatterStyle::ssCircle, QPen(text, 1.2), QBrush(base), 7.0);
     d->means->setScatterStyle(disc);
