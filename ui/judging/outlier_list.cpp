@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/judging/outlier_list.h"
 
-#include "ui/record/judgement_models.h"
+#include "ui/record/outliers_model.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/row_table.h"

@@ -83,6 +83,11 @@ int JudgementTableModel::rowOf(const Exclusion&) const
     return -1;
 }
 
+bool JudgementTableModel::isNumber(int) const
+{
+    return false;
+}
+
 std::optional<Tone> JudgementTableModel::tone(int, int) const
 {
     return std::nullopt;

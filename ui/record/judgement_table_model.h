@@ -43,7 +43,7 @@ protected:
     [[nodiscard]] virtual int columns() const = 0;
     [[nodiscard]] virtual QString heading(int column) const = 0;
     [[nodiscard]] virtual QString text(int row, int column) const = 0;
-    [[nodiscard]] virtual bool isNumber(int column) const = 0;
+    [[nodiscard]] virtual bool isNumber(int column) const; ///< no, unless it is overridden
     /// Of a cell that says how good or bad something is.
     [[nodiscard]] virtual std::optional<Tone> tone(int row, int column) const;
 

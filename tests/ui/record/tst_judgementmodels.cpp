@@ -2,8 +2,11 @@
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
-#include "ui/record/judgement_models.h"
+#include "ui/record/drift_models.h"
+#include "ui/record/figures_models.h"
+#include "ui/record/outliers_model.h"
 #include "ui/record/record_model.h"
+#include "ui/record/remark_models.h"
 
 #include <QAbstractItemModelTester>
 #include <QTemporaryDir>
