@@ -18,22 +18,6 @@ namespace {
 
 constexpr int messageSymbolSize = 18;
 
-Symbol symbolOf(Tone tone)
-{
-    switch (tone) {
-    case Tone::Error:
-        return Symbol::Error;
-    case Tone::Warning:
-    case Tone::Changed:
-        return Symbol::Warning;
-    case Tone::Success:
-        return Symbol::Success;
-    case Tone::Information:
-        break;
-    }
-    return Symbol::Information;
-}
-
 class MessageBar final : public QWidget {
 public:
     MessageBar(const Message& message, MessageStack& stack)

@@ -2,12 +2,10 @@
 #include "ui/record/comparison_figures_model.h"
 
 #include "ui/record/comparison_model.h"
-#include "ui/style/contrast.h"
+#include "ui/record/judgement_cells.h"
 #include "ui/style/symbols.h"
 #include "ui/text/fine_scale.h"
 #include "ui/text/translated_text.h"
-
-#include <QGuiApplication>
 
 #include <algorithm>
 
@@ -27,21 +25,6 @@ const axiscomp::Verdict* verdictOf(const Comparison& comparison, int row)
             return verdict.tolerance.figure == figureOf(row);
         });
     return found == comparison.verdicts.end() ? nullptr : &*found;
-}
-
-QIcon verdictSymbol(VerdictResult result)
-{
-    constexpr int size = 14;
-    const bool isPassed = result == VerdictResult::Passed;
-    const bool isFailed = result == VerdictResult::Failed;
-    const Tone tone = isPassed ? Tone::Success : isFailed ? Tone::Error : Tone::Warning;
-    const Symbol symbol = isPassed ? Symbol::Success : isFailed ? Symbol::Error : Symbol::Warning;
-    const QPalette colors = QGuiApplication::palette();
-    const qreal ratio = qGuiApp->devicePixelRatio();
-    QIcon icon(symbolPixmap(symbol, frameColor(tone, colors), size, ratio));
-    icon.addPixmap(symbolPixmap(symbol, colors.color(QPalette::HighlightedText), size, ratio),
-        QIcon::Selected);
-    return icon;
 }
 
 } // namespace
@@ -194,7 +177,7 @@ QVariant ComparisonFiguresModel::data(const QModelIndex& index, int role) const
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::DecorationRole && column == Verdict)
         if (const auto* verdict = verdictOf(*m_comparison.state().comparison, row))
-            return verdictSymbol(verdict->result);
+            return cellIcon(toneOf(verdict->result));
     return {};
 }
 

@@ -4,29 +4,7 @@
 #include "ui/record/record_model.h"
 #include "ui/style/symbols.h"
 
-#include <QGuiApplication>
-#include <QIcon>
-
 namespace axiscomp::ui {
-
-namespace {
-
-QIcon symbolOf(Tone tone)
-{
-    constexpr int size = 14;
-    const Symbol symbol = tone == Tone::Error ? Symbol::Error
-        : tone == Tone::Warning               ? Symbol::Warning
-        : tone == Tone::Success               ? Symbol::Success
-                                              : Symbol::Information;
-    const QPalette colors = QGuiApplication::palette();
-    const qreal ratio = qGuiApp->devicePixelRatio();
-    QIcon icon(symbolPixmap(symbol, frameColor(tone, colors), size, ratio));
-    icon.addPixmap(symbolPixmap(symbol, colors.color(QPalette::HighlightedText), size, ratio),
-        QIcon::Selected);
-    return icon;
-}
-
-} // namespace
 
 JudgementTableModel::JudgementTableModel(const RecordModel& record, QObject* parent)
     : QAbstractTableModel(parent)
@@ -122,7 +100,7 @@ QVariant JudgementTableModel::data(const QModelIndex& index, int role) const
             (isNumber(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role == Qt::DecorationRole)
         if (const auto mark = tone(row, column))
-            return symbolOf(*mark);
+            return cellIcon(*mark);
     return {};
 }
 

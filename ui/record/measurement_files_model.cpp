@@ -9,7 +9,6 @@
 #include "ui/text/value_text.h"
 
 #include <QFileInfo>
-#include <QGuiApplication>
 
 #include <algorithm>
 
@@ -36,19 +35,11 @@ std::size_t warningsOf(const ReadMeasurement& reading)
     return reading.reading ? reading.reading->diagnostics.size() : 0;
 }
 
-QIcon stateSymbol(const ReadMeasurement& reading)
+Tone toneOf(const ReadMeasurement& reading)
 {
-    constexpr int size = 14;
-    const bool isBad = reading.refusal.has_value();
-    const bool hasWarnings = warningsOf(reading) > 0;
-    const Tone tone = isBad ? Tone::Error : hasWarnings ? Tone::Warning : Tone::Success;
-    const Symbol symbol = isBad ? Symbol::Error : hasWarnings ? Symbol::Warning : Symbol::Success;
-    const QPalette colors = QGuiApplication::palette();
-    QIcon icon(symbolPixmap(symbol, frameColor(tone, colors), size, qGuiApp->devicePixelRatio()));
-    icon.addPixmap(symbolPixmap(symbol, colors.color(QPalette::HighlightedText), size,
-                       qGuiApp->devicePixelRatio()),
-        QIcon::Selected);
-    return icon;
+    if (reading.refusal)
+        return Tone::Error;
+    return warningsOf(reading) > 0 ? Tone::Warning : Tone::Success;
 }
 
 QString stateOfFile(const ReadMeasurement& reading)
@@ -159,7 +150,7 @@ QVariant MeasurementFilesModel::data(const QModelIndex& index, int role) const
                                            : text(index.row(), index.column());
     }
     if (role == Qt::DecorationRole && index.column() == State && reading)
-        return stateSymbol(*reading);
+        return cellIcon(toneOf(*reading));
     return {};
 }
 

@@ -246,4 +246,32 @@ QPixmap symbolPixmap(Symbol symbol, const QColor& color, int size, qreal pixelRa
     return pixmap;
 }
 
+Symbol symbolOf(Tone tone)
+{
+    switch (tone) {
+    case Tone::Error:
+        return Symbol::Error;
+    case Tone::Warning:
+    case Tone::Changed:
+        return Symbol::Warning;
+    case Tone::Success:
+        return Symbol::Success;
+    case Tone::Information:
+        break;
+    }
+    return Symbol::Information;
+}
+
+QIcon cellIcon(Tone tone)
+{
+    constexpr int size = 14;
+    const Symbol symbol = symbolOf(tone);
+    const QPalette colors = QGuiApplication::palette();
+    const qreal ratio = qGuiApp->devicePixelRatio();
+    QIcon icon(symbolPixmap(symbol, frameColor(tone, colors), size, ratio));
+    icon.addPixmap(symbolPixmap(symbol, colors.color(QPalette::HighlightedText), size, ratio),
+        QIcon::Selected);
+    return icon;
+}
+
 } // namespace axiscomp::ui

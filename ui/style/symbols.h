@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/style/contrast.h"
+
 #include <QColor>
 #include <QIcon>
 #include <QPixmap>
@@ -31,5 +33,9 @@ enum class Symbol {
 [[nodiscard]] QIcon symbolIcon(Symbol symbol);
 /// size in device-independent pixels.
 [[nodiscard]] QPixmap symbolPixmap(Symbol symbol, const QColor& color, int size, qreal pixelRatio);
+
+[[nodiscard]] Symbol symbolOf(Tone tone);
+/// The symbol of a tone in its colour, for a cell, which may be selected.
+[[nodiscard]] QIcon cellIcon(Tone tone);
 
 } // namespace axiscomp::ui

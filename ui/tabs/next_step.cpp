@@ -28,12 +28,8 @@ NextStep::NextStep(const QString& name, QWidget* parent)
 void NextStep::say(Tone tone, const QString& sentence)
 {
     constexpr int size = 16;
-    const Symbol symbol = tone == Tone::Error ? Symbol::Error
-        : tone == Tone::Warning               ? Symbol::Warning
-        : tone == Tone::Success               ? Symbol::Success
-                                              : Symbol::Information;
     m_symbol->setPixmap(
-        symbolPixmap(symbol, frameColor(tone, palette()), size, devicePixelRatioF()));
+        symbolPixmap(symbolOf(tone), frameColor(tone, palette()), size, devicePixelRatioF()));
     m_text->setText(sentence);
     m_text->setToolTip(sentence);
 }
