@@ -5,7 +5,6 @@
 #include "core/metrology/record/kept_figures.h"
 #include "ui/record/record_model.h"
 
-#include <QCryptographicHash>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -13,15 +12,6 @@
 namespace axiscomp::ui {
 
 namespace {
-
-std::string sha256Of(ByteView bytes)
-{
-    return QCryptographicHash::hash(
-        QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
-        QCryptographicHash::Sha256)
-        .toHex()
-        .toStdString();
-}
 
 std::shared_ptr<const CalibrationRecord> begun()
 {
@@ -181,14 +171,15 @@ Result<RecordFile::Saving> RecordFile::write(const RecordParts& parts, const Tar
         if (losesTable(*parts.base, made))
             return Saving{Obstacle::OtherTable, {}};
     }
-    AXISCOMP_CHECK(saveRecord(target.file, made));
+    const std::string text = recordText(made);
+    AXISCOMP_CHECK(saveFile(target.file, asBytes(text)));
     if (!target.store.empty()) {
         DriveStore store(target.store);
         // What the drive's overview says of the table; the record has it in any case.
         static_cast<void>(keepFigures(store, made, std::chrono::system_clock::now()));
     }
-    const std::string sha256 = sha256Of(asBytes(recordText(made)));
-    return Saving{{}, {std::make_shared<const CalibrationRecord>(std::move(made)), sha256}};
+    return Saving{
+        {}, {std::make_shared<const CalibrationRecord>(std::move(made)), sha256Of(asBytes(text))}};
 }
 
 void RecordFile::saveNow(const QString& path, bool overwrites)

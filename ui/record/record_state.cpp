@@ -52,11 +52,7 @@ Result<void> readInto(ReadMeasurement& read, const std::stop_token& stop)
     AXISCOMP_TRY(
         const auto bytes, loadFile(info.filesystemAbsoluteFilePath(), options.maximumBytes));
     const std::string_view text = asText(bytes);
-    read.sha256 =
-        QCryptographicHash::hash(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())),
-            QCryptographicHash::Sha256)
-            .toHex()
-            .toStdString();
+    read.sha256 = sha256Of(bytes);
     const std::string name = info.fileName().toStdString();
     AXISCOMP_TRY(read.format,
         choices.format.empty() ? chooseMeasurementFormat(text, name, options)
@@ -152,6 +148,15 @@ void judgeInto(RecordState& state)
 }
 
 } // namespace
+
+std::string sha256Of(ByteView bytes)
+{
+    return QCryptographicHash::hash(
+        QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
+        QCryptographicHash::Sha256)
+        .toHex()
+        .toStdString();
+}
 
 RecordState evaluated(
     const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop)

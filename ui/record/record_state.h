@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/bytes.h"
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/judgement.h"
 #include "ui/data/data_file_loader.h"
@@ -10,9 +11,13 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace axiscomp::ui {
+
+/// Of the bytes of a file, in hexadecimal digits.
+[[nodiscard]] std::string sha256Of(ByteView bytes);
 
 /// What reading one file gave.
 struct ReadMeasurement {
