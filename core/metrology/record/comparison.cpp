@@ -250,6 +250,8 @@ bool Comparison::isWithinTolerances() const
 ComparisonRequest comparisonRequest(const CalibrationRecord& record)
 {
     ComparisonRequest request;
+    if (record.before && !record.before->files.empty())
+        request.isAngular = record.before->files.front().measurement.isAngular;
     if (record.prediction) {
         request.predicted = record.prediction->predicted;
         request.heldOut = record.prediction->heldOut;
@@ -271,7 +273,8 @@ Result<Comparison> compareMeasurements(
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
-    if (before.isAngular != after.isAngular)
+    if (before.isAngular != after.isAngular
+        || request.isAngular.value_or(after.isAngular) != after.isAngular)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",

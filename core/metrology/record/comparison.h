@@ -21,8 +21,12 @@ struct ComparisonRequest {
     bool isTableStated = false;
     std::vector<Tolerance> tolerances = {};
     std::optional<double> uncertainty = {}; ///< U with k = 2
+    /// Whether prediction, tolerances and uncertainty are in deg; nothing: they are in the unit of
+    /// the measurements, whichever that is.
+    std::optional<bool> isAngular = {};
 };
-/// What a record says: its prediction, its table, and the tolerances that hold (judgingOf).
+/// What a record says: its prediction, its table, and the tolerances that hold (judgingOf), in the
+/// unit of its measurement.
 [[nodiscard]] ComparisonRequest comparisonRequest(const CalibrationRecord& record);
 
 /// Whether a person has to say that the table was active, since the measurement leaves it open.
@@ -67,9 +71,9 @@ struct Comparison {
 /// spline) and r what is left, all about their means: r = k b with |correlation| above 0.9 is a
 /// table that adds 1 - k times what it should (k = 2: the sign; k = 1: not active); r = d b' one
 /// that is shifted by d.
-/// Errors: InvalidArgument for measurements without targets or of lengths and angles;
-/// MeasurementState when tableCrc is given and the second measurement was not made with that table
-/// active.
+/// Errors: InvalidArgument for measurements without targets or of lengths and angles, that of the
+/// request included; MeasurementState when tableCrc is given and the second measurement was not
+/// made with that table active.
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 

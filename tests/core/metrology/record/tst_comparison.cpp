@@ -93,6 +93,22 @@ private Q_SLOTS:
         QVERIFY(!needsStatement(after, request));
     }
 
+    /// 0.005 mm of the record would be 0.005 deg of these measurements.
+    void theLimitsOfALengthJudgeNoAngle()
+    {
+        CalibrationRecord record;
+        record.before = RecordedMeasurement{
+            {{"before.csv", "runs", std::string(64, 'a'), measured(&errorBefore)}}};
+        record.judging = RecordedJudging{OutlierRule::PooledMad, {{Iso230Figure::A, 0.005}}};
+        const ComparisonRequest request = comparisonRequest(record);
+        VERIFY_RESULT(compareMeasurements(measured(&errorBefore), measured(&errorBefore), request));
+        Measurement angles = measured(&errorBefore);
+        angles.isAngular = true;
+        const auto refused = compareMeasurements(angles, angles, request);
+        QVERIFY(!refused && refused.error().code == ErrorCode::InvalidArgument);
+        VERIFY_RESULT(compareMeasurements(angles, angles, promised(1e-3)));
+    }
+
     void whatIsKeptHasMeasurementFiguresAndVerdict()
     {
         ComparisonRequest request = promised(1e-3);
