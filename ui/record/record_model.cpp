@@ -42,6 +42,8 @@ void forgetWhatIsOfTheFiles(Record& record)
     record.exclusions.clear();
     record.corrections = {};
     record.isTableStated = false;
+    record.fit.measuredWith = FitChoices::MeasuredWith::NotSaid;
+    record.fit.measuredWithFile.clear();
 }
 
 /// The air of each run, with directions exchanged.

@@ -154,6 +154,25 @@ private Q_SLOTS:
         QVERIFY(model.state().fit->request.record.fit == choices);
     }
 
+    /// "Off" was said of the measurement that was there.
+    void whatWasActiveIsAskedOfEveryMeasurementAnew()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("b02_x")});
+        model.setFit(asSpecified(), {});
+        QVERIFY(settled(model));
+        QVERIFY(model.state().fit->report);
+        model.removeFile(0);
+        model.addFiles({publicMeasurement("b02_y")});
+        QVERIFY(settled(model));
+        QVERIFY(isRefused(model, ErrorCode::MeasurementState, "does not say whether"));
+        QVERIFY(model.record().fit.settings == asSpecified().settings);
+        model.undo();
+        model.undo();
+        QVERIFY(settled(model));
+        QVERIFY(model.state().fit->report);
+    }
+
     void withoutFilesThereIsNoTable()
     {
         RecordModel model;
