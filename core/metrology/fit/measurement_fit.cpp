@@ -15,7 +15,7 @@ struct MethodName {
     FitMethod method;
     std::string_view name;
 };
-constexpr std::array methodNames{MethodName{FitMethod::Linear, "linear"},
+constexpr std::array knownMethods{MethodName{FitMethod::Linear, "linear"},
     MethodName{FitMethod::Cubic, "cubic"}, MethodName{FitMethod::Spline, "spline"},
     MethodName{FitMethod::Smooth, "smooth"}, MethodName{FitMethod::Harmonic, "harmonic"}};
 
@@ -23,7 +23,7 @@ struct NamedDirection {
     FitDirection direction;
     std::string_view name;
 };
-constexpr std::array directionNames{NamedDirection{FitDirection::Mean, "mean"},
+constexpr std::array knownDirections{NamedDirection{FitDirection::Mean, "mean"},
     NamedDirection{FitDirection::Positive, "positive"},
     NamedDirection{FitDirection::Negative, "negative"}, NamedDirection{FitDirection::Both, "both"}};
 
@@ -31,13 +31,13 @@ constexpr std::array directionNames{NamedDirection{FitDirection::Mean, "mean"},
 
 std::string_view fitMethodName(FitMethod method)
 {
-    return std::ranges::find(methodNames, method, &MethodName::method)->name;
+    return std::ranges::find(knownMethods, method, &MethodName::method)->name;
 }
 
 std::optional<FitMethod> fitMethodNamed(std::string_view name)
 {
-    const auto found = std::ranges::find(methodNames, name, &MethodName::name);
-    if (found == methodNames.end())
+    const auto found = std::ranges::find(knownMethods, name, &MethodName::name);
+    if (found == knownMethods.end())
         return std::nullopt;
     return found->method;
 }
@@ -49,13 +49,13 @@ std::string_view lookupAtName(LookupAt lookupAt)
 
 std::string_view fitDirectionName(FitDirection direction)
 {
-    return std::ranges::find(directionNames, direction, &NamedDirection::direction)->name;
+    return std::ranges::find(knownDirections, direction, &NamedDirection::direction)->name;
 }
 
 std::optional<FitDirection> fitDirectionNamed(std::string_view name)
 {
-    const auto found = std::ranges::find(directionNames, name, &NamedDirection::name);
-    if (found == directionNames.end())
+    const auto found = std::ranges::find(knownDirections, name, &NamedDirection::name);
+    if (found == knownDirections.end())
         return std::nullopt;
     return found->direction;
 }
