@@ -34,7 +34,7 @@ CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& set
 std::vector<std::string> notesOfFit(
     const std::string& sources, const FitSettings& settings, const FitReport& report)
 {
-    return {lookupNote(report.lookupAt), "made of " + sources, report.state.text.english(),
+    return {"made of " + sources, lookupNote(report.lookupAt), report.state.text.english(),
         "method " + std::string(fitMethodName(settings.method))};
 }
 
