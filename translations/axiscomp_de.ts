@@ -13115,7 +13115,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <name>axiscomp::ui::RecordFile</name>
     <message>
         <source>not saved yet</source>
-        <translation>noch nicht gespeichert</translation>
+        <translation>neu</translation>
     </message>
 </context>
 <context>
