@@ -4091,10 +4091,6 @@
         <translation>es ist nicht angegeben, welche Achse die Werte von {column} korrigieren, und die Zahlen hängen davon ab; Zielachse angeben: {sources}</translation>
     </message>
     <message>
-        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or state the target</source>
-        <translation>laut Datei korrigieren die Werte von {table} {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder die Zielachse angeben</translation>
-    </message>
-    <message>
         <source>{table} is the name of table {named} and the number of table {numbered}; say name:{table} or #{table}</source>
         <translation>{table} ist der Name von Tabelle {named} und die Nummer von Tabelle {numbered}; name:{table} oder #{table} angeben</translation>
     </message>
@@ -6046,6 +6042,14 @@
         <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
         <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, muss das angegeben werden</translation>
     </message>
+    <message>
+        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
+        <translation>laut Datei korrigieren die Werte von {table} {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder, wenn es dennoch stimmt, die Zielachse als {statement} angeben</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
+        <translation>in der Datei steht „{note}“; ein Kommentar, lookup: encoder oder lookup: set, sagt dort, für welche Seite der Kompensation die Tabelle erstellt wurde: diese Zeile korrigieren oder weglassen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6578,6 +6582,10 @@
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
         <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
+        <translation>{constant} wurde aus allen Werten beider Tabellen herausgenommen, damit ihr Mittel an der Nullstelle 0 ist</translation>
     </message>
 </context>
 <context>

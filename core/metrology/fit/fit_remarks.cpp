@@ -39,12 +39,21 @@ private:
 
 void remarkOfZero(const FittedTable& made, Remarks& remarks)
 {
+    if (made.direction == Direction::Negative)
+        return; // the same is taken out of both directions
     if (made.removedSlope != 0.0)
         remarks.say("SlopeRemoved",
             AXISCOMP_TEXT("Measurement", "a slope of {slope} over {length} was taken out")
                 .with("slope", remarks.fine(made.removedSlope * 1000.0))
                 .with("length", remarks.place(1000.0)));
-    if (made.removedConstant != 0.0)
+    if (made.removedConstant != 0.0 && made.direction == Direction::Positive)
+        remarks.say("ZeroMoved",
+            AXISCOMP_TEXT("Measurement",
+                "{constant} was taken out of all values of both tables, which makes their mean 0 "
+                "at "
+                "the zero")
+                .with("constant", remarks.fine(made.removedConstant)));
+    else if (made.removedConstant != 0.0)
         remarks.say("ZeroMoved",
             AXISCOMP_TEXT("Measurement",
                 "{constant} was taken out of all values of {table}, which makes it 0 at its zero")

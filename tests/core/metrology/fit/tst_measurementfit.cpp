@@ -140,6 +140,9 @@ private Q_SLOTS:
         QVERIFY(std::abs(*(*report->before)[Iso230Figure::B].value - 0.005) < 1e-12);
         QVERIFY(hasRemark(*report, "ReversalInTables", "the reversal of up to 5.000 um"));
         QVERIFY(!hasRemark(*report, "MostlyReversal"));
+        // Neither is 0 at the first target: they are 2 um above and below.
+        QVERIFY(hasRemark(*report, "ZeroMoved", "3.000 um was taken out of all values of both"));
+        QCOMPARE(std::ranges::count(report->remarks, "ZeroMoved", &FitRemark::name), 1);
         // A quarter of the second difference of f at each target, and nothing of a straight r
         QVERIFY(std::abs(report->heldOut->rms - 0.001) < 1e-9);
         QVERIFY(report->heldOut->range < 1e-9);
