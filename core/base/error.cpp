@@ -75,7 +75,8 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT("Error",
             "the file says that the values of {table} correct {target}, but for axis {axis} "
             "{role}; "
-            "choose another column, axis or source, or state the target")},
+            "choose another column, axis or source, or, if it is right all the same, state the "
+            "target as {statement}")},
     ErrorRow{ErrorCode::UnitMismatch, "UnitMismatch", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "the {what} are in {unit}, which cannot be converted to {other}, the unit of the "

@@ -36,7 +36,7 @@ enum class ErrorCode {
     FormatCannotHold, ///< format, reason, wayOut
     SignNotConvertible, ///< position, reason
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
-    TargetMismatch, ///< table, target, axis, role (what the axis is among the sources)
+    TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement
     UnitMismatch, ///< what, unit, other
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered

@@ -46,7 +46,8 @@ Result<void> checkTarget(const DriveProfile& profile, int axis,
 {
     const auto stated = targetAxis(table.target, axisNames(table.grid));
     const std::vector<std::string> nameless(table.grid.axes.size());
-    const auto actual = targetAxis(axisTarget(profile, axis, sources), nameless);
+    const std::string statement = axisTarget(profile, axis, sources);
+    const auto actual = targetAxis(statement, nameless);
     if (!stated || !actual || stated == actual)
         return {};
     Text target = AXISCOMP_TEXT("Error", "an axis that is no source");
@@ -59,7 +60,8 @@ Result<void> checkTarget(const DriveProfile& profile, int axis,
               .with("number", *actual->source + 1)
         : Text(AXISCOMP_TEXT("Error", "all sources are positions of other axes"));
     return fail(ErrorCode::TargetMismatch,
-        {{"table", table.name}, {"target", target}, {"axis", axis}, {"role", role}});
+        {{"table", table.name}, {"target", target}, {"axis", axis}, {"role", role},
+            {"statement", statement}});
 }
 
 std::vector<std::string> sourcePaths(const CompensationSetup& setup)

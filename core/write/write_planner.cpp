@@ -273,11 +273,14 @@ Result<void> WritePlanner::checkTargetName(const CompensationTable& table) const
 {
     if (!areDifferentAxes(table.target, m_status.axis.name))
         return {};
+    const std::string statement =
+        axisTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after));
     return fail(ErrorCode::TargetMismatch,
         {{"table", table.name}, {"target", Verbatim{table.target}}, {"axis", m_axis},
             {"role",
                 AXISCOMP_TEXT("Error", "the name on the drive is {name}")
-                    .with("name", Verbatim{m_status.axis.name})}});
+                    .with("name", Verbatim{m_status.axis.name})},
+            {"statement", statement.empty() ? sourceTarget(0) : statement}});
 }
 
 Result<void> WritePlanner::decideNoTable()
