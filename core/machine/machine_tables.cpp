@@ -78,11 +78,13 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     } else if (!import.data) {
         import.problems = result.problems;
         result.problem = fileError(result.file, import);
-    } else if (auto table = chosenTable(axis, *import.data)) {
-        result.table = *std::move(table);
-        result.lookupAt = lookupInNotes(import.data->notes);
-    } else {
+    } else if (auto table = chosenTable(axis, *import.data); !table) {
         result.problem = std::move(table).error();
+    } else if (const auto lookupAt = lookupInNotes(import.data->notes); !lookupAt) {
+        result.problem = lookupAt.error();
+    } else {
+        result.table = *std::move(table);
+        result.lookupAt = *lookupAt;
     }
     return result;
 }

@@ -59,8 +59,10 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
             tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
     }
     ask(Task::WriteSeveral,
-        [tables](AxisCompensator& compensator,
+        [tables, problem = m_tables.file().file().lookupProblem](AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {
+            if (problem)
+                return fail(*problem);
             AXISCOMP_TRY(auto plans, planTables(compensator, tables, options));
             return PlannedTables{tables, std::move(plans)};
         });

@@ -144,6 +144,8 @@ void WizardActions::lookAtTables(ActionSnapshot& now) const
     now.fileTables = file.data ? static_cast<int>(file.data->tables.size()) : 0;
     now.isReadingFile = file.isReading;
     const EditedSetup& edited = m_setup.edited();
+    if (now.isNewTable)
+        now.lookupProblem = file.lookupProblem;
     for (int n = 0; n < edited.dimensionality && now.isNewTable && file.lookupAt; ++n) {
         const auto checked = checkLookupSource(
             *file.lookupAt, m_profile, edited.sources[static_cast<std::size_t>(n)].path);

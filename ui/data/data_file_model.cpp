@@ -135,7 +135,14 @@ void DataFileModel::take(const LoadedFile& loaded)
     if (loaded.data || !before) {
         m_file.path = loaded.path;
         m_file.isMade = false;
-        m_file.lookupAt = loaded.data ? lookupInNotes(loaded.data->notes) : std::nullopt;
+        m_file.lookupAt.reset();
+        m_file.lookupProblem.reset();
+        const auto lookupAt = lookupInNotes(
+            loaded.data ? std::span(loaded.data->notes) : std::span<const std::string>());
+        if (lookupAt)
+            m_file.lookupAt = *lookupAt;
+        else
+            m_file.lookupProblem = lookupAt.error();
         m_stamp = loaded.stamp;
     } else if (isSameFile) {
         m_stamp = loaded.stamp; // the offer to read it again has been taken

@@ -34,6 +34,7 @@ struct DataFile {
     bool isMade = false;
     /// Where the drive has to look the tables up; nothing: that is not known.
     std::optional<LookupAt> lookupAt;
+    std::optional<Error> lookupProblem; ///< why what the file says of that is no statement
 };
 
 /// Tables that were made here, to be used as if they had been read from a file.

@@ -101,8 +101,9 @@ Result<void> takeTable(Environment& environment, const WriteOptions& options,
         takeUnit(axis.unit, options.positionUnit);
     pending.request.dimensionality = table.grid.dimensions();
     pending.request.table = std::move(table);
-    if (input.data)
-        pending.request.lookupAt = lookupInNotes(input.data->notes);
+    if (input.data) {
+        AXISCOMP_TRY(pending.request.lookupAt, lookupInNotes(input.data->notes));
+    }
     return {};
 }
 

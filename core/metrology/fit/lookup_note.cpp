@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/lookup_note.h"
 
+#include "core/metrology/fit/fit_errors.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
 
 #include <string_view>
 
@@ -12,30 +15,40 @@ namespace {
 
 constexpr std::string_view lookupKey = "lookup:";
 
-std::string_view sideName(LookupAt lookupAt)
+/// Nothing: neither side.
+std::optional<LookupAt> sideNamed(std::string_view name)
 {
-    return lookupAt == LookupAt::Encoder ? "encoder" : "set";
+    for (const LookupAt known : {LookupAt::Encoder, LookupAt::Set})
+        if (sameLetters(name, lookupAtName(known)))
+            return known;
+    return std::nullopt;
 }
 
 } // namespace
 
 std::string lookupNote(LookupAt lookupAt)
 {
-    return std::string(lookupKey) + ' ' + std::string(sideName(lookupAt));
+    return std::string(lookupKey) + ' ' + std::string(lookupAtName(lookupAt));
 }
 
-std::optional<LookupAt> lookupInNotes(std::span<const std::string> notes)
+Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes)
 {
+    std::optional<LookupAt> said;
     for (const std::string& note : notes) {
         const std::string_view text = trimmed(note);
         if (!sameLetters(text.substr(0, lookupKey.size()), lookupKey))
             continue;
-        const std::string_view said = trimmed(text.substr(lookupKey.size()));
-        for (const LookupAt known : {LookupAt::Encoder, LookupAt::Set})
-            if (sameLetters(said, sideName(known)))
-                return known;
+        const auto side = sideNamed(trimmed(text.substr(lookupKey.size())));
+        if (!side || (said && side != said))
+            return badFit(AXISCOMP_TEXT("Error",
+                "the file says \"{note}\", where one comment, lookup: encoder or lookup: set, says "
+                "for which side of the compensation the table was made: correct that line, or "
+                "leave "
+                "it out")
+                              .with("note", shownText(text, 60)));
+        said = side;
     }
-    return std::nullopt;
+    return said;
 }
 
 } // namespace axiscomp

@@ -14,7 +14,8 @@ namespace axiscomp {
 
 [[nodiscard]] std::string lookupNote(LookupAt lookupAt); ///< "lookup: set"
 
-/// Of the first note that says it; nothing: none does. notes: comments without their slashes.
-[[nodiscard]] std::optional<LookupAt> lookupInNotes(std::span<const std::string> notes);
+/// What the notes say; nothing: none says it. notes: comments without their slashes. Errors:
+/// InvalidArgument for a note that says neither side, and for two that contradict each other.
+[[nodiscard]] Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes);
 
 } // namespace axiscomp

@@ -147,6 +147,12 @@ private Q_SLOTS:
         VERIFY_CODE(refused, 2);
         QVERIFY2(refused.err.contains("made for a position after the compensation"),
             refused.err.constData());
+        box.file("table.csv", box.content("table.csv").replace("lookup: set", "lookup: sett"));
+        const ProgramRun misspelt = write(test::positionSource(0));
+        VERIFY_CODE(misspelt, 2);
+        QVERIFY2(
+            misspelt.err.contains("\"lookup: sett\", where one comment"), misspelt.err.constData());
+        box.file("table.csv", box.content("table.csv").replace("lookup: sett", "lookup: set"));
         VERIFY_CODE(write(test::positionSource(0)), 0);
     }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/lookup_note.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/table/target_axis.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
@@ -60,6 +62,7 @@ private Q_SLOTS:
         VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
         QVERIFY(names(
             refused.error(), "correct " + name + ", but for axis 0 the name on the drive is X"));
+        QVERIFY(names(refused.error(), "state the target as #1"));
         QVERIFY(f.state() == before);
         // The way out: a person states the target.
         VERIFY_RESULT(f.compensator.write(0, requestFor("#1", name)));
@@ -96,6 +99,36 @@ private Q_SLOTS:
         request.sources.clear();
         request.lookupAt = LookupAt::Encoder;
         VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::InvalidArgument);
+    }
+
+    void aFileSaysForWhichSideItsTableWasMade_data()
+    {
+        QTest::addColumn<QByteArray>("notes"); // a line each
+        QTest::addColumn<QByteArray>("said"); // empty: nothing; "?": refused
+        const auto row = [](const char* name, const std::string& notes, const char* said) {
+            QTest::newRow(name) << QByteArray::fromStdString(notes) << QByteArray(said);
+        };
+        row("nothing", "made of x.csv\nlook up: set", "");
+        row("as fit writes it", "made of x.csv\n" + lookupNote(LookupAt::Set), "set");
+        row("blanks and capitals", "  Lookup:  ENCODER ", "encoder");
+        row("twice", "lookup: set\nlookup: set", "set");
+        row("misspelt", "lookup: encodr", "?");
+        row("no side", "lookup:", "?");
+        row("both", "lookup: set\nlookup: encoder", "?");
+    }
+    void aFileSaysForWhichSideItsTableWasMade()
+    {
+        QFETCH(QByteArray, notes);
+        QFETCH(QByteArray, said);
+        std::vector<std::string> lines;
+        for (const QByteArray& note : notes.split('\n'))
+            lines.push_back(note.toStdString());
+        const auto found = lookupInNotes(lines);
+        QCOMPARE(found.has_value(), said != "?");
+        if (!found)
+            QVERIFY(names(found.error(), "correct that line, or leave it out"));
+        else
+            QCOMPARE(std::string(*found ? lookupAtName(**found) : ""), said.toStdString());
     }
 
     void theErrorsOfOneSourceAreNotWrittenToTheAxisOfAnother()
