@@ -111,7 +111,10 @@ Result<MadeCorrections> correct(
         AXISCOMP_TRY(const auto bytes, loadFile(options.deadPath, maximumDeadPathSize));
         AXISCOMP_TRY(made.corrections.deadPath, deadPathFromText(asText(bytes), options.deadPath));
     }
-    AXISCOMP_TRY(auto result, corrected(std::move(measurement), made.corrections));
+    auto outcome = corrected(std::move(measurement), made.corrections);
+    if (!outcome && outcome.error().code == ErrorCode::InvalidArgument)
+        return wrongUsage(textOf(outcome.error()).english(), command); // which has the options
+    AXISCOMP_TRY(auto result, std::move(outcome));
     measurement = std::move(result.measurement);
     if (const auto& deadPath = made.corrections.deadPath) {
         made.document["deadPath"] = {
