@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/measured_state.h"
 
+#include "core/text/crc_text.h"
+
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 namespace axiscomp {
 
@@ -16,20 +16,11 @@ auto wrongState(Text reason)
     return fail(ErrorCode::MeasurementState, {{"reason", std::move(reason)}});
 }
 
-/// "1c291ca3"
-std::string crcDigits(std::uint32_t crc)
-{
-    std::array<char, 8> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), crc, 16);
-    const std::string text(digits.data(), end.ptr);
-    return std::string(digits.size() - text.size(), '0') + text;
-}
-
 std::vector<std::string> crcList(const KnownTables& tables)
 {
     std::vector<std::string> list;
     for (const std::uint32_t crc : tables.crcs)
-        list.push_back(crcDigits(crc));
+        list.push_back(crcText(crc));
     return list;
 }
 
@@ -40,7 +31,7 @@ Text stateText(const MeasuredState& state)
     if (!state.tableCrc)
         return AXISCOMP_TEXT("Measurement", "the compensation on");
     return AXISCOMP_TEXT("Measurement", "the table {crc} active")
-        .with("crc", crcDigits(*state.tableCrc));
+        .with("crc", crcText(*state.tableCrc));
 }
 
 /// What the file and the person say together. Errors: MeasurementState.
@@ -89,7 +80,7 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
                     "these are residuals of the table {crc}, which was active while they were "
                     "measured: merge them onto that table, from its file or from the drive "
                     "(--onto and the file, or --onto drive)")
-                      .with("crc", crcDigits(*state.tableCrc))
+                      .with("crc", crcText(*state.tableCrc))
                 : Text(AXISCOMP_TEXT("Error",
                     "these are residuals of a table that was active while they were measured: "
                     "merge them onto that table, from its file or from the drive (--onto and the "
@@ -103,12 +94,12 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
             return wrongState(AXISCOMP_TEXT("Error",
                 "it was measured with the table {crc} active, which is not {name} ({known}), nor "
                 "any other table known; give its file (--measured-with), or merge onto it")
-                                  .with("crc", crcDigits(*state.tableCrc))
+                                  .with("crc", crcText(*state.tableCrc))
                                   .with("name", request.onto->name)
                                   .with("known", crcList(*request.onto)));
         found.tableCrc = state.tableCrc;
         found.text = AXISCOMP_TEXT("Measurement", "measured with the table {crc} of {name} active")
-                         .with("crc", crcDigits(*state.tableCrc))
+                         .with("crc", crcText(*state.tableCrc))
                          .with("name", found.active->name);
         return found;
     }
@@ -127,7 +118,7 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
 
 bool KnownTables::has(std::uint32_t crc) const
 {
-    return std::ranges::find(crcs, crc) != crcs.end();
+    return withCrc(crc) != nullptr;
 }
 
 const CompensationTable* KnownTables::withCrc(std::uint32_t crc) const

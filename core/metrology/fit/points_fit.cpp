@@ -215,8 +215,12 @@ Result<GridAxis> gridAxis(
     if (!(to > from))
         return badFit(AXISCOMP_TEXT("Error", "all points have the same position along {axis}")
                           .with("axis", made.name));
-    AXISCOMP_TRY(const std::size_t points, pointsOfCurve(input, smoothed, from, to));
-    if (points > 0) {
+    const AxisRequest wanted = settings.grid.empty() ? AxisRequest{}
+        : settings.grid.size() == 1                  ? settings.grid.front()
+                                                     : settings.grid[axis];
+    AXISCOMP_TRY(const std::size_t ofCurve, pointsOfCurve(input, smoothed, from, to));
+    const std::size_t points = ofCurve > 0 ? ofCurve : wanted.points;
+    if (points >= 2) {
         made.size = static_cast<std::uint32_t>(std::min<std::size_t>(points, 100'000'000));
         made.distance = evenDistance(from, to, made.size);
         return made;
@@ -232,13 +236,6 @@ Result<GridAxis> gridAxis(
                               .with("axis", made.name));
         made.size = static_cast<std::uint32_t>(lines.size());
         made.distance = evenDistance(from, to, lines.size());
-        return made;
-    }
-    const AxisRequest& wanted =
-        settings.grid.size() == 1 ? settings.grid.front() : settings.grid[axis];
-    if (wanted.points >= 2) {
-        made.size = static_cast<std::uint32_t>(std::min<std::size_t>(wanted.points, 100'000'000));
-        made.distance = evenDistance(from, to, made.size);
         return made;
     }
     if (!(wanted.distance > 0.0))

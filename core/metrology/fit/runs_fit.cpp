@@ -291,6 +291,7 @@ namespace {
 struct RunsTable {
     FitSettings settings; ///< of this table: never FitDirection::Both
     TableFitRequest request;
+    FitValues values; ///< without the drift that is taken out
     TableFit fit;
 
     [[nodiscard]] FitInput input(const FitInput& whole) const
@@ -307,12 +308,13 @@ struct RunsTable {
 Result<RunsTable> fitOne(const FitInput& whole, const Measurement& settled, FitDirection direction,
     const std::optional<RemovedLine>& removed = {})
 {
-    RunsTable made{whole.settings, {}, {}};
+    RunsTable made{whole.settings, {}, {}, {}};
     made.settings.direction = direction;
     const FitInput input = made.input(whole);
     AXISCOMP_TRY(made.request, requestOfRuns(input));
     made.request.removed = removed;
-    AXISCOMP_TRY(made.fit, fitTable(fitValues(settled, input).values, made.request));
+    made.values = fitValues(settled, input);
+    AXISCOMP_TRY(made.fit, fitTable(made.values.values, made.request));
     return made;
 }
 
@@ -333,7 +335,7 @@ Result<std::vector<RunsTable>> fitBoth(const FitInput& whole, const Measurement&
             continue;
         one.request.within.reset();
         one.request.grid.points = points;
-        AXISCOMP_TRY(one.fit, fitTable(fitValues(settled, one.input(whole)).values, one.request));
+        AXISCOMP_TRY(one.fit, fitTable(one.values.values, one.request));
     }
     return tables;
 }
@@ -380,23 +382,21 @@ HeldOut together(const HeldOut& up, const HeldOut& down)
     return both;
 }
 
-Result<HeldOut> heldOutOf(
-    const FitInput& whole, const Measurement& settled, const std::vector<RunsTable>& tables)
+Result<HeldOut> heldOutOf(const std::vector<RunsTable>& tables, const std::stop_token& stop)
 {
     std::vector<HeldOut> found;
     for (const RunsTable& one : tables) {
-        const FitValues values = fitValues(settled, one.input(whole));
-        AXISCOMP_TRY(auto heldOut, predictHeldOut(values.values, one.request, whole.stop));
+        AXISCOMP_TRY(auto heldOut, predictHeldOut(one.values.values, one.request, stop));
         found.push_back(std::move(heldOut));
     }
     return found.size() == 1 ? std::move(found.front()) : together(found[0], found[1]);
 }
 
 /// Where the values go up and down by the residuals that no target shows. Errors: Cancelled.
-Result<void> predictBetween(const FitInput& input, const Measurement& settled,
-    const std::vector<RunsTable>& tables, FitReport& report)
+Result<void> predictBetween(
+    const std::vector<RunsTable>& tables, const std::stop_token& stop, FitReport& report)
 {
-    auto heldOut = heldOutOf(input, settled, tables);
+    auto heldOut = heldOutOf(tables, stop);
     if (heldOut) {
         report.heldOut = *std::move(heldOut);
         return {};
@@ -529,7 +529,7 @@ Result<FitReport> fitRuns(const FitInput& input)
     AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, tables, report.tables));
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    AXISCOMP_CHECK(predictBetween(input, settled, tables, report));
+    AXISCOMP_CHECK(predictBetween(tables, input.stop, report));
     report.sign = signOfTables(input, tables, report);
     addRunsRemarks(input, judgement, tables.front().fit, report);
     return report;

@@ -7,8 +7,8 @@ namespace axiscomp {
 
 /// The record that a fit begins: what was measured and how, the tables, and what they promise.
 /// before: with its files. settings: those of the fit, of one direction or of the mean, since a
-/// record is of a drive; its removal of drift is among the
-/// corrections of the measurement. program: and its version, "axiscomp 1.0".
+/// record is of a drive; its removal of drift is among the corrections of the measurement. program:
+/// and its version, "axiscomp 1.0".
 [[nodiscard]] CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& settings,
     const FitReport& report, const std::string& program, WallTime time);
 
