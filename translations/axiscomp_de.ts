@@ -11469,6 +11469,10 @@
         <source>The measurement can be used. Go on to Judge and Fit.</source>
         <translation>Die Messung ist brauchbar. Weiter geht es mit „Beurteilen“ und „Anpassen“.</translation>
     </message>
+    <message>
+        <source>%1 was captured for the record that was open before, and is not added to this one.</source>
+        <translation>%1 wurde für das vorher geöffnete Protokoll erfasst und wird diesem nicht hinzugefügt.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MeasurementFiles</name>

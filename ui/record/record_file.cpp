@@ -83,7 +83,7 @@ bool RecordFile::isEmpty() const
 
 void RecordFile::setBusy(bool isBusy)
 {
-    m_isBusy = isBusy;
+    m_jobs += isBusy ? 1 : -1;
     Q_EMIT changed();
 }
 
@@ -103,6 +103,7 @@ void RecordFile::take(
 void RecordFile::show(const QString& path, const Content& content)
 {
     ++m_shown;
+    ++m_wanted;
     m_path = path;
     m_content = content;
     m_isRecovered = false;
@@ -128,8 +129,10 @@ void RecordFile::open(const QString& path)
     setBusy(true);
     const auto content = inBackground<Result<Content>>(
         [file = QFileInfo(absolute).filesystemAbsoluteFilePath()] { return read(file); });
-    whenDone(content, this, [this, absolute](const Result<Content>& result) {
+    whenDone(content, this, [this, absolute, wanted = ++m_wanted](const Result<Content>& result) {
         setBusy(false);
+        if (wanted != m_wanted)
+            return; // another record was begun or opened meanwhile
         if (result)
             show(absolute, *result);
         else

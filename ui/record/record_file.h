@@ -33,11 +33,12 @@ public:
     [[nodiscard]] bool isModified() const;
     /// There is something to save, to report or to lose.
     [[nodiscard]] bool isEmpty() const;
-    [[nodiscard]] bool isBusy() const { return m_isBusy; }
+    [[nodiscard]] bool isBusy() const { return m_jobs > 0; }
 
     /// A new one, in place of the one there is.
     void begin();
-    /// In place of the one there is, which stays when the file cannot be read.
+    /// In place of the one there is, which stays when the file cannot be read, and when another one
+    /// is begun or opened before it is.
     void open(const QString& path);
     /// One that was kept when a program ended, with the file that it was of, which may be none.
     void take(std::shared_ptr<const CalibrationRecord> record, const QString& path,
@@ -99,8 +100,9 @@ private:
     Content m_content; ///< of the file, or what was begun
     OpenedRecord m_known; ///< of which the file is
     bool m_isRecovered = false; ///< no file has what was kept
-    bool m_isBusy = false;
+    int m_jobs = 0; ///< that read or write
     int m_shown = 0; ///< records that were begun or opened so far
+    int m_wanted = 0; ///< the same, with those that are being opened
     std::vector<std::function<void(const RecordParts&)>>
         m_waiting; ///< until the measurements are read
 };

@@ -95,8 +95,10 @@ void MeasurePage::setMeasuring(MeasuringActions& measuring, WizardSettings& sett
     connect(
         &measuring, &MeasuringActions::captureObstacleChanged, this, &MeasurePage::showMeasuring);
     connect(&measuring.feed(), &CaptureFeed::changed, this, &MeasurePage::showMeasuring);
-    connect(&measuring.feed(), &CaptureFeed::begun, this,
-        [this] { m_views->setCurrentWidget(m_captureView); });
+    connect(&measuring.feed(), &CaptureFeed::begun, this, [this] {
+        m_isCapturingForRecord = true;
+        m_views->setCurrentWidget(m_captureView);
+    });
     connect(&measuring.feed(), &CaptureFeed::finished, this, &MeasurePage::takeCaptured);
     retranslate();
 }
@@ -121,6 +123,10 @@ void MeasurePage::takeCaptured(const QString& path)
 {
     if (m_measuring->feed().view().values.empty())
         return;
+    if (!m_isCapturingForRecord) {
+        m_capturedForAnother = QFileInfo(path).fileName();
+        return sayNextStep();
+    }
     m_record.addFiles({path});
     m_record.readAgain();
 }
@@ -132,8 +138,10 @@ void MeasurePage::connectParts()
     connect(m_views, &FileViews::mappingChosen, m_files, &MeasurementFiles::mapColumns);
     connect(m_files, &MeasurementFiles::currentChanged, this,
         [this] { m_views->show(m_files->currentFile(), m_files->currentReading()); });
+    connect(&m_record, &RecordModel::opened, this, [this] { m_isCapturingForRecord = false; });
     connect(&m_record, &RecordModel::changed, this, [this] {
         m_saved.reset();
+        m_capturedForAnother.clear();
         follow();
     });
     connect(&m_record, &RecordModel::stateChanged, this, &MeasurePage::follow);
@@ -176,7 +184,11 @@ void MeasurePage::sayNextStep()
     const RecordState& state = m_record.state();
     const auto refused = std::ranges::find_if(
         state.files, [](const ReadMeasurement& file) { return file.refusal.has_value(); });
-    if (m_record.record().files.empty())
+    if (!m_capturedForAnother.isEmpty())
+        m_nextStep->say(Tone::Warning,
+            tr("%1 was captured for the record that was open before, and is not added to this one.")
+                .arg(m_capturedForAnother));
+    else if (m_record.record().files.empty())
         m_nextStep->say(Tone::Information,
             tr("Add the files of a measurement, take its values with Capture, or go on to Write "
                "with a table that is there."));

@@ -63,6 +63,8 @@ private:
     FileViews* m_views;
     CapturePanel* m_capturePanel = nullptr;
     QWidget* m_captureView = nullptr; ///< with the panel
+    bool m_isCapturingForRecord = false; ///< not for one that was opened since the capture began
+    QString m_capturedForAnother; ///< the file of such a capture; empty: none
     RunValuesView* m_values;
     QPushButton* m_save;
     QString m_savedName; ///< of the file that has m_saved

@@ -154,6 +154,17 @@ private Q_SLOTS:
         QVERIFY(!bench.file.isModified());
     }
 
+    void aRecordThatIsReadAfterAnotherWasBegunIsNotOpened()
+    {
+        Bench bench;
+        const QString late = bench.saved(QStringLiteral("late.axcal"), withEverything());
+        bench.file.open(late);
+        bench.file.begin();
+        QVERIFY(bench.settled());
+        QVERIFY(bench.file.path().isEmpty());
+        QVERIFY(bench.file.isEmpty());
+    }
+
     void aRecordOfTheCommandLineIsShown()
     {
         Bench bench;

@@ -4,9 +4,11 @@
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
 #include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/record_files.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/page/page_tabs.h"
 
+#include <QAction>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -172,6 +174,11 @@ void verifyComplete(const QString& file)
     }
 }
 
+int filesOf(CaptureBench& bench)
+{
+    return bench.page.user.the<QTableView>("measurementFiles").model()->rowCount();
+}
+
 } // namespace
 
 /// The tab Measure while values are taken.
@@ -196,6 +203,26 @@ private Q_SLOTS:
         QCOMPARE(steps.model()->index(0, 3).data().toString(), QStringLiteral("0.00"));
         QCOMPARE(steps.model()->index(2, 3).data().toString(), QStringLiteral("0.36"));
         QVERIFY(bench.page.user.the("captureValues").isEnabled());
+    }
+
+    /// The measurement of one machine is not that of another.
+    void theValuesOfACaptureAreNotAddedToARecordThatWasOpenedMeanwhile()
+    {
+        CaptureBench bench;
+        bench.holdAfter = 1;
+        QVERIFY(bench.open() && bench.beginWithRegister());
+        QVERIFY(bench.hasTaken(1));
+        bench.page.picked = bench.page.file(QStringLiteral("other.axcal"),
+            QByteArray::fromStdString(recordText(test::recordOfFit())));
+        bench.page.user.the<QAction>("openRecordAction").trigger();
+        QTRY_VERIFY(filesOf(bench) > 0);
+        const int files = filesOf(bench);
+        bench.goOn();
+        QVERIFY(bench.hasTaken(6));
+        QTRY_COMPARE(bench.page.user.the<QLabel>("measureHint").text(),
+            QStringLiteral("runs.csv was captured for the record that was open before, and is not "
+                           "added to this one."));
+        QCOMPARE(filesOf(bench), files);
     }
 
     void theWindowStaysLiveAndReadyWhileValuesAreTaken()
