@@ -320,15 +320,23 @@ bool DrivePlan::differs() const
     return std::ranges::any_of(axes, &AxisPlan::differs);
 }
 
-const Error* DrivePlan::firstProblem() const
+/// What is not known comes before what is known and in the way.
+std::vector<PlanProblem> DriveLook::problems(bool allowsMissing) const
 {
-    for (const AxisPlan& axis : axes) {
-        if (axis.problem)
-            return &*axis.problem;
-        if (axis.obstacle)
-            return &*axis.obstacle;
-    }
-    return obstacle ? &*obstacle : nullptr;
+    std::vector<PlanProblem> problems;
+    if (problem && !(allowsMissing && isMissing()))
+        problems.push_back({{}, *problem});
+    if (!plan)
+        return problems;
+    for (std::size_t n = 0; n < plan->axes.size(); ++n)
+        if (plan->axes[n].problem)
+            problems.push_back({n, *plan->axes[n].problem});
+    for (std::size_t n = 0; n < plan->axes.size(); ++n)
+        if (plan->axes[n].obstacle)
+            problems.push_back({n, *plan->axes[n].obstacle, true});
+    if (plan->obstacle)
+        problems.push_back({{}, *plan->obstacle, true});
+    return problems;
 }
 
 Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& profile,

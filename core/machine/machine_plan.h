@@ -14,7 +14,7 @@ namespace axiscomp {
 /// How one axis differs from its machine file, and what brings it there.
 struct AxisPlan {
     std::string name; ///< as the machine file has it
-    int axis = 0;
+    int axis = -1; ///< -1: the drive has none of this name
     AxisStatus before;
     WriteRequest request; ///< what would be written
     WritePlan plan; ///< the axis has all of it when there are no changes
@@ -36,8 +36,25 @@ struct DrivePlan {
     std::optional<Error> obstacle;
 
     [[nodiscard]] bool differs() const;
-    /// The first reason why nothing may be written.
-    [[nodiscard]] const Error* firstProblem() const;
+};
+
+/// Why what a machine file says of a drive cannot be brought about.
+struct PlanProblem {
+    std::optional<std::size_t> axis; ///< of DrivePlan::axes; none: of the drive
+    Error error;
+    bool isObstacle = false; ///< it is known what differs, and cannot be written now
+};
+
+/// One drive of a machine: how it differs, or why that is not known. Neither: not asked yet.
+struct DriveLook {
+    std::optional<DrivePlan> plan;
+    std::optional<Error> problem;
+
+    /// It does not answer.
+    [[nodiscard]] bool isMissing() const { return problem && isUnreachable(problem->code); }
+    /// What must not be when the machine is written: a single one of any drive, and nothing is
+    /// written to all of them. allowsMissing: a drive that does not answer may be left out.
+    [[nodiscard]] std::vector<PlanProblem> problems(bool allowsMissing) const;
 };
 
 /// What a plan needs besides the drive.

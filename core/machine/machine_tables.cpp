@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/machine/machine_tables.h"
 
+#include "core/base/parallel.h"
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
 #include "core/metrology/fit/lookup_note.h"
 
 #include <algorithm>
+#include <thread>
+#include <utility>
 
 namespace axiscomp {
 
@@ -87,6 +90,25 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.lookupAt = *lookupAt;
     }
     return result;
+}
+
+std::vector<std::vector<MachineTable>> readMachineTables(const MachineFile& machine,
+    const std::filesystem::path& folder, const TableLayout& layout, const std::stop_token& stop)
+{
+    std::vector<std::vector<MachineTable>> tables;
+    std::vector<std::pair<std::size_t, std::size_t>> places; // drive and axis
+    for (const MachineDrive& drive : machine.drives) {
+        for (std::size_t axis = 0; axis < drive.axes.size(); ++axis)
+            places.emplace_back(tables.size(), axis);
+        tables.emplace_back(drive.axes.size());
+    }
+    forEachAtOnce(
+        places.size(), std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t index) {
+            const auto [drive, axis] = places[index];
+            tables[drive][axis] =
+                readMachineTable(machine.drives[drive].axes[axis], folder, layout, {}, stop);
+        });
+    return tables;
 }
 
 } // namespace axiscomp

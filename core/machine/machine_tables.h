@@ -34,4 +34,10 @@ struct MachineTable {
     const std::filesystem::path& folder, const TableLayout& layout, const std::string& axisTarget,
     const std::stop_token& stop = {});
 
+/// The same for every axis of every drive of a machine, in their order, several at the same time;
+/// what the axes are among their sources is not known yet. Takes long.
+[[nodiscard]] std::vector<std::vector<MachineTable>> readMachineTables(const MachineFile& machine,
+    const std::filesystem::path& folder, const TableLayout& layout,
+    const std::stop_token& stop = {});
+
 } // namespace axiscomp

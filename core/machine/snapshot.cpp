@@ -4,6 +4,7 @@
 #include "core/csv/calibration_csv.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
 #include "core/table/position_unit.h"
@@ -11,7 +12,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <span>
+#include <system_error>
+#include <utility>
 
 namespace axiscomp {
 
@@ -155,6 +159,59 @@ Result<DriveSnapshot> snapshotDrive(AxisCompensator& compensator, const DrivePro
     const std::string& endpoint, const OperationOptions& options)
 {
     return Snapshot(compensator, profile, options).take(endpoint);
+}
+
+Result<MachineSnapshot> joinSnapshots(std::string name, std::vector<DriveSnapshot> drives)
+{
+    std::ranges::sort(
+        drives, {}, [](const DriveSnapshot& snapshot) { return snapshot.drive.serialNumber; });
+    MachineFile machine{std::move(name), {}};
+    MachineSnapshot result;
+    for (DriveSnapshot& snapshot : drives) {
+        if (!snapshot.drive.axes.empty())
+            machine.drives.push_back(std::move(snapshot.drive));
+        std::ranges::move(snapshot.files, std::back_inserter(result.files));
+    }
+    // What is written must be a machine file: a drive that was named twice is none.
+    const std::string text = writeMachine(machine);
+    const MachineReading reading = readMachine(text);
+    if (!reading.machine)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "these drives make no machine: {problem}")
+                    .with("problem", textOf(reading.diagnostics.front()))}});
+    const ByteView bytes = asBytes(text);
+    result.files.push_back({machineFileName, Bytes(bytes.begin(), bytes.end())});
+    result.drives = machine.drives.size();
+    return result;
+}
+
+std::vector<std::string> replacedFiles(
+    const MachineSnapshot& snapshot, const std::filesystem::path& folder)
+{
+    std::vector<std::string> names;
+    for (const DriveSnapshot::TableFile& file : snapshot.files) {
+        std::error_code failed;
+        const auto kind = std::filesystem::symlink_status(folder / file.name, failed).type();
+        if (kind == std::filesystem::file_type::not_found)
+            continue;
+        const auto there = loadOrdinaryFile(folder / file.name, file.bytes.size());
+        if (!there || *there != file.bytes)
+            names.push_back(file.name);
+    }
+    return names;
+}
+
+Result<void> saveSnapshot(const MachineSnapshot& snapshot, const std::filesystem::path& folder)
+{
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        return fail(ErrorCode::FileNotWritable,
+            {{"file", Verbatim{folder.string()}}, {"reason", fileErrorReason(failed.value())}});
+    for (const DriveSnapshot::TableFile& file : snapshot.files)
+        AXISCOMP_CHECK(saveFile(folder / file.name, file.bytes));
+    return {};
 }
 
 } // namespace axiscomp

@@ -5,6 +5,8 @@
 #include "core/compensator/axis_compensator.h"
 #include "core/machine/machine_file.h"
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,5 +29,34 @@ struct DriveSnapshot {
 /// those of the link; SourceMissing for a table that is not looked up by all of its dimensions.
 [[nodiscard]] Result<DriveSnapshot> snapshotDrive(AxisCompensator& compensator,
     const DriveProfile& profile, const std::string& endpoint, const OperationOptions& options);
+
+/// The file of a snapshot that says which drive has which tables.
+inline constexpr const char* machineFileName = "machine.toml";
+
+/// A machine file and those of its tables, to stand in one folder. The same state of the same
+/// drives always gives the same bytes.
+struct MachineSnapshot {
+    std::vector<DriveSnapshot::TableFile> files; ///< the machine file is the last one
+    std::size_t drives = 0; ///< that the machine file names
+
+    /// Of the tables alone.
+    [[nodiscard]] std::size_t tables() const { return files.size() - 1; }
+};
+
+/// All drives as one machine, in the order of their serial numbers; those without a compensation
+/// are left out. name: of the machine, may be empty. Errors: InvalidArgument where the result would
+/// be no machine file: no drive is left, or one of them is there twice.
+[[nodiscard]] Result<MachineSnapshot> joinSnapshots(
+    std::string name, std::vector<DriveSnapshot> drives);
+
+/// Names of the files that saveSnapshot would replace by other bytes. What cannot be read counts as
+/// other bytes.
+[[nodiscard]] std::vector<std::string> replacedFiles(
+    const MachineSnapshot& snapshot, const std::filesystem::path& folder);
+
+/// Makes the folder where there is none; the machine file is written last, so that what it names is
+/// there. Errors: FileNotWritable.
+[[nodiscard]] Result<void> saveSnapshot(
+    const MachineSnapshot& snapshot, const std::filesystem::path& folder);
 
 } // namespace axiscomp

@@ -7,6 +7,7 @@
 #include "app/cli/session/machine_run.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/machine/machine_texts.h"
 
 #include <memory>
 #include <span>
@@ -60,7 +61,7 @@ void printPlans(Environment& environment, const MachineRun& run)
             if (!axis.problem && !axis.plan.changes.empty())
                 environment.print(planText(axis.plan, axis.before.axis) + "\n");
             table.add({drive.plan->drive.name, std::to_string(drive.plan->drive.serialNumber),
-                axis.name, differenceWords(axis), drive.endpoint});
+                axis.name, differenceText(axis).english(), drive.endpoint});
         }
     }
     environment.print(table.text(""));
@@ -82,33 +83,32 @@ void noteWarnings(Environment& environment, const MachineRun& run)
         }
 }
 
+std::string placeOf(const MachineDriveRun& drive, const PlanProblem& problem)
+{
+    return placeOf(drive)
+        + (problem.axis ? ", axis " + drive.plan->axes[*problem.axis].name : std::string());
+}
+
 /// Drives and axes of which nothing is known.
 void addProblems(Environment& environment, const MachineOptions& options, const MachineRun& run,
     Problems& problems)
 {
     for (const MachineDriveRun& drive : run.drives) {
-        if (drive.problem && drive.isMissing() && options.allowsMissing)
+        if (drive.isMissing() && options.allowsMissing)
             environment.warn(placeOf(drive) + " does not answer and is left out");
-        else if (drive.problem)
-            problems.add(placeOf(drive), *drive.problem);
-        for (const AxisPlan& axis : plannedAxes(drive))
-            if (axis.problem)
-                problems.add(placeOf(drive) + ", axis " + axis.name, *axis.problem);
+        for (const PlanProblem& problem : drive.problems(options.allowsMissing))
+            if (!problem.isObstacle)
+                problems.add(placeOf(drive, problem), problem.error);
     }
 }
 
 /// What is known to differ and cannot be written now.
 template <typename Report> void forEachObstacle(const MachineRun& run, Report report)
 {
-    for (const MachineDriveRun& drive : run.drives) {
-        if (!drive.plan)
-            continue;
-        for (const AxisPlan& axis : drive.plan->axes)
-            if (axis.obstacle)
-                report(placeOf(drive) + ", axis " + axis.name, *axis.obstacle);
-        if (drive.plan->obstacle)
-            report(placeOf(drive), *drive.plan->obstacle);
-    }
+    for (const MachineDriveRun& drive : run.drives)
+        for (const PlanProblem& problem : drive.problems(true))
+            if (problem.isObstacle)
+                report(placeOf(drive, problem), problem.error);
 }
 
 void planAndShow(
@@ -161,8 +161,8 @@ void printOutcomes(Environment& environment, const MachineRun& run)
         for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
             const AxisOutcome& outcome = drive.outcomes[n];
             table.add({drive.plan->drive.name, std::to_string(drive.plan->drive.serialNumber),
-                drive.plan->axes[n].name, outcomeWords(drive.plan->axes[n], outcome),
-                outcome.now ? heldWords(*outcome.now) : "not known",
+                drive.plan->axes[n].name, outcomeText(drive.plan->axes[n], outcome).english(),
+                outcome.now ? heldText(*outcome.now).english() : "not known",
                 outcome.now ? outcome.now->axis.stateWord : "not known"});
         }
     environment.print("\n" + table.text(""));

@@ -8,11 +8,9 @@
 #include "app/common/number_text.h"
 #include "core/base/parallel.h"
 #include "core/compensator/drive_summary.h"
-#include "core/io/local_file.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -21,7 +19,6 @@ namespace axiscomp::app {
 namespace {
 
 constexpr std::size_t mostAtOnce = 16;
-constexpr const char* machineFileName = "machine.toml";
 
 struct SnapshotOptions {
     DriveOptions drive;
@@ -66,51 +63,25 @@ Result<std::vector<DriveSnapshot>> snapshotsOf(
             return fail(std::move(snapshot).error());
         snapshots.push_back(*std::move(snapshot));
     }
-    std::ranges::sort(
-        snapshots, {}, [](const DriveSnapshot& snapshot) { return snapshot.drive.serialNumber; });
     return snapshots;
-}
-
-/// What is written must be a machine file: a drive that was named twice is none.
-Result<std::string> machineText(
-    const SnapshotOptions& options, const std::vector<DriveSnapshot>& snapshots)
-{
-    MachineFile machine{options.name, {}};
-    for (const DriveSnapshot& snapshot : snapshots)
-        if (!snapshot.drive.axes.empty())
-            machine.drives.push_back(snapshot.drive);
-    std::string text = writeMachine(machine);
-    const MachineReading reading = readMachine(text);
-    if (reading.machine)
-        return text;
-    return wrongUsage("these drives make no machine: " + message(reading.diagnostics.front()),
-        options.drive.command);
 }
 
 Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& options)
 {
     AXISCOMP_CHECK(needDrives(options.drive));
-    AXISCOMP_TRY(const auto snapshots, snapshotsOf(environment, options.drive));
-    AXISCOMP_TRY(const auto text, machineText(options, snapshots));
+    AXISCOMP_TRY(auto drives, snapshotsOf(environment, options.drive));
+    const std::size_t count = drives.size();
+    AXISCOMP_TRY(const auto snapshot, joinSnapshots(options.name, std::move(drives)));
     const std::filesystem::path folder(options.folder);
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        return fail(
-            ErrorCode::FileNotWritable, {{"file", options.folder}, {"reason", failed.message()}});
+    AXISCOMP_CHECK(saveSnapshot(snapshot, folder));
     Json files = Json::array();
-    for (const DriveSnapshot& snapshot : snapshots)
-        for (const DriveSnapshot::TableFile& file : snapshot.files) {
-            AXISCOMP_CHECK(saveFile(folder / file.name, file.bytes));
-            files.push_back(file.name);
-        }
-    // Last: what it names is there.
-    AXISCOMP_CHECK(saveFile(folder / machineFileName, asBytes(text)));
-    environment.document({{"output", (folder / machineFileName).string()},
-        {"drives", snapshots.size()}, {"tables", files}});
+    for (std::size_t n = 0; n < snapshot.tables(); ++n)
+        files.push_back(snapshot.files[n].name);
+    environment.document({{"output", (folder / machineFileName).string()}, {"drives", count},
+        {"tables", files}});
     environment.print("Wrote " + (folder / machineFileName).string() + ": "
-        + plural(snapshots.size(), "drive", "drives") + ", "
-        + plural(files.size(), "table", "tables") + ".\n");
+        + plural(count, "drive", "drives") + ", "
+        + plural(snapshot.tables(), "table", "tables") + ".\n");
     return ExitCode::Done;
 }
 

@@ -2,7 +2,6 @@
 #include "app/cli/output/machine_output.h"
 
 #include "app/cli/output/json_output.h"
-#include "app/common/number_text.h"
 
 namespace axiscomp::app {
 
@@ -22,48 +21,10 @@ Json switchJson(const std::optional<Switch>& switches)
 
 } // namespace
 
-std::string differenceWords(const AxisPlan& axis)
-{
-    if (axis.problem)
-        return "problem";
-    if (!axis.differs())
-        return "has all of this";
-    std::string fields;
-    for (const PlannedChange& change : axis.plan.changes)
-        fields += (fields.empty() ? "" : ", ") + change.field;
-    if (axis.isUnfinished)
-        fields += (fields.empty() ? "" : ", ") + std::string("unfinished write");
-    if (axis.switches)
-        fields += (fields.empty() ? "" : ", ") + std::string("Activation");
-    return "differs: " + fields;
-}
-
-std::string outcomeWords(const AxisPlan& axis, const AxisOutcome& outcome)
-{
-    if (outcome.problem)
-        return "failed";
-    if (outcome.report)
-        return outcome.activation ? "written and switched" : "written";
-    if (outcome.activation)
-        return "switched";
-    if (outcome.isAttempted || !axis.writes())
-        return "nothing to do";
-    return "not written";
-}
-
-std::string heldWords(const AxisStatus& status)
-{
-    if (status.setup.slot.empty())
-        return "no table";
-    if (!status.table)
-        return status.setup.slot + ", empty";
-    return status.setup.slot + (status.table->persistent ? ", persistent" : ", volatile") + ", CRC "
-        + hexText(status.table->crc);
-}
-
 Json toJson(const AxisPlan& axis)
 {
-    return {{"name", axis.name}, {"axis", axis.axis}, {"differs", axis.differs()},
+    return {{"name", axis.name}, {"axis", axis.axis < 0 ? Json(nullptr) : Json(axis.axis)},
+        {"differs", axis.differs()},
         {"plan", axis.problem ? Json(nullptr) : toJson(axis.plan)},
         {"switch", switchJson(axis.switches)}, {"unfinished", axis.isUnfinished},
         {"obstacle", problemJson(axis.obstacle)}, {"problem", problemJson(axis.problem)}};

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <thread>
 
 namespace axiscomp::app {
 
@@ -44,40 +43,24 @@ Result<void> select(MachineFile& machine, const MachineOptions& options)
     return {};
 }
 
-/// Every table of the run, by one number.
-struct TablePlace {
-    MachineDriveRun* drive;
-    std::size_t axis;
-};
-
-std::vector<TablePlace> tablePlaces(MachineRun& run)
-{
-    std::vector<TablePlace> places;
-    for (MachineDriveRun& drive : run.drives) {
-        drive.tables.resize(drive.wanted.axes.size());
-        for (std::size_t axis = 0; axis < drive.tables.size(); ++axis)
-            places.push_back({&drive, axis});
-    }
-    return places;
-}
-
 /// Errors: those of the first table that is none.
 Result<void> reportTables(
-    Environment& environment, const MachineOptions& options, const std::vector<TablePlace>& places)
+    Environment& environment, const MachineOptions& options, const MachineRun& run)
 {
     const Error* first = nullptr;
-    for (const TablePlace& place : places) {
-        const MachineTable& table = place.drive->tables[place.axis];
-        environment.diagnose(table.file.string(), table.problems);
-        for (const Text& line : table.report)
-            environment.console().note(table.file.string() + ": " + line.english());
-        if (!table.problem || table.isOpen)
-            continue;
-        environment.console().note(options.file + ":"
-            + std::to_string(place.drive->wanted.axes[place.axis].line)
-            + ": error: " + singleLine(sentence(*table.problem)));
-        first = first ? first : &*table.problem;
-    }
+    for (const MachineDriveRun& drive : run.drives)
+        for (std::size_t axis = 0; axis < drive.tables.size(); ++axis) {
+            const MachineTable& table = drive.tables[axis];
+            environment.diagnose(table.file.string(), table.problems);
+            for (const Text& line : table.report)
+                environment.console().note(table.file.string() + ": " + line.english());
+            if (!table.problem || table.isOpen)
+                continue;
+            environment.console().note(options.file + ":"
+                + std::to_string(drive.wanted.axes[axis].line)
+                + ": error: " + singleLine(sentence(*table.problem)));
+            first = first ? first : &*table.problem;
+        }
     return first ? Result<void>(fail(*first)) : Result<void>();
 }
 
@@ -124,21 +107,17 @@ Result<MachineRun> beginMachineRun(Environment& environment, const MachineOption
         return fail(machineError(options.file, reading));
     MachineFile& machine = *reading.machine;
     AXISCOMP_CHECK(select(machine, options));
+    auto tables = readMachineTables(machine,
+        std::filesystem::path(options.file).parent_path(), profile.layout,
+        environment.stopToken());
     MachineRun run{machine.name, {}};
-    for (MachineDrive& drive : machine.drives) {
-        run.drives.emplace_back();
-        run.drives.back().endpoint = shownEndpoint(drive.endpoint);
-        run.drives.back().wanted = std::move(drive);
+    for (std::size_t n = 0; n < machine.drives.size(); ++n) {
+        MachineDriveRun& drive = run.drives.emplace_back();
+        drive.endpoint = shownEndpoint(machine.drives[n].endpoint);
+        drive.wanted = std::move(machine.drives[n]);
+        drive.tables = std::move(tables[n]);
     }
-    const std::vector<TablePlace> places = tablePlaces(run);
-    const std::filesystem::path folder = std::filesystem::path(options.file).parent_path();
-    forEachAtOnce(
-        places.size(), std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t index) {
-            const TablePlace& place = places[index];
-            place.drive->tables[place.axis] = readMachineTable(place.drive->wanted.axes[place.axis],
-                folder, profile.layout, {}, environment.stopToken());
-        });
-    AXISCOMP_CHECK(reportTables(environment, options, places));
+    AXISCOMP_CHECK(reportTables(environment, options, run));
     return run;
 }
 

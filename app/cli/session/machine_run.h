@@ -21,16 +21,11 @@ struct MachineOptions {
 };
 
 /// A drive of the file: how it differs, and what became of it.
-struct MachineDriveRun {
+struct MachineDriveRun : DriveLook {
     MachineDrive wanted;
     std::string endpoint; ///< without a password
     std::vector<MachineTable> tables; ///< one for each axis
-    std::optional<DrivePlan> plan;
-    std::optional<Error> problem; ///< why there is no plan
     std::vector<AxisOutcome> outcomes; ///< of a plan that was carried out, one for each axis
-
-    /// It does not answer.
-    [[nodiscard]] bool isMissing() const { return problem && isUnreachable(problem->code); }
 };
 
 struct MachineRun {
