@@ -2,6 +2,7 @@
 #include "ui/compensation_wizard.h"
 
 #include "core/drive/drive_profile.h"
+#include "ui/controller/machine_controller.h"
 #include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_settings.h"
 #include "ui/dialogs/certificate_dialog.h"
@@ -11,6 +12,7 @@
 #include "ui/history/backup_dialog.h"
 #include "ui/judging/judge_page.h"
 #include "ui/measuring/measuring_actions.h"
+#include "ui/overview/machine_actions.h"
 #include "ui/overview/overview_dialog.h"
 #include "ui/page/action_panel.h"
 #include "ui/page/drive_bar.h"
@@ -76,6 +78,7 @@ struct CompensationWizard::Private {
 
     void connectParts();
     void connectRecord();
+    void connectMachine();
     void addShortcut(const QKeySequence& keys, std::function<void()> action);
     void addShortcuts();
     void start();
@@ -125,6 +128,7 @@ struct CompensationWizard::Private {
     DropFrame* dropFrame;
     FileActions files;
     MeasuringActions measuring;
+    MachineActions machine;
     WriteFlow writeFlow;
     UnsavedChangesGuard guard;
     MessagePresenter messages;
@@ -151,6 +155,9 @@ CompensationWizard::Private::Private(
     , dropFrame(new DropFrame(&wizard))
     , files(controller, settings, page->setup->dataField(), *options.profile, wizard)
     , measuring(controller, options, files, settings, wizard)
+    , machine(
+          controller, [this]() -> const FilePicker& { return files.picker(); },
+          [this] { return settings.folder(); }, wizard)
     , writeFlow(controller, *page->preview)
     , guard(controller, *page->messages)
     , messages(controller, *page->messages)
@@ -226,6 +233,7 @@ void CompensationWizard::Private::connectParts()
             page->tabs->setCurrentIndex(PageTabs::Write);
     });
     connectRecord();
+    connectMachine();
     const auto announce = [this] { announceTitle(); };
     connect(&controller, &WizardController::currentAxisChanged, &q, announce);
     connect(&controller, &WizardController::axesChanged, &q, announce);
@@ -252,6 +260,21 @@ void CompensationWizard::Private::connectRecord()
     addShortcut(QKeySequence::Save, [this] { recordActions.save(); });
     addShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { recordActions.saveAs(); });
     addShortcut(QKeySequence::Print, [this] { recordActions.report(); });
+}
+
+void CompensationWizard::Private::connectMachine()
+{
+    connect(menu, &PageMenu::openMachineRequested, &machine, &MachineActions::askAndOpen);
+    connect(menu, &PageMenu::planMachineRequested, &machine, &MachineActions::planAgain);
+    connect(menu, &PageMenu::closeMachineRequested, &machine, &MachineActions::close);
+    connect(&machine, &MachineActions::overviewRequested, &q, [this] { showOverview(); });
+    const auto offer = [this] {
+        const MachineController& state = controller.machine();
+        const bool isOpen = !state.path().isEmpty();
+        menu->showMachine(isOpen, isOpen && !state.isReading() && !state.isAsking());
+    };
+    for (const auto changed : {&MachineController::fileChanged, &MachineController::driftChanged})
+        connect(&controller.machine(), changed, &q, offer);
 }
 
 /// That of the tab which is shown.

@@ -5,6 +5,7 @@
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "ui/controller/axis_overview.h"
+#include "ui/controller/machine_controller.h"
 #include "ui/controller/multi_axis_controller.h"
 #include "ui/controller/parameter_export.h"
 #include "ui/controller/proof_follower.h"
@@ -42,6 +43,7 @@ struct WizardController::Parts {
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
         , overview(drives, axis, proof, tables, runner, overviewInterval(options))
+        , machine(*options.profile, drives, overview, runner)
         , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
     {
     }
@@ -60,6 +62,7 @@ struct WizardController::Parts {
     MultiAxisController multiAxis;
     ParameterExport parameterExport;
     AxisOverview overview;
+    MachineController machine;
     WizardActions actions;
 };
 
@@ -275,6 +278,11 @@ void WizardController::tryDrive(const QString& endpoint)
 AxisOverview& WizardController::overview()
 {
     return m_parts->overview;
+}
+
+MachineController& WizardController::machine()
+{
+    return m_parts->machine;
 }
 
 SetupModel& WizardController::setup()

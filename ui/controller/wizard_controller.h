@@ -26,6 +26,7 @@ namespace axiscomp::ui {
 
 class AxisOverview;
 class DriveConnection;
+class MachineController;
 class SetupHistory;
 
 /// Everything of the wizard but its widgets: which drives and axes there are, the setup of the
@@ -59,6 +60,8 @@ public:
     void tryDrive(const QString& endpoint);
     /// All axes of all drives.
     [[nodiscard]] AxisOverview& overview();
+    /// The machine file, and how all drives differ from it.
+    [[nodiscard]] MachineController& machine();
 
     // The setup of the current axis
     [[nodiscard]] SetupModel& setup();

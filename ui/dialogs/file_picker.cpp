@@ -20,7 +20,8 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
         || question.purpose == FileQuestion::Purpose::OpenConfiguration
         || question.purpose == FileQuestion::Purpose::OpenBackup
         || question.purpose == FileQuestion::Purpose::OpenRecord
-        || question.purpose == FileQuestion::Purpose::OpenPlan) {
+        || question.purpose == FileQuestion::Purpose::OpenPlan
+        || question.purpose == FileQuestion::Purpose::OpenMachine) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
     } else {

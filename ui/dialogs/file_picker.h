@@ -29,6 +29,7 @@ struct FileQuestion {
         OpenActiveTable,
         SaveTable,
         OpenPlan,
+        OpenMachine,
         SavePlan,
         SaveProgram,
         SaveValues, ///< that are captured: a file that is there goes on where it ends

@@ -2,7 +2,10 @@
 #include "ui/overview/overview_dialog.h"
 
 #include "ui/controller/axis_overview.h"
+#include "ui/controller/machine_controller.h"
 #include "ui/controller/wizard_controller.h"
+#include "ui/overview/drift_details.h"
+#include "ui/overview/machine_pane.h"
 #include "ui/overview/overview_model.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"
@@ -23,6 +26,7 @@
 #include <QTableView>
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp::ui {
 
@@ -37,10 +41,12 @@ protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
     {
         QStyledItemDelegate::initStyleOption(option, index);
-        const QVariant tone = index.data(OverviewModel::ToneRole);
-        if (index.column() == OverviewModel::State && tone.isValid()) {
+        const bool isOfFile = index.column() == OverviewModel::Machine;
+        const QVariant tone =
+            index.data(isOfFile ? OverviewModel::DriftToneRole : OverviewModel::ToneRole);
+        if ((index.column() == OverviewModel::State || isOfFile) && tone.isValid()) {
             option->backgroundBrush = fillColor(static_cast<Tone>(tone.toInt()), option->palette);
-            option->font.setBold(true);
+            option->font.setBold(!isOfFile);
         } else if (!index.data(OverviewModel::IsLiveRole).toBool()) {
             option->palette.setColor(QPalette::Text, mutedTextColor(option->palette));
         }
@@ -59,9 +65,12 @@ OverviewDialog::OverviewDialog(WizardController& controller, QWidget* parent)
     : QDialog(parent)
     , m_controller(controller)
     , m_overview(controller.overview())
+    , m_machine(controller.machine())
     , m_model(new OverviewModel(m_overview, this))
     , m_sorted(new QSortFilterProxyModel(this))
     , m_table(new QTableView)
+    , m_machinePane(new MachinePane(m_machine))
+    , m_drift(new DriftDetails)
     , m_note(new PlainLabel)
     , m_copy(new QAction(this))
     , m_copyButton(new QPushButton)
@@ -81,6 +90,7 @@ OverviewDialog::~OverviewDialog() = default;
 
 void OverviewDialog::build()
 {
+    m_model->showMachine(m_machine);
     m_sorted->setSourceModel(m_model);
     m_sorted->setSortRole(OverviewModel::SortRole);
     m_sorted->setSortLocaleAware(true);
@@ -115,7 +125,9 @@ void OverviewDialog::build()
         button->setAutoDefault(false);
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(10);
+    layout->addWidget(m_machinePane);
     layout->addWidget(m_table, 1);
+    layout->addWidget(m_drift);
     layout->addWidget(m_note);
     layout->addWidget(m_buttons);
     // All columns of two drives; not wider than the page that it belongs to.
@@ -138,6 +150,9 @@ void OverviewDialog::connectParts()
     connect(m_model, &QAbstractItemModel::dataChanged, this, &OverviewDialog::showChosen);
     connect(m_model, &QAbstractItemModel::modelReset, this, &OverviewDialog::selectCurrentAxis);
     connect(&m_controller, &WizardController::busyChanged, this, &OverviewDialog::showChosen);
+    connect(&m_machine, &MachineController::driftChanged, this, &OverviewDialog::showDrift);
+    connect(&m_machine, &MachineController::fileChanged, this, &OverviewDialog::showMachineColumn);
+    showMachineColumn();
 }
 
 void OverviewDialog::changeEvent(QEvent* event)
@@ -172,6 +187,8 @@ void OverviewDialog::retranslate()
     m_buttons->button(QDialogButtonBox::Close)->setText(tr("Close"));
     m_buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close the overview"));
     m_model->retranslate();
+    m_machinePane->retranslate();
+    m_drift->retranslate();
     showChosen();
 }
 
@@ -236,6 +253,35 @@ void OverviewDialog::showChosen()
     m_go->setEnabled(reason.isEmpty());
     m_go->setToolTip(reason.isEmpty() ? tr("Show this axis on the page") : reason);
     m_go->setAccessibleDescription(m_go->toolTip());
+    showDrift();
+}
+
+void OverviewDialog::showMachineColumn()
+{
+    m_table->setColumnHidden(OverviewModel::Machine, !m_machine.file());
+    showDrift();
+}
+
+/// Field by field, for the axis that is chosen.
+void OverviewDialog::showDrift()
+{
+    const int row = chosenRow();
+    if (row < 0 || !m_machine.file() || m_machine.file()->refusal)
+        return m_drift->clear();
+    const OverviewRow& chosen = m_overview.rows().at(static_cast<std::size_t>(row));
+    const AxisDrift drift = m_machine.driftOf(chosen.endpoint, chosen.axis);
+    std::vector<AxisEntry> axes;
+    std::ranges::copy_if(m_controller.axes(), std::back_inserter(axes),
+        [&](const AxisEntry& entry) { return entry.endpoint == chosen.endpoint; });
+    const MachineTable* table = nullptr;
+    if (drift.drive && drift.axis) {
+        const auto place = static_cast<std::size_t>(drift.drive - m_machine.drives().data());
+        table = &m_machine.file()->tables.at(place).at(*drift.axis);
+    }
+    const int axis = axisOf(row);
+    const QString name = axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label
+                                   : chosen.endpoint;
+    m_drift->showDrift(name, drift, table, axes);
 }
 
 void OverviewDialog::goToAxis()
@@ -252,15 +298,18 @@ void OverviewDialog::copy()
     const QItemSelectionModel* selection = m_table->selectionModel();
     QStringList lines;
     QStringList headings;
+    const auto isShown = [this](int column) { return !m_table->isColumnHidden(column); };
     for (int column = 0; column < OverviewModel::ColumnCount; ++column)
-        headings += cellText(m_sorted->headerData(column, Qt::Horizontal));
+        if (isShown(column))
+            headings += cellText(m_sorted->headerData(column, Qt::Horizontal));
     lines += headings.join(u'\t');
     for (int row = 0; row < m_sorted->rowCount(); ++row) {
         if (selection->hasSelection() && !selection->isRowSelected(row))
             continue;
         QStringList cells;
         for (int column = 0; column < OverviewModel::ColumnCount; ++column)
-            cells += cellText(m_sorted->index(row, column).data());
+            if (isShown(column))
+                cells += cellText(m_sorted->index(row, column).data());
         lines += cells.join(u'\t');
     }
     QGuiApplication::clipboard()->setText(lines.join(u'\n') + u'\n');

@@ -13,6 +13,9 @@ class QTableView;
 namespace axiscomp::ui {
 
 class AxisOverview;
+class DriftDetails;
+class MachineController;
+class MachinePane;
 class OverviewModel;
 class WizardController;
 
@@ -40,6 +43,8 @@ private:
     void retranslate();
     void selectCurrentAxis();
     void showChosen();
+    void showDrift();
+    void showMachineColumn();
     void goToAxis();
     void copy();
     /// Of the overview; -1: none.
@@ -50,9 +55,12 @@ private:
 
     WizardController& m_controller;
     AxisOverview& m_overview;
+    MachineController& m_machine;
     OverviewModel* m_model;
     QSortFilterProxyModel* m_sorted;
     QTableView* m_table;
+    MachinePane* m_machinePane;
+    DriftDetails* m_drift;
     QLabel* m_note;
     QAction* m_copy;
     QPushButton* m_copyButton;

@@ -3,6 +3,8 @@
 
 #include "core/metrology/record/kept_figures.h"
 #include "ui/controller/axis_overview.h"
+#include "ui/controller/machine_controller.h"
+#include "ui/overview/drift_text.h"
 #include "ui/text/message_text.h"
 #include "ui/text/state_text.h"
 #include "ui/text/translated_text.h"
@@ -94,6 +96,13 @@ OverviewModel::OverviewModel(const AxisOverview& overview, QObject* parent)
         [this](int row) { Q_EMIT dataChanged(index(row, 0), index(row, ColumnCount - 1)); });
 }
 
+void OverviewModel::showMachine(const MachineController& machine)
+{
+    m_machine = &machine;
+    connect(&machine, &MachineController::driftChanged, this, &OverviewModel::announceAll);
+    announceAll();
+}
+
 int OverviewModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : m_rows;
@@ -126,6 +135,12 @@ QVariant OverviewModel::data(const QModelIndex& index, int role) const
         if (row.isConnected() && row.status)
             return static_cast<int>(stateTone(row.status->axis.state));
         break;
+    case DriftToneRole:
+        if (const auto tone = m_machine
+                ? driftTone(m_machine->driftOf(row.endpoint, row.axis).state)
+                : std::nullopt)
+            return static_cast<int>(*tone);
+        break;
     default:
         break;
     }
@@ -138,7 +153,7 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     if (role == Qt::DisplayRole) {
         const std::array<QString, ColumnCount> titles{tr("Drive"), tr("Axis"), tr("State"),
-            tr("Table"), tr("Persistency"), tr("Flash left"), tr("Measured"), tr("Last proof"),
+            tr("Machine file"), tr("Table"), tr("Persistency"), tr("Flash left"), tr("Measured"), tr("Last proof"),
             tr("Last write")};
         return titles.at(static_cast<std::size_t>(section));
     }
@@ -147,6 +162,7 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
     if (role == Qt::ToolTipRole) {
         const std::array<QString, ColumnCount> tips{tr("The drive, and where it is"),
             tr("The axis of this drive"), tr("What the compensation does now"),
+            tr("Whether the axis has what the machine file says, and when it was compared"),
             tr("The table that the axis uses: its file and column where this window has written "
                "it, otherwise its place on the drive; and the checksum of its values"),
             tr("Whether the table survives a reboot"),
@@ -164,6 +180,11 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
 void OverviewModel::retranslate()
 {
     Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    announceAll();
+}
+
+void OverviewModel::announceAll()
+{
     if (m_rows > 0)
         Q_EMIT dataChanged(index(0, 0), index(m_rows - 1, ColumnCount - 1));
 }
@@ -189,7 +210,7 @@ QString OverviewModel::stateText(const OverviewRow& row)
     return row.status ? stateWord(row.status->axis) : tr("is being read …");
 }
 
-QString OverviewModel::text(const OverviewRow& row, int column)
+QString OverviewModel::text(const OverviewRow& row, int column) const
 {
     switch (column) {
     case Drive:
@@ -198,6 +219,10 @@ QString OverviewModel::text(const OverviewRow& row, int column)
         return row.axisName;
     case State:
         return stateText(row);
+    case Machine:
+        return m_machine && m_machine->file()
+            ? driftText(m_machine->driftOf(row.endpoint, row.axis))
+            : QString();
     case Table:
         return tableText(row);
     case Persistence:
@@ -215,7 +240,7 @@ QString OverviewModel::text(const OverviewRow& row, int column)
     }
 }
 
-QVariant OverviewModel::sortKey(const OverviewRow& row, int column)
+QVariant OverviewModel::sortKey(const OverviewRow& row, int column) const
 {
     switch (column) {
     case FlashLeft:
@@ -229,7 +254,7 @@ QVariant OverviewModel::sortKey(const OverviewRow& row, int column)
     }
 }
 
-QString OverviewModel::toolTip(const OverviewRow& row, int column)
+QString OverviewModel::toolTip(const OverviewRow& row, int column) const
 {
     if (column == Drive)
         return row.serialNumber != 0 ? tr("%1, serial number %2", "address of a drive")
@@ -240,6 +265,8 @@ QString OverviewModel::toolTip(const OverviewRow& row, int column)
         return row.driveProblem;
     if (column == State && row.problem)
         return errorText(*row.problem);
+    if (column == Machine)
+        return m_machine ? driftToolTip(m_machine->driftOf(row.endpoint, row.axis)) : QString();
     if (column > State && !row.isConnected() && row.status)
         return asReadText(row.read);
     if (column == Measured && row.measured)

@@ -18,6 +18,10 @@ PageMenu::PageMenu(QWidget* parent)
     , m_languageGroup(new QActionGroup(this))
     , m_systemLanguage(m_languages->addAction(QString()))
     , m_overview(addAction(QString()))
+    , m_machine(addMenu(QString()))
+    , m_openMachine(m_machine->addAction(QString()))
+    , m_planMachine(m_machine->addAction(QString()))
+    , m_closeMachine(m_machine->addAction(QString()))
     , m_writeSeveral(addAction(QString()))
     , m_importConfiguration(addAction(QString()))
     , m_exportConfiguration(addAction(QString()))
@@ -38,6 +42,15 @@ PageMenu::PageMenu(QWidget* parent)
     m_languages->setObjectName(QStringLiteral("languageMenu"));
     fillLanguages();
     m_overview->setObjectName(QStringLiteral("overviewAction"));
+    m_machine->setObjectName(QStringLiteral("machineMenu"));
+    m_machine->setToolTipsVisible(true);
+    m_openMachine->setObjectName(QStringLiteral("openMachineAction"));
+    m_planMachine->setObjectName(QStringLiteral("planMachineAction"));
+    m_closeMachine->setObjectName(QStringLiteral("closeMachineAction"));
+    connect(m_openMachine, &QAction::triggered, this, &PageMenu::openMachineRequested);
+    connect(m_planMachine, &QAction::triggered, this, &PageMenu::planMachineRequested);
+    connect(m_closeMachine, &QAction::triggered, this, &PageMenu::closeMachineRequested);
+    showMachine(false, false);
     m_writeSeveral->setObjectName(QStringLiteral("writeSeveralAction"));
     m_importConfiguration->setObjectName(QStringLiteral("importConfigurationAction"));
     m_exportConfiguration->setObjectName(QStringLiteral("exportConfigurationAction"));
@@ -106,6 +119,17 @@ void PageMenu::setExportEnabled(bool isEnabled)
                                    : tr("No table is selected."));
 }
 
+void PageMenu::showMachine(bool isOpen, bool mayPlan)
+{
+    m_planMachine->setEnabled(mayPlan);
+    m_planMachine->setToolTip(!isOpen ? tr("No machine file is open.")
+            : mayPlan ? tr("Read the machine file again and compare all drives with it")
+                      : tr("The drives are being compared."));
+    m_closeMachine->setEnabled(isOpen);
+    m_closeMachine->setToolTip(isOpen ? tr("The drives stay connected; nothing is changed")
+                                      : tr("No machine file is open."));
+}
+
 void PageMenu::showHistory(const QString& undo, const QString& redo)
 {
     m_undoText = undo;
@@ -143,6 +167,13 @@ void PageMenu::retranslate()
     m_systemLanguage->setText(tr("&System Language"));
     m_overview->setText(tr("&Overview of All Axes…") + QStringLiteral("\tCtrl+Shift+O"));
     m_overview->setToolTip(tr("State and table of each axis of all connected drives"));
+    m_machine->setTitle(tr("&Machine"));
+    m_openMachine->setText(tr("&Open Machine File…"));
+    m_openMachine->setToolTip(
+        tr("Compare all drives of a machine with the file that says which tables they have"));
+    m_planMachine->setText(tr("&Plan Again"));
+    m_closeMachine->setText(tr("&Close Machine File"));
+    showMachine(m_closeMachine->isEnabled(), m_planMachine->isEnabled());
     m_writeSeveral->setText(tr("&Write Several Axes…"));
     m_importConfiguration->setText(tr("&Import TAM Configuration…"));
     m_exportConfiguration->setText(tr("Export to &TAM Configuration…"));

@@ -28,6 +28,8 @@ public:
     void showLanguage(const QString& language);
     void showPreviewSkipped(bool isSkipped);
     void setExportEnabled(bool isEnabled);
+    /// A machine file is open, and can be read again.
+    void showMachine(bool isOpen, bool mayPlan);
     /// What can be undone and done again, a phrase each; empty: nothing, or not now.
     void showHistory(const QString& undo, const QString& redo);
     /// One of drivenActions.
@@ -42,6 +44,9 @@ Q_SIGNALS:
     void saveLogRequested();
     void guideRequested();
     void overviewRequested();
+    void openMachineRequested();
+    void planMachineRequested();
+    void closeMachineRequested();
     void exportRequested();
     void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
 
@@ -58,6 +63,10 @@ private:
     QActionGroup* m_languageGroup;
     QAction* m_systemLanguage;
     QAction* m_overview;
+    QMenu* m_machine;
+    QAction* m_openMachine;
+    QAction* m_planMachine;
+    QAction* m_closeMachine;
     QAction* m_writeSeveral;
     QAction* m_importConfiguration;
     QAction* m_exportConfiguration;

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/verify.h"
+#include "tests/ui/support/controller_fixture.h"
+#include "tests/ui/support/page_fixture.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/controller/machine_controller.h"
+#include "ui/overview/overview_model.h"
+#include "ui/style/contrast.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTreeView>
+
+namespace tst_machine {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::ControllerFixture;
+using test::DriveGate;
+using test::PageFixture;
+
+namespace {
+
+using Column = OverviewModel::Column;
+using State = AxisDrift::State;
+
+const QByteArray first1D = "X [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
+
+QByteArray driveSection(const QString& endpoint, int serialNumber)
+{
+    return "[[drive]]\nendpoint = \"" + endpoint.toUtf8()
+        + "\"\nserial = " + QByteArray::number(serialNumber) + "\n";
+}
+
+/// An axis that looks its table up by the position of the first one.
+QByteArray axisSection(const QByteArray& axis, const QByteArray& more = {})
+{
+    return "[[drive.axis]]\naxis = \"" + axis + "\"\nfile = \"first.csv\"\nsources = [\""
+        + QByteArray::fromStdString(test::masterX) + "\"]\n" + more;
+}
+
+/// The drives "Test-1" with X and Y and "Table-2" with C, and a file for X and C.
+struct Machine {
+    ControllerFixture bench;
+
+    Machine()
+    {
+        drivecomm::VirtualDriveOptions options;
+        options.name = "Table-2";
+        options.serialNumber = 4712;
+        options.axes = {{.name = "C"}};
+        bench.addDrive("http://c", options);
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), first1D));
+    }
+    [[nodiscard]] QString write(const QByteArray& drives)
+    {
+        return bench.file(QStringLiteral("mill.toml"), "version = 1\nname = \"Mill 7\"\n" + drives);
+    }
+    [[nodiscard]] QString writeBoth(const QByteArray& moreOfX = {}, int serialOfC = 4712)
+    {
+        return write(driveSection(QStringLiteral("http://x"), 4711) + axisSection("X", moreOfX)
+            + driveSection(QStringLiteral("http://c"), serialOfC) + axisSection("0"));
+    }
+    [[nodiscard]] MachineController& machine() { return bench->machine(); }
+    [[nodiscard]] AxisDrift drift(const char* endpoint, int axis)
+    {
+        return machine().driftOf(QLatin1StringView(endpoint), axis);
+    }
+    /// The drives have been compared.
+    [[nodiscard]] bool open(const QString& path)
+    {
+        machine().open(path);
+        return compared();
+    }
+    [[nodiscard]] bool compared()
+    {
+        return QTest::qWaitFor(
+            [this] {
+                return !machine().isReading() && !machine().isAsking()
+                    && std::ranges::all_of(machine().drives(),
+                        [](const MachineDriveState& drive) { return drive.look != nullptr; });
+            },
+            test::patienceMs);
+    }
+};
+
+} // namespace
+
+/// A machine file in the window: how each axis of all drives stands to it.
+class TestMachine : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void everyAxisOfTheFileIsComparedAndItsDrivesAreConnected()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        QCOMPARE(all.bench->endpoints(),
+            (QStringList{QStringLiteral("http://x"), QStringLiteral("http://c")}));
+        const AxisDrift x = all.drift("http://x", 0);
+        QCOMPARE(x.state, State::Differs);
+        QVERIFY(x.looked.isValid());
+        QVERIFY(x.plan);
+        QCOMPARE(x.plan->plan.changes.front().field, std::string("Table"));
+        QCOMPARE(all.drift("http://x", 1).state, State::NotInFile);
+        QCOMPARE(all.drift("http://c", 0).state, State::Differs);
+        QCOMPARE(all.drift("http://other", 0).state, State::NotInFile);
+    }
+
+    void comparingChangesNothing()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        const auto before = test::CompensatorFixture::stateOf(all.bench.drive().drive, 0);
+        QVERIFY(all.open(all.writeBoth("persistent = true\nactive = true\n")));
+        QCOMPARE(all.drift("http://x", 0).state, State::Differs);
+        QVERIFY(test::CompensatorFixture::stateOf(all.bench.drive().drive, 0) == before);
+    }
+
+    void theColumnSaysWhatDiffersAndSinceWhenThatIsKnown()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        OverviewModel model(all.bench->overview());
+        model.showMachine(all.machine());
+        QCOMPARE(model.index(0, Column::Machine).data().toString(), QString());
+        QVERIFY(all.open(all.writeBoth()));
+        const QString said = model.index(0, Column::Machine).data().toString();
+        QVERIFY2(said.startsWith(QStringLiteral("differs: Table, Dim1Source, Persistency · ")),
+            qPrintable(said));
+        QCOMPARE(model.index(1, Column::Machine).data().toString(),
+            QStringLiteral("not in the file"));
+        QCOMPARE(model.index(0, Column::Machine).data(OverviewModel::DriftToneRole).toInt(),
+            static_cast<int>(Tone::Warning));
+    }
+
+    void anotherSerialNumberIsRefused()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth({}, 4799)));
+        const AxisDrift drift = all.drift("http://c", 0);
+        QCOMPARE(drift.state, State::Problem);
+        QVERIFY(!drift.plan);
+        QCOMPARE(drift.look->problem->code, ErrorCode::OtherDrive);
+        QCOMPARE(all.drift("http://x", 0).state, State::Differs);
+    }
+
+    void anAxisThatTheDriveDoesNotHaveIsNoOther()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.write(
+            driveSection(QStringLiteral("http://x"), 4711) + axisSection("Z"))));
+        QCOMPARE(all.drift("http://x", 0).state, State::NotInFile);
+        const MachineDriveState& drive = all.machine().drives().front();
+        QCOMPARE(MachineController::driftOf(drive, 0).state, State::Problem);
+        QCOMPARE(drive.look->plan->axes[0].problem->code, ErrorCode::AxisNotFound);
+    }
+
+    void aDriveThatDoesNotAnswerHoldsUpNoOtherAndIsComparedWhenItDoes()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        all.bench.drive("http://c").gate.set(DriveGate::Mode::Gone);
+        QVERIFY(all.open(all.writeBoth()));
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::Differs);
+        QCOMPARE(all.drift("http://c", 0).state, State::Unreachable);
+        all.bench.drive("http://c").gate.set(DriveGate::Mode::Open);
+        QTRY_COMPARE(all.drift("http://c", 0).state, State::Differs);
+        all.bench.drive("http://c").gate.set(DriveGate::Mode::Gone);
+        all.machine().planAgain();
+        QTRY_COMPARE(all.drift("http://c", 0).state, State::Unreachable);
+        QVERIFY(!all.drift("http://c", 0).plan);
+    }
+
+    void aWriteOfThisWindowIsComparedByItself()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        all.bench.chooseMasterSources(1);
+        all.bench->openData(all.bench.path(QStringLiteral("first.csv")));
+        QVERIFY(all.bench.fileRead());
+        QTRY_VERIFY(all.bench->action(Action::Write).isEnabled);
+        QVERIFY(all.bench.planAndWrite());
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+        QCOMPARE(all.drift("http://c", 0).state, State::Differs);
+    }
+
+    void whatSomebodyElseChangesEndsWhatWasKnown()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.write(driveSection(QStringLiteral("http://x"), 4711)
+            + "[[drive.axis]]\naxis = \"Y\"\nno-table = true\nsources = [\"\"]\n")));
+        all.bench->overview().readNow();
+        QTRY_VERIFY(all.bench->overview().rows().at(1).status.has_value());
+        QTRY_COMPARE(all.drift("http://x", 1).state, State::AsFile);
+        const auto source = all.bench.drive().drive.readRegisters({test::masterX});
+        QVERIFY(source.has_value());
+        all.bench.drive().set(
+            "Axes[1]/Parameters/Compensations/Axis/Dim1Source", source->front().address);
+        all.bench->overview().readNow();
+        QTRY_COMPARE(all.drift("http://x", 1).state, State::Differs);
+    }
+
+    void anOperationDoesNotWaitForTheComparison()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.bench.prepare2D());
+        QVERIFY(all.open(all.writeBoth()));
+        DriveGate& gate = all.bench.drive().gate;
+        gate.set(DriveGate::Mode::Silent);
+        all.machine().planAgain();
+        QTRY_COMPARE(gate.waiting(), 1);
+        const int before = gate.exchanges();
+        all.bench->planWrite();
+        QTRY_VERIFY(gate.exchanges() > before); // long before the deadline of 20 s
+        QCOMPARE(gate.timeouts(), 0);
+        gate.set(DriveGate::Mode::Open);
+        QVERIFY(all.bench.idle());
+        QVERIFY(all.compared());
+        QCOMPARE(all.drift("http://x", 0).state, State::Differs);
+    }
+
+    void aFileThatIsReadAgainHasWhatItSaysNow()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        static_cast<void>(all.write("nonsense = 1\n"));
+        all.machine().planAgain();
+        QTRY_VERIFY(!all.machine().isReading());
+        QVERIFY(all.machine().file()->refusal);
+        QVERIFY(all.machine().drives().empty());
+        QCOMPARE(all.drift("http://x", 0).state, State::NotInFile);
+        QVERIFY(all.open(all.writeBoth()));
+        QCOMPARE(all.drift("http://x", 0).state, State::Differs);
+        all.machine().close();
+        QVERIFY(!all.machine().file());
+        QCOMPARE(all.bench->endpoints().size(), 2);
+    }
+
+    void aPersonOpensAFileAndSeesWhatDiffers()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), first1D));
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\nname = \"Mill 7\"\n" + driveSection(bench.served.url(), 1559)
+                + axisSection("X") + axisSection("Q"));
+        user.the<QAction>("openMachineAction").trigger();
+        QCOMPARE(bench.questions.back().purpose, FileQuestion::Purpose::OpenMachine);
+        QTRY_VERIFY(user.sees("overview"));
+        auto& table = user.the<QTableView>("overview");
+        QTRY_VERIFY(!table.isColumnHidden(Column::Machine));
+        QTRY_VERIFY(table.model()->index(0, Column::Machine).data().toString().startsWith(
+            QStringLiteral("differs: ")));
+        QTRY_VERIFY2(user.the<QLabel>("machineSummary")
+                         .text()
+                         .startsWith(QStringLiteral(
+                             "mill.toml (Mill 7): axes differ: 1, cannot be compared: 1. ")),
+            qPrintable(user.the<QLabel>("machineSummary").text()));
+        QVERIFY(user.sees("machineWarnings")); // of the axis that there is not
+        auto& rows = user.the<QTableWidget>("driftRows");
+        QTRY_COMPARE(rows.rowCount(), 3);
+        QCOMPARE(rows.item(0, 1)->text(), QStringLiteral("no table"));
+        QVERIFY2(rows.item(0, 2)->text().startsWith(QStringLiteral("first.csv: 3 points")),
+            qPrintable(rows.item(0, 2)->text()));
+        QVERIFY(user.click("closeMachine"));
+        QTRY_VERIFY(table.isColumnHidden(Column::Machine));
+        QVERIFY(!user.sees("driftDetails"));
+    }
+
+    void aFileWithMistakesSaysWhereTheyAre()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\n" + driveSection(bench.served.url(), 1559) + "[[drive.axis]]\nfyle = 1\n");
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("machineProblems"));
+        const QAbstractItemModel& problems = *user.the<QTreeView>("machineProblems").model();
+        QVERIFY(problems.rowCount() > 0);
+        bool isNamed = false;
+        for (int row = 0; row < problems.rowCount(); ++row)
+            isNamed = isNamed
+                || (problems.index(row, 0).data().toString() == QStringLiteral("6")
+                    && problems.index(row, 1).data().toString() == QStringLiteral("1")
+                    && problems.index(row, 2).data().toString().contains(QStringLiteral("file")));
+        QVERIFY(isNamed);
+        QVERIFY(!user.sees("driftDetails"));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestMachine)
+
+} // namespace tst_machine
+
+#include "tst_machine.moc"

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/dialogs/file_picker.h"
+
+#include <QObject>
+
+#include <functional>
+
+class QWidget;
+
+namespace axiscomp::ui {
+
+class WizardController;
+
+/// What the menu Machine does: asks for files and opens the dialogs that the page needs for it.
+class MachineActions : public QObject {
+    Q_OBJECT
+
+public:
+    /// All references must outlive this; window is what dialogs belong to. picker, folder: of the
+    /// moment.
+    MachineActions(WizardController& controller, std::function<const FilePicker&()> picker,
+        std::function<QString()> folder, QWidget& window);
+
+    /// Asks for a machine file and opens it.
+    void askAndOpen();
+    void open(const QString& path);
+    void planAgain();
+    void close();
+
+Q_SIGNALS:
+    /// Where it is seen how the drives differ.
+    void overviewRequested();
+
+private:
+    [[nodiscard]] QString startFolder() const;
+
+    WizardController& m_controller;
+    std::function<const FilePicker&()> m_picker;
+    std::function<QString()> m_folder;
+    QWidget& m_window;
+};
+
+} // namespace axiscomp::ui
