@@ -267,6 +267,8 @@ void CompensationWizard::Private::connectMachine()
     connect(menu, &PageMenu::openMachineRequested, &machine, &MachineActions::askAndOpen);
     connect(menu, &PageMenu::planMachineRequested, &machine, &MachineActions::planAgain);
     connect(menu, &PageMenu::closeMachineRequested, &machine, &MachineActions::close);
+    connect(menu, &PageMenu::applyMachineRequested, &machine, &MachineActions::apply);
+    connect(menu, &PageMenu::saveMachineRequested, &machine, &MachineActions::save);
     connect(&machine, &MachineActions::overviewRequested, &q, [this] { showOverview(); });
     const auto offer = [this] {
         const MachineController& state = controller.machine();
@@ -579,6 +581,7 @@ void CompensationWizard::Private::showOverview()
 {
     if (!overview) {
         overview = new OverviewDialog(controller, &q);
+        connect(overview, &OverviewDialog::applyRequested, &machine, &MachineActions::apply);
         connect(overview, &OverviewDialog::axisChosen, &q, [this](int index) {
             if (index != controller.currentAxis())
                 chooseAxis(index);

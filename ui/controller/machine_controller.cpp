@@ -3,8 +3,12 @@
 
 #include "ui/text/endpoint_text.h"
 #include "ui/text/message_text.h"
+#include "ui/text/value_text.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace axiscomp::ui {
@@ -39,16 +43,20 @@ std::filesystem::path OpenMachine::folder() const
 }
 
 MachineController::MachineController(const DriveProfile& profile, DriveList& drives,
-    const AxisOverview& overview, const OperationRunner& runner)
+    AxisState& axis, const AxisOverview& overview, OperationRunner& runner, WizardLog& log,
+    LastOutcome& outcome)
     : m_profile(profile)
     , m_drives(drives)
     , m_overview(overview)
     , m_runner(runner)
+    , m_application(drives, axis, runner, log, outcome)
+    , m_saving(profile, drives)
     , m_job([this](const Opening& opening) { take(opening); })
 {
     for (const auto changed : {&DriveList::drivesChanged, &DriveList::axesChanged})
         connect(&drives, changed, this, &MachineController::follow);
     connect(&overview, &AxisOverview::rowChanged, this, &MachineController::followRow);
+    connect(&m_application, &MachineApplication::ended, this, &MachineController::askAll);
     connect(
         &runner, &OperationRunner::busyChanged, this, &MachineController::followOperation);
 }
@@ -236,12 +244,12 @@ void MachineController::ask(std::size_t index)
     asking.stop.request_stop();
     asking = {std::stop_source(), ++m_number, false, connection->findings()->drive.serialNumber};
     drive.isBeingAsked = true;
-    const auto look = [file = m_file, index, &profile = m_profile,
+    const auto look = [file = m_file, index, &profile = m_profile, activates = m_activates,
                           store = connection->session().storeRoot()](AxisCompensator& compensator,
                           const OperationOptions& options) -> Result<Look> {
         auto made = std::make_shared<DriveLook>();
         auto plan = planDrive(compensator, profile, file->reading.machine->drives[index],
-            file->tables[index], {file->folder(), store, false}, options);
+            file->tables[index], {file->folder(), store, activates}, options);
         if (plan)
             made->plan = *std::move(plan);
         else
@@ -322,6 +330,74 @@ QDateTime MachineController::oldestLook() const
         if (drive.looked.isValid() && (!oldest.isValid() || drive.looked < oldest))
             oldest = drive.looked;
     return oldest;
+}
+
+void MachineController::askAll()
+{
+    for (std::size_t n = 0; n < m_machine.size(); ++n)
+        ask(n);
+}
+
+void MachineController::setActivates(bool activates)
+{
+    if (std::exchange(m_activates, activates) != activates)
+        askAll();
+}
+
+std::vector<MachineController::Obstacle> MachineController::obstacles(bool allowsMissing) const
+{
+    std::vector<Obstacle> obstacles;
+    for (const Drive& drive : m_machine)
+        for (const PlanProblem& problem :
+            drive.look ? drive.look->problems(allowsMissing) : std::vector<PlanProblem>())
+            obstacles.push_back({&drive, problem});
+    return obstacles;
+}
+
+bool MachineController::isToBeChanged(const AxisPlan& plan) const
+{
+    return !plan.problem && (plan.writes() || (m_activates && plan.switches.has_value()));
+}
+
+QString MachineController::applyObstacle(bool allowsMissing) const
+{
+    if (!m_file && !isReading())
+        return tr("No machine file is open.");
+    if (isReading())
+        return tr("The machine file is being read.");
+    if (m_file->refusal)
+        return errorText(*m_file->refusal);
+    if (m_application.isRunning())
+        return tr("The machine file is being applied.");
+    if (m_runner.task())
+        return tr("Wait for the end of the current operation.");
+    const auto isUnknown = [](const Drive& drive) {
+        return drive.isBeingAsked || (!drive.look && drive.isConnected);
+    };
+    if (std::ranges::any_of(m_machine, isUnknown))
+        return tr("The drives are being compared.");
+    const bool isLeftOut = std::ranges::any_of(m_machine, std::not_fn(&Drive::isConnected));
+    if (isLeftOut && !allowsMissing)
+        return tr("Not all drives of the file are among the connections.");
+    if (!obstacles(allowsMissing).empty())
+        return tr("Nothing is written while something stands in the way of a part of it.");
+    const bool isAnyChanged = std::ranges::any_of(m_machine, [this](const Drive& drive) {
+        return drive.look && drive.look->plan
+            && std::ranges::any_of(drive.look->plan->axes,
+                [this](const AxisPlan& plan) { return isToBeChanged(plan); });
+    });
+    return isAnyChanged ? QString() : tr("All drives have what the file says.");
+}
+
+void MachineController::apply()
+{
+    std::vector<MachineApplication::Planned> planned;
+    for (const Drive& drive : m_machine)
+        if (drive.isConnected && drive.look && drive.look->plan)
+            planned.push_back(
+                {drive.endpoint, qString(drive.look->plan->drive.name), drive.look});
+    m_application.start(QFileInfo(m_file->path).fileName(), std::move(planned),
+        {m_file->folder(), {}, m_activates});
 }
 
 } // namespace axiscomp::ui

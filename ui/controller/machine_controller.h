@@ -4,6 +4,8 @@
 #include "core/machine/machine_plan.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/axis_overview.h"
+#include "ui/controller/machine_application.h"
+#include "ui/controller/machine_saving.h"
 
 #include <QDateTime>
 #include <QObject>
@@ -59,9 +61,10 @@ struct AxisDrift {
 };
 
 /// The machine file that is open: its drives, asked at the same time on their sessions' threads,
-/// and how they differ from it. It changes nothing. A drive is compared when the file is opened,
+/// and how they differ from it. A drive is compared when the file is opened,
 /// when it answers again, after an operation of this window, and when the overview sees that an
-/// axis has become another one; an operation does not wait for that.
+/// axis has become another one; an operation does not wait for that. Nothing but apply() changes a
+/// drive.
 class MachineController : public QObject {
     Q_OBJECT
 
@@ -69,8 +72,9 @@ public:
     using Drive = MachineDriveState;
 
     /// All of these must outlive the controller.
-    MachineController(const DriveProfile& profile, DriveList& drives, const AxisOverview& overview,
-        const OperationRunner& runner);
+    MachineController(const DriveProfile& profile, DriveList& drives, AxisState& axis,
+        const AxisOverview& overview, OperationRunner& runner, WizardLog& log,
+        LastOutcome& outcome);
     ~MachineController() override;
 
     /// Reads the file and its tables, connects to its drives as far as the window is not, and
@@ -94,6 +98,27 @@ public:
     [[nodiscard]] AxisDrift driftOf(const QString& endpoint, std::optional<int> axis) const;
     /// When the first of what is known was looked at; none: nothing is known.
     [[nodiscard]] QDateTime oldestLook() const;
+
+    /// Compensations are to be switched as the file says (active): plans are made with that.
+    void setActivates(bool activates);
+    [[nodiscard]] bool activates() const { return m_activates; }
+    /// Everything that stands in the way of apply(), drive by drive. allowsMissing: drives that do
+    /// not answer may be left out.
+    struct Obstacle {
+        const MachineDriveState* drive = nullptr; ///< until the next driftChanged()
+        PlanProblem problem;
+    };
+    [[nodiscard]] std::vector<Obstacle> obstacles(bool allowsMissing) const;
+    /// Whether an axis would be written or switched.
+    [[nodiscard]] bool isToBeChanged(const AxisPlan& plan) const;
+    /// Why apply() is not possible now, a translated sentence; empty: it is.
+    [[nodiscard]] QString applyObstacle(bool allowsMissing) const;
+    /// Carries out what drives() say. application().ended() follows.
+    void apply();
+    [[nodiscard]] MachineApplication& application() { return m_application; }
+    [[nodiscard]] const MachineApplication& application() const { return m_application; }
+    /// Running drives to a machine file.
+    [[nodiscard]] MachineSaving& saving() { return m_saving; }
 
 Q_SIGNALS:
     void fileChanged(); ///< another one, read again, or being read
@@ -119,12 +144,15 @@ private:
     void ask(std::size_t index);
     void take(std::size_t index, int number, const Look& look);
     void put(std::size_t index, const Look& look);
+    void askAll();
     void stopAsking();
 
     const DriveProfile& m_profile;
     DriveList& m_drives;
     const AxisOverview& m_overview;
     const OperationRunner& m_runner;
+    MachineApplication m_application;
+    MachineSaving m_saving;
     NewestJob<Opening> m_job;
     QString m_reading; ///< path of the file that is being read
     Opening m_file;
@@ -134,6 +162,7 @@ private:
     /// What the overview last said of an axis, by endpoint and index.
     std::map<std::pair<QString, int>, std::pair<CompensationSetup, bool>> m_seen;
     bool m_wasRunning = false;
+    bool m_activates = false;
 };
 
 } // namespace axiscomp::ui

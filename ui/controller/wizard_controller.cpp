@@ -43,7 +43,7 @@ struct WizardController::Parts {
         , multiAxis(*options.profile, drives, axis, setup, tables, runner, outcome)
         , parameterExport(drives, axis, outcome)
         , overview(drives, axis, proof, tables, runner, overviewInterval(options))
-        , machine(*options.profile, drives, overview, runner)
+        , machine(*options.profile, drives, axis, overview, runner, log, outcome)
         , actions(*options.profile, drives, axis, setup, sources, tables, runner, outcome)
     {
     }
@@ -192,6 +192,9 @@ void WizardController::wireOperations()
         &WizardController::multiAxisPlanned);
     connect(&m_parts->parameterExport, &ParameterExport::parametersRead, this,
         &WizardController::parametersRead);
+    // Who waits for the end of a write waits for all drives.
+    connect(&m_parts->machine.application(), &MachineApplication::ended, this,
+        &WizardController::busyChanged);
     connect(&m_parts->actions, &WizardActions::changed, this, &WizardController::actionsChanged);
     connect(&m_parts->outcome, &LastOutcome::changed, this, &WizardController::outcomeChanged);
 }
@@ -255,7 +258,7 @@ void WizardController::selectAxis(int index)
 {
     if (index < 0 || index >= static_cast<int>(axes().size()) || index == currentAxis())
         return;
-    if (m_parts->runner.task()) {
+    if (m_parts->runner.task() || m_parts->machine.application().isRunning()) {
         // What runs belongs to the axis that is shown; the field goes back to it.
         m_parts->outcome.refuse(
             [] { return tr("Wait for the current operation before selecting another axis."); });
@@ -679,7 +682,9 @@ void WizardController::reportExport(const QString& fileName, const Result<void>&
 
 void WizardController::cancel()
 {
-    if (m_parts->runner.task())
+    if (m_parts->machine.application().isRunning())
+        m_parts->machine.application().stop();
+    else if (m_parts->runner.task())
         m_parts->runner.cancel();
     else
         cancelReading();
@@ -692,7 +697,8 @@ const BusyState& WizardController::busy() const
 
 bool WizardController::isWriting() const
 {
-    return m_parts->runner.task() && isWrite(*m_parts->runner.task());
+    return m_parts->machine.application().isRunning()
+        || (m_parts->runner.task() && isWrite(*m_parts->runner.task()));
 }
 
 const std::optional<WritePlan>& WizardController::plan() const

@@ -24,6 +24,10 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
         || question.purpose == FileQuestion::Purpose::OpenMachine) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setDirectory(question.start);
+    } else if (question.purpose == FileQuestion::Purpose::SaveMachine) {
+        dialog->setFileMode(QFileDialog::Directory);
+        dialog->setOption(QFileDialog::ShowDirsOnly);
+        dialog->setDirectory(question.start);
     } else {
         const QFileInfo proposed(question.start);
         dialog->setAcceptMode(QFileDialog::AcceptSave);

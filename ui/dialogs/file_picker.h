@@ -30,6 +30,7 @@ struct FileQuestion {
         SaveTable,
         OpenPlan,
         OpenMachine,
+        SaveMachine, ///< a folder
         SavePlan,
         SaveProgram,
         SaveValues, ///< that are captured: a file that is there goes on where it ends

@@ -3,6 +3,8 @@
 
 #include "ui/controller/machine_controller.h"
 #include "ui/controller/wizard_controller.h"
+#include "ui/overview/apply_machine_dialog.h"
+#include "ui/overview/save_machine_dialog.h"
 
 #include <QFileInfo>
 
@@ -50,6 +52,17 @@ void MachineActions::planAgain()
 void MachineActions::close()
 {
     m_controller.machine().close();
+}
+
+void MachineActions::apply()
+{
+    if (m_controller.machine().file() && !m_controller.machine().application().isRunning())
+        (new ApplyMachineDialog(m_controller, &m_window))->open();
+}
+
+void MachineActions::save()
+{
+    (new SaveMachineDialog(m_controller, m_picker(), startFolder(), &m_window))->open();
 }
 
 } // namespace axiscomp::ui

@@ -28,6 +28,10 @@ public:
     void open(const QString& path);
     void planAgain();
     void close();
+    /// Shows what applying the file would change; it is done from there.
+    void apply();
+    /// Running drives to a machine file.
+    void save();
 
 Q_SIGNALS:
     /// Where it is seen how the drives differ.

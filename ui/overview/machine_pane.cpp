@@ -27,6 +27,7 @@ MachinePane::MachinePane(MachineController& machine, QWidget* parent)
     , m_summary(new ToneLabel)
     , m_busy(new BusyMark)
     , m_planAgain(new QPushButton)
+    , m_apply(new QPushButton)
     , m_close(new QPushButton)
     , m_warnings(new WarningList)
     , m_problemModel(new ProblemModel(this))
@@ -35,6 +36,7 @@ MachinePane::MachinePane(MachineController& machine, QWidget* parent)
     setObjectName(QStringLiteral("machinePane"));
     build();
     connect(m_planAgain, &QPushButton::clicked, &machine, &MachineController::planAgain);
+    connect(m_apply, &QPushButton::clicked, this, &MachinePane::applyRequested);
     connect(m_close, &QPushButton::clicked, &machine, &MachineController::close);
     connect(&machine, &MachineController::fileChanged, this, &MachinePane::refresh);
     connect(&machine, &MachineController::fileChanged, this, &MachinePane::showProblems);
@@ -48,8 +50,9 @@ void MachinePane::build()
     m_summary->setObjectName(QStringLiteral("machineSummary"));
     m_summary->setWordWrap(true);
     m_planAgain->setObjectName(QStringLiteral("planAgain"));
+    m_apply->setObjectName(QStringLiteral("applyMachine"));
     m_close->setObjectName(QStringLiteral("closeMachine"));
-    for (QPushButton* button : {m_planAgain, m_close})
+    for (QPushButton* button : {m_planAgain, m_apply, m_close})
         button->setAutoDefault(false);
     m_warnings->setObjectName(QStringLiteral("machineWarnings"));
     m_problems->setObjectName(QStringLiteral("machineProblems"));
@@ -65,6 +68,7 @@ void MachinePane::build()
     head->addWidget(m_summary, 1);
     head->addWidget(m_busy);
     head->addWidget(m_planAgain);
+    head->addWidget(m_apply);
     head->addWidget(m_close);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -79,6 +83,9 @@ void MachinePane::retranslate()
     m_planAgain->setToolTip(
         tr("Reads the machine file and its tables again and compares all drives with them"));
     m_planAgain->setAccessibleDescription(m_planAgain->toolTip());
+    m_apply->setText(tr("&Apply…"));
+    m_apply->setToolTip(tr("Show what would be written to all drives, before anything is written"));
+    m_apply->setAccessibleDescription(m_apply->toolTip());
     m_close->setText(tr("Close Machine &File"));
     m_close->setToolTip(tr("The drives stay connected; nothing is changed"));
     m_close->setAccessibleDescription(m_close->toolTip());
@@ -96,6 +103,7 @@ void MachinePane::refresh()
             ? std::optional(Tone::Error)
             : std::nullopt);
     m_busy->setBusy(m_machine.isReading() || m_machine.isAsking());
+    m_apply->setEnabled(file && !file->refusal);
     m_planAgain->setEnabled(!m_machine.isReading() && !m_machine.isAsking());
     if (const QStringList now = warnings(); now != m_warnings->warnings())
         m_warnings->setWarnings(now);

@@ -25,6 +25,9 @@ public:
 
     void retranslate();
 
+Q_SIGNALS:
+    void applyRequested();
+
 private:
     void build();
     void refresh();
@@ -36,6 +39,7 @@ private:
     ToneLabel* m_summary;
     BusyMark* m_busy;
     QPushButton* m_planAgain;
+    QPushButton* m_apply;
     QPushButton* m_close;
     WarningList* m_warnings;
     ProblemModel* m_problemModel;

@@ -152,6 +152,7 @@ void OverviewDialog::connectParts()
     connect(&m_controller, &WizardController::busyChanged, this, &OverviewDialog::showChosen);
     connect(&m_machine, &MachineController::driftChanged, this, &OverviewDialog::showDrift);
     connect(&m_machine, &MachineController::fileChanged, this, &OverviewDialog::showMachineColumn);
+    connect(m_machinePane, &MachinePane::applyRequested, this, &OverviewDialog::applyRequested);
     showMachineColumn();
 }
 

@@ -31,6 +31,8 @@ public:
 Q_SIGNALS:
     /// Index into WizardController::axes().
     void axisChosen(int index);
+    /// Of the machine file.
+    void applyRequested();
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -21,6 +21,8 @@ PageMenu::PageMenu(QWidget* parent)
     , m_machine(addMenu(QString()))
     , m_openMachine(m_machine->addAction(QString()))
     , m_planMachine(m_machine->addAction(QString()))
+    , m_applyMachine(m_machine->addAction(QString()))
+    , m_saveMachine(m_machine->addAction(symbolIcon(Symbol::Save), QString()))
     , m_closeMachine(m_machine->addAction(QString()))
     , m_writeSeveral(addAction(QString()))
     , m_importConfiguration(addAction(QString()))
@@ -46,6 +48,10 @@ PageMenu::PageMenu(QWidget* parent)
     m_machine->setToolTipsVisible(true);
     m_openMachine->setObjectName(QStringLiteral("openMachineAction"));
     m_planMachine->setObjectName(QStringLiteral("planMachineAction"));
+    m_applyMachine->setObjectName(QStringLiteral("applyMachineAction"));
+    m_saveMachine->setObjectName(QStringLiteral("saveMachineAction"));
+    connect(m_applyMachine, &QAction::triggered, this, &PageMenu::applyMachineRequested);
+    connect(m_saveMachine, &QAction::triggered, this, &PageMenu::saveMachineRequested);
     m_closeMachine->setObjectName(QStringLiteral("closeMachineAction"));
     connect(m_openMachine, &QAction::triggered, this, &PageMenu::openMachineRequested);
     connect(m_planMachine, &QAction::triggered, this, &PageMenu::planMachineRequested);
@@ -125,6 +131,10 @@ void PageMenu::showMachine(bool isOpen, bool mayPlan)
     m_planMachine->setToolTip(!isOpen ? tr("No machine file is open.")
             : mayPlan ? tr("Read the machine file again and compare all drives with it")
                       : tr("The drives are being compared."));
+    m_applyMachine->setEnabled(isOpen);
+    m_applyMachine->setToolTip(isOpen
+            ? tr("Show what would be written to all drives, before anything is written")
+            : tr("No machine file is open."));
     m_closeMachine->setEnabled(isOpen);
     m_closeMachine->setToolTip(isOpen ? tr("The drives stay connected; nothing is changed")
                                       : tr("No machine file is open."));
@@ -172,6 +182,10 @@ void PageMenu::retranslate()
     m_openMachine->setToolTip(
         tr("Compare all drives of a machine with the file that says which tables they have"));
     m_planMachine->setText(tr("&Plan Again"));
+    m_applyMachine->setText(tr("&Apply…"));
+    m_saveMachine->setText(tr("&Save Machine File…"));
+    m_saveMachine->setToolTip(
+        tr("Running drives as a machine file with all tables, in a folder of your choice"));
     m_closeMachine->setText(tr("&Close Machine File"));
     showMachine(m_closeMachine->isEnabled(), m_planMachine->isEnabled());
     m_writeSeveral->setText(tr("&Write Several Axes…"));

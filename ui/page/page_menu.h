@@ -47,6 +47,8 @@ Q_SIGNALS:
     void openMachineRequested();
     void planMachineRequested();
     void closeMachineRequested();
+    void applyMachineRequested();
+    void saveMachineRequested();
     void exportRequested();
     void actionRequested(axiscomp::ui::Action action); ///< one of drivenActions
 
@@ -66,6 +68,8 @@ private:
     QMenu* m_machine;
     QAction* m_openMachine;
     QAction* m_planMachine;
+    QAction* m_applyMachine;
+    QAction* m_saveMachine;
     QAction* m_closeMachine;
     QAction* m_writeSeveral;
     QAction* m_importConfiguration;

@@ -8,7 +8,9 @@
 #include "ui/style/contrast.h"
 
 #include <QAction>
+#include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
 #include <QTreeView>
@@ -67,6 +69,15 @@ struct Machine {
     [[nodiscard]] AxisDrift drift(const char* endpoint, int axis)
     {
         return machine().driftOf(QLatin1StringView(endpoint), axis);
+    }
+    [[nodiscard]] bool apply()
+    {
+        bool hasEnded = false;
+        QObject context;
+        QObject::connect(&machine().application(), &MachineApplication::ended, &context,
+            [&] { hasEnded = true; });
+        machine().apply();
+        return QTest::qWaitFor([&] { return hasEnded; }, test::patienceMs);
     }
     /// The drives have been compared.
     [[nodiscard]] bool open(const QString& path)
@@ -278,6 +289,233 @@ private Q_SLOTS:
         QVERIFY(user.click("closeMachine"));
         QTRY_VERIFY(table.isColumnHidden(Column::Machine));
         QVERIFY(!user.sees("driftDetails"));
+    }
+
+    void applyingWritesWhatWasPlannedAndNothingElse()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth("persistent = true\n")));
+        QCOMPARE(all.machine().applyObstacle(false), QString());
+        QVERIFY(all.apply());
+        const auto& written = all.machine().application().drives();
+        QCOMPARE(written.size(), std::size_t(2));
+        for (const auto& drive : written) {
+            QVERIFY(!drive.problem);
+            QVERIFY(drive.outcomes.at(0).report.has_value());
+            QVERIFY(drive.outcomes[0].now->table.has_value());
+        }
+        QVERIFY(written[0].outcomes[0].now->table->persistent);
+        QVERIFY(!written[1].outcomes[0].now->table->persistent);
+        QVERIFY(!all.bench->isWriting());
+        QVERIFY(all.compared());
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+        QTRY_COMPARE(all.drift("http://c", 0).state, State::AsFile);
+        QCOMPARE(all.machine().applyObstacle(false),
+            QStringLiteral("All drives have what the file says."));
+    }
+
+    void thePageKnowsThatThisWindowHasChangedItsAxis()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        QVERIFY(all.apply());
+        QVERIFY(all.bench.readLive());
+        QCOMPARE(all.bench->outcome(),
+            QStringLiteral("mill.toml is applied. Written and verified: X · Test-1, 0 · Table-2."));
+        QVERIFY(!all.bench->isOutcomeAWarning());
+        QVERIFY(all.bench->status()->table.has_value());
+        QStringList said;
+        for (const LogLine& line : all.bench->log())
+            said += line.text();
+        const auto has = [&](const QString& words) {
+            return std::ranges::any_of(
+                said, [&](const QString& line) { return line.contains(words); });
+        };
+        QVERIFY(has(QStringLiteral("X · Test-1: written; it holds: ")));
+        QVERIFY(has(QStringLiteral("0 · Table-2: written; it holds: ")));
+        QVERIFY(!has(QStringLiteral("Another program")));
+    }
+
+    void nothingIsWrittenWhileAPartIsImpossible()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth({}, 4799)));
+        QVERIFY(!all.machine().applyObstacle(false).isEmpty());
+        QVERIFY(!all.machine().applyObstacle(true).isEmpty()); // it answers
+        QCOMPARE(all.machine().obstacles(true).size(), std::size_t(1));
+        QCOMPARE(all.machine().obstacles(true)[0].problem.error.code, ErrorCode::OtherDrive);
+    }
+
+    void aMissingDriveIsLeftOutOnlyWhenThatIsSaid()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        all.bench.drive("http://c").gate.set(DriveGate::Mode::Gone);
+        QVERIFY(all.open(all.writeBoth()));
+        QTRY_COMPARE(all.drift("http://c", 0).state, State::Unreachable);
+        QTRY_VERIFY(!all.machine().isAsking());
+        QVERIFY(!all.machine().applyObstacle(false).isEmpty());
+        QCOMPARE(all.machine().applyObstacle(true), QString());
+        QVERIFY(all.apply());
+        QCOMPARE(all.machine().application().drives().size(), std::size_t(1));
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+    }
+
+    void largeCorrectionsHaveToBeAcceptedInTheFile()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        static_cast<void>(all.bench.file(
+            QStringLiteral("first.csv"), "X [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
+        const QByteArray drive = driveSection(QStringLiteral("http://x"), 4711);
+        QVERIFY(all.open(all.write(drive + axisSection("X"))));
+        QVERIFY(!all.machine().applyObstacle(false).isEmpty());
+        QCOMPARE(all.machine().obstacles(false).at(0).problem.error.code,
+            ErrorCode::LargeCorrection);
+        QVERIFY(all.open(all.write(drive + axisSection("X", "accept-large = true\n"))));
+        QCOMPARE(all.machine().applyObstacle(false), QString());
+        QVERIFY(!all.drift("http://x", 0).plan->plan.largeCorrections.empty());
+    }
+
+    void activationsAreSwitchedOnlyWhenThatIsSaid()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth("active = true\n")));
+        QVERIFY(all.apply());
+        QVERIFY(!all.bench->status()->isOn());
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::Differs); // its activation
+        QVERIFY(all.compared());
+        QVERIFY(!all.machine().applyObstacle(false).isEmpty());
+        all.machine().setActivates(true);
+        QVERIFY(all.compared());
+        QTRY_COMPARE(all.machine().applyObstacle(false), QString());
+        QVERIFY(all.apply());
+        QVERIFY(all.bench->status()->isOn());
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+    }
+
+    void aStoppedApplicationPutsBackAndSaysSo()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        const auto before = test::CompensatorFixture::stateOf(all.bench.drive().drive, 0);
+        all.bench.drive().gate.holdUploads();
+        all.machine().apply();
+        QVERIFY(all.bench->isWriting());
+        QTRY_VERIFY(all.bench->busy().fraction > 0.1);
+        all.bench->cancel();
+        QTRY_VERIFY(!all.bench->isWriting());
+        QTRY_VERIFY(all.bench->isOutcomeAnError());
+        QVERIFY(test::CompensatorFixture::stateOf(all.bench.drive().drive, 0) == before);
+        QVERIFY2(all.bench->outcome().contains(QStringLiteral("Failed: X · Test-1")),
+            qPrintable(all.bench->outcome()));
+    }
+
+    void aSavedMachineIsWhatTheDrivesHave()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth("persistent = true\n")));
+        QVERIFY(all.apply());
+        QVERIFY(all.compared());
+        MachineSaving& saving = all.machine().saving();
+        const QString folder = all.bench.path(QStringLiteral("saved"));
+        const QStringList drives{QStringLiteral("http://x"), QStringLiteral("http://c")};
+        saving.save(drives, QStringLiteral("Mill 7"), folder);
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Saved);
+        QCOMPARE(saving.snapshot()->tables(), std::size_t(2));
+        QVERIFY(all.open(folder + QStringLiteral("/machine.toml")));
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+        QCOMPARE(all.drift("http://c", 0).state, State::AsFile);
+        // The same state again is the same bytes: there is nothing to ask.
+        saving.save(drives, QStringLiteral("Mill 7"), folder);
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Saved);
+    }
+
+    void noFileIsReplacedWithoutAsking()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        const QStringList drives{QStringLiteral("http://x")};
+        const QString folder = all.bench.path(QString());
+        const QByteArray mine = "mine\n";
+        const QString file = all.bench.file(QStringLiteral("machine.toml"), mine);
+        const auto content = [&] {
+            QFile opened(file);
+            return opened.open(QIODevice::ReadOnly) ? opened.readAll() : QByteArray();
+        };
+        MachineSaving& saving = all.machine().saving();
+        saving.save(drives, {}, folder);
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Asking);
+        QCOMPARE(saving.replaced(), QStringList(QStringLiteral("machine.toml")));
+        QCOMPARE(content(), mine);
+        saving.replace();
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Saved);
+        QVERIFY(content().startsWith("version = 1\n"));
+    }
+
+    void aMachineWithoutOneOfItsDrivesIsNotSaved()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        all.bench.drive("http://c").gate.set(DriveGate::Mode::Gone);
+        MachineSaving& saving = all.machine().saving();
+        const QString folder = all.bench.path(QStringLiteral("saved"));
+        saving.save({QStringLiteral("http://x"), QStringLiteral("http://c")}, {}, folder);
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Failed);
+        QCOMPARE(saving.problemPlace(), QStringLiteral("http://c"));
+        QVERIFY(!QFile::exists(folder));
+    }
+
+    void aPersonSeesAllPlansBeforeAnythingIsWritten()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), first1D));
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\n" + driveSection(bench.served.url(), 1559) + axisSection("X"));
+        const auto before = bench.state();
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("overview"));
+        user.the<QAction>("applyMachineAction").trigger();
+        QTRY_VERIFY(user.sees("applyMachineDialog"));
+        QTRY_COMPARE(user.the<QTableWidget>("applyRows").rowCount(), 1);
+        QTRY_VERIFY(user.the("applyButton").isEnabled());
+        QVERIFY(user.the<QTableWidget>("applyRows").item(0, 2)->text().contains(
+            QStringLiteral("first.csv: 3 points")));
+        QVERIFY(bench.state() == before);
+        user.the<QPushButton>("applyButton").click();
+        QTRY_VERIFY(!user.sees("applyButton")); // it has ended
+        QCOMPARE(user.the<QTableWidget>("applyRows").item(0, 1)->text(), QStringLiteral("written"));
+        QVERIFY(user.the<QLabel>("applyReason").text().startsWith(
+            QStringLiteral("mill.toml is applied.")));
+        QVERIFY(!(bench.state() == before));
+        user.the<QPushButton>("closeApplyButton").click();
+        QTRY_VERIFY(!user.find("applyMachineDialog"));
+    }
+
+    void aPersonSavesTheDrivesOfAMachine()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.openWritten());
+        bench.picked = bench.path(QStringLiteral("mill"));
+        user.the<QAction>("saveMachineAction").trigger();
+        QTRY_VERIFY(user.sees("saveMachineDialog"));
+        QTRY_VERIFY(user.the("saveMachineButton").isEnabled());
+        user.the<QPushButton>("saveMachineButton").click();
+        QCOMPARE(bench.questions.back().purpose, FileQuestion::Purpose::SaveMachine);
+        QTRY_VERIFY(user.the<QLabel>("saveMachineReason")
+                        .text()
+                        .endsWith(QStringLiteral("machine.toml: drives: 1, tables: 1.")));
+        QVERIFY(QFile::exists(bench.path(QStringLiteral("mill/1559-axis0.csv"))));
     }
 
     void aFileWithMistakesSaysWhereTheyAre()

@@ -6,6 +6,7 @@
 #include "tests/ui/support/configuration_files.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/record_files.h"
+#include "ui/controller/machine_controller.h"
 #include "ui/page/page_tabs.h"
 #include "ui/plot/surface_view.h"
 
@@ -22,6 +23,7 @@
 #include <QTreeView>
 #include <QTreeWidget>
 
+#include <algorithm>
 #include <cmath>
 
 namespace axiscomp::test {
@@ -103,6 +105,116 @@ void overview(PageScene& scene)
         },
         "the drive that does not answer");
     showDialog(scene, "overviewAction", "overviewDialog");
+}
+
+/// Of two axes and a drive that does not answer; one axis is as the file says.
+QString machineFile(PageScene& scene, bool hasMissing)
+{
+    static_cast<void>(scene.stage().file(
+        QStringLiteral("y.csv"), "X [mm],Y error [um]\n0,0\n20,2.1\n40,-1\n"));
+    const QByteArray source = "[\"" + QByteArray::fromStdString(PageStage::masterPosition(0)) + "\"]\n";
+    QByteArray text = "version = 1\nname = \"Milling machine 7\"\n[[drive]]\nendpoint = \""
+        + PageStage::endpoint().toUtf8()
+        + "\"\nserial = 1559\n[[drive.axis]]\naxis = \"X\"\nno-table = true\n"
+          "[[drive.axis]]\naxis = \"Y\"\nfile = \"y.csv\"\npersistent = true\nactive = true\n"
+          "sources = "
+        + source;
+    if (hasMissing)
+        text += "[[drive]]\nendpoint = \"http://127.0.0.1:9\"\nserial = 1560\n[[drive.axis]]\n"
+                "axis = \"Z\"\nfile = \"y.csv\"\nsources = "
+            + source;
+    return scene.stage().file(QStringLiteral("machine.toml"), text);
+}
+
+void openMachineFile(PageScene& scene, bool hasMissing)
+{
+    scene.showDrive();
+    scene.page().setFilePicker(
+        [file = machineFile(scene, hasMissing)](QWidget&, const FileQuestion&,
+            const std::function<void(const QString&)>& answer) { answer(file); });
+    showDialog(scene, "openMachineAction", "overviewDialog");
+    const MachineController& machine = scene.controller().machine();
+    wait(
+        [&] {
+            return machine.file() && !machine.isAsking()
+                && std::ranges::all_of(machine.drives(),
+                    [](const MachineDriveState& drive) { return drive.look != nullptr; });
+        },
+        "the comparison");
+}
+
+void machineDrift(PageScene& scene)
+{
+    openMachineFile(scene, true);
+    scene.page().findChild<QTableView*>(QStringLiteral("overview"))->selectRow(1);
+    QTest::qWait(300);
+}
+
+void machineMistakes(PageScene& scene)
+{
+    scene.showDrive();
+    const QString file = scene.stage().file(QStringLiteral("machine.toml"),
+        "version = 1\n[[drive]]\nendpoint = \"http://192.168.1.20\"\nserial = 1559\n"
+        "[[drive.axis]]\naxis = \"X\"\nfyle = \"x.csv\"\npersistant = true\n");
+    scene.page().setFilePicker([file](QWidget&, const FileQuestion&,
+                                   const std::function<void(const QString&)>& answer) {
+        answer(file);
+    });
+    showDialog(scene, "openMachineAction", "overviewDialog");
+    QTest::qWait(300);
+}
+
+void applyMachine(PageScene& scene)
+{
+    openMachineFile(scene, false);
+    scene.page().findChild<QDialog*>(QStringLiteral("overviewDialog"))->close();
+    showDialog(scene, "applyMachineAction", "applyMachineDialog");
+    wait(
+        [&] {
+            return scene.page().findChild<QPushButton*>(QStringLiteral("applyButton"))->isEnabled();
+        },
+        "the plans");
+}
+
+/// Nothing is written while one drive does not answer.
+void applyMachineMissing(PageScene& scene)
+{
+    openMachineFile(scene, true);
+    scene.page().findChild<QDialog*>(QStringLiteral("overviewDialog"))->close();
+    showDialog(scene, "applyMachineAction", "applyMachineDialog");
+}
+
+void appliedMachine(PageScene& scene)
+{
+    applyMachine(scene);
+    scene.page().findChild<QPushButton*>(QStringLiteral("applyButton"))->click();
+    wait(
+        [&] {
+            return scene.page().findChild<QPushButton*>(QStringLiteral("applyButton"))->isHidden();
+        },
+        "the end");
+    QTest::qWait(300);
+}
+
+/// Where another file of this name is.
+void saveMachine(PageScene& scene)
+{
+    openMachineFile(scene, false);
+    scene.page().findChild<QDialog*>(QStringLiteral("overviewDialog"))->close();
+    scene.page().setFilePicker([folder = scene.stage().path(QString())](QWidget&,
+                                   const FileQuestion&,
+                                   const std::function<void(const QString&)>& answer) {
+        answer(folder);
+    });
+    showDialog(scene, "saveMachineAction", "saveMachineDialog");
+    scene.page().findChild<QPushButton*>(QStringLiteral("saveMachineButton"))->click();
+    wait(
+        [&] {
+            return scene.page()
+                .findChild<QPushButton*>(QStringLiteral("replaceMachineButton"))
+                ->isVisible();
+        },
+        "the question");
 }
 
 void backups(PageScene& scene)
@@ -1124,6 +1236,12 @@ const std::vector<SceneState>& sceneStates()
         {"preview-3d", preview3D},
         {"backups", backups},
         {"overview", overview},
+        {"machine-drift", machineDrift},
+        {"machine-mistakes", machineMistakes},
+        {"apply-machine", applyMachine},
+        {"apply-machine-missing", applyMachineMissing},
+        {"applied-machine", appliedMachine},
+        {"save-machine", saveMachine},
         {"guide", guide},
         {"large-corrections", largeCorrections},
         {"refused-angle", refusedAngle},

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controller/machine_application.h"
+
+#include "core/machine/machine_texts.h"
+#include "ui/text/message_text.h"
+#include "ui/text/translated_text.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <utility>
+
+namespace axiscomp::ui {
+
+namespace {
+
+QString axisOfDrive(const QString& drive, const std::string& axis)
+{
+    return QString::fromStdString(axis) + QStringLiteral(" · ") + drive;
+}
+
+Error connectionEnded(const QString& endpoint)
+{
+    return {ErrorCode::NotConnected,
+        {{"endpoint", endpoint.toStdString()},
+            {"reason", AXISCOMP_TEXT("Error", "the connection was ended")}},
+        {}};
+}
+
+struct Totals {
+    QStringList written;
+    QStringList failed;
+    QStringList untouched;
+    std::optional<Error> first;
+};
+
+Totals totalsOf(const std::vector<MachineApplication::Written>& drives)
+{
+    Totals totals;
+    for (const MachineApplication::Written& drive : drives) {
+        if (drive.problem) {
+            totals.failed += drive.planned.name;
+            totals.first = totals.first ? totals.first : drive.problem;
+        }
+        for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
+            const AxisPlan& plan = drive.planned.look->plan->axes[n];
+            const AxisOutcome& outcome = drive.outcomes[n];
+            const QString name = axisOfDrive(drive.planned.name, plan.name);
+            if (outcome.problem) {
+                totals.failed += name;
+                totals.first = totals.first ? totals.first : outcome.problem;
+            } else if (outcome.report || outcome.activation) {
+                totals.written += name;
+            } else if (!outcome.isAttempted && plan.writes()) {
+                totals.untouched += name;
+            }
+        }
+    }
+    return totals;
+}
+
+class ApplicationOutcome {
+    Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::MachineApplication)
+
+public:
+    [[nodiscard]] static Outcome of(
+        const QString& file, const std::vector<MachineApplication::Written>& drives)
+    {
+        const Totals totals = totalsOf(drives);
+        const auto listed = [](const QStringList& axes) {
+            return axes.join(QStringLiteral(", "));
+        };
+        if (!totals.first)
+            return {totals.written.isEmpty()
+                    ? tr("All drives already had what %1 says; nothing was written.").arg(file)
+                    : tr("%1 is applied. Written and verified: %2.")
+                          .arg(file, listed(totals.written)),
+                false, {}};
+        QStringList sentences{
+            tr("%1 is not applied as a whole: %2").arg(file, errorText(*totals.first)),
+            tr("Failed: %1.").arg(listed(totals.failed))};
+        if (!totals.written.isEmpty())
+            sentences += tr("Written and verified: %1.").arg(listed(totals.written));
+        if (!totals.untouched.isEmpty())
+            sentences += tr("Not written: %1.").arg(listed(totals.untouched));
+        sentences += tr("Applying it again does the rest.");
+        return {sentences.join(u' '), true, errorOutcome(*totals.first).detail};
+    }
+    [[nodiscard]] static QString ofAxis(
+        const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome)
+    {
+        const QString name = axisOfDrive(drive, plan.name);
+        const QString what = translated(outcomeText(plan, outcome));
+        const QString said = outcome.now
+            ? tr("%1: %2; it holds: %3.", "axis, what became of it, and its table")
+                  .arg(name, what, translated(heldText(*outcome.now)))
+            : tr("%1: %2; what it holds is not known.", "axis, and what became of it")
+                  .arg(name, what);
+        return outcome.problem ? said + u' ' + errorText(*outcome.problem) : said;
+    }
+};
+
+} // namespace
+
+MachineApplication::MachineApplication(DriveList& drives, AxisState& axis, OperationRunner& runner,
+    WizardLog& log, LastOutcome& outcome)
+    : m_drives(drives)
+    , m_axis(axis)
+    , m_runner(runner)
+    , m_log(log)
+    , m_outcome(outcome)
+{
+    connect(&drives, &DriveList::progressed, this, &MachineApplication::showProgress);
+    connect(&drives, &DriveList::removed, this, &MachineApplication::abandon);
+    // The outcome of the current drive is shown before that of all drives together.
+    connect(&runner, &OperationRunner::ended, this, &MachineApplication::endWhenDone);
+    connect(&runner, &OperationRunner::busyChanged, this, &MachineApplication::endWhenDone);
+}
+
+MachineApplication::~MachineApplication()
+{
+    m_stop.request_stop();
+}
+
+bool MachineApplication::isRunning() const
+{
+    return std::ranges::any_of(m_written, &Written::isUnderWay);
+}
+
+DriveConnection* MachineApplication::connectionOf(const QString& endpoint) const
+{
+    const auto& all = m_drives.connections();
+    const auto found = std::ranges::find(all, endpoint, &DriveConnection::endpoint);
+    return found == all.end() ? nullptr : *found;
+}
+
+void MachineApplication::start(
+    const QString& fileName, std::vector<Planned> drives, const MachineContext& context)
+{
+    ++m_run;
+    m_fileName = fileName;
+    m_isEnded = false;
+    m_stop = std::stop_source();
+    m_written.clear();
+    for (Planned& planned : drives) {
+        m_written.emplace_back();
+        m_written.back().planned = std::move(planned);
+        m_written.back().isUnderWay = true;
+    }
+    m_log.add(LogLine::Kind::Information,
+        [fileName] { return tr("Begin: applying the machine file %1.").arg(fileName); });
+    for (std::size_t n = 0; n < m_written.size(); ++n) {
+        DriveConnection* connection = connectionOf(m_written[n].planned.endpoint);
+        if (!connection || !connection->isConnected())
+            take(n, fail(connectionEnded(m_written[n].planned.endpoint)));
+        else if (connection == m_drives.connection() && m_drives.hasCurrent())
+            beginCurrent(n, context);
+        else
+            begin(n, context);
+    }
+    Q_EMIT progressed();
+    endWhenDone();
+}
+
+void MachineApplication::begin(std::size_t index, const MachineContext& context)
+{
+    DriveSession& session = connectionOf(m_written[index].planned.endpoint)->session();
+    MachineContext own = context;
+    own.storeRoot = session.storeRoot();
+    const auto apply = [look = m_written[index].planned.look, own](AxisCompensator& compensator,
+                           const OperationOptions& options) -> Result<Outcomes> {
+        return Outcomes(std::make_shared<const std::vector<AxisOutcome>>(
+            applyPlan(compensator, *look->plan, own, options)));
+    };
+    whenDone(session.run<Outcomes>(apply, m_stop.get_token()), this,
+        [this, index, run = m_run](const Result<Outcomes>& outcomes) {
+            if (run != m_run || !m_written[index].isUnderWay)
+                return;
+            take(index, outcomes);
+            endWhenDone();
+        });
+}
+
+/// The page sees that its drive is busy, and takes what the axis has afterwards as its own doing.
+void MachineApplication::beginCurrent(std::size_t index, const MachineContext& context)
+{
+    const Planned& planned = m_written[index].planned;
+    const auto look = planned.look;
+    m_runner.run<Outcomes>(
+        Task::WriteSeveral,
+        [look, context, shown = m_drives.currentAxis()](AxisCompensator& compensator,
+            const std::filesystem::path& store, const OperationOptions& options) {
+            MachineContext own = context;
+            own.storeRoot = store;
+            Outcomes outcomes = std::make_shared<const std::vector<AxisOutcome>>(
+                applyPlan(compensator, *look->plan, own, options));
+            OperationOptions quiet = options;
+            quiet.stop = {};
+            quiet.progress = {};
+            return OperationEnd<Outcomes>{
+                std::move(outcomes), readAxis(compensator, store, shown, quiet)};
+        },
+        [this, index, run = m_run](const OperationEnd<Outcomes>& end) {
+            m_runner.expect({}); // what the axis has now is downloaded
+            m_axis.take(end.now);
+            if (run == m_run && m_written[index].isUnderWay)
+                take(index, end.outcome);
+        },
+        [planned, file = m_fileName](const Result<Outcomes>& outcomes) {
+            Written written{planned};
+            if (outcomes)
+                written.outcomes = **outcomes;
+            else
+                written.problem = outcomes.error();
+            return ApplicationOutcome::of(file, {written});
+        },
+        [name = planned.name] { return name; });
+}
+
+void MachineApplication::take(std::size_t index, const Result<Outcomes>& outcomes)
+{
+    Written& written = m_written[index];
+    written.isUnderWay = false;
+    if (outcomes)
+        written.outcomes = **outcomes;
+    else
+        written.problem = outcomes.error();
+    note(written);
+    if (DriveConnection* connection = connectionOf(written.planned.endpoint);
+        connection && written.problem && isLinkFailure(written.problem->code))
+        connection->lose(*written.problem);
+    Q_EMIT progressed();
+}
+
+/// What was written to each axis stays in the log.
+void MachineApplication::note(const Written& written)
+{
+    const Planned& planned = written.planned;
+    if (written.problem)
+        m_log.add(LogLine::Kind::Error, [name = planned.name, error = *written.problem] {
+            return tr("%1: %2", "drive and problem").arg(name, errorText(error));
+        });
+    for (std::size_t n = 0; n < written.outcomes.size(); ++n)
+        m_log.add(
+            written.outcomes[n].problem ? LogLine::Kind::Error : LogLine::Kind::Information,
+            [planned, n, outcome = written.outcomes[n]] {
+                return ApplicationOutcome::ofAxis(
+                    planned.name, planned.look->plan->axes[n], outcome);
+            });
+}
+
+void MachineApplication::endWhenDone()
+{
+    if (m_isEnded || isRunning() || m_runner.task())
+        return;
+    m_isEnded = true;
+    m_outcome.show([file = m_fileName, drives = m_written] {
+        return ApplicationOutcome::of(file, drives);
+    });
+    Q_EMIT ended();
+}
+
+void MachineApplication::stop()
+{
+    if (!isRunning() || m_stop.stop_requested())
+        return;
+    m_stop.request_stop();
+    if (m_runner.task() == Task::WriteSeveral)
+        m_runner.cancel();
+    Q_EMIT progressed();
+}
+
+void MachineApplication::showProgress(
+    const DriveConnection* of, const QString& step, double fraction)
+{
+    for (Written& written : m_written) {
+        if (!written.isUnderWay || connectionOf(written.planned.endpoint) != of)
+            continue;
+        written.step = step;
+        written.fraction = fraction;
+        Q_EMIT progressed();
+    }
+}
+
+/// Nobody says any more what becomes of it.
+void MachineApplication::abandon(const DriveConnection* connection)
+{
+    for (std::size_t n = 0; n < m_written.size(); ++n)
+        if (m_written[n].isUnderWay && m_written[n].planned.endpoint == connection->endpoint())
+            take(n, fail(connectionEnded(connection->endpoint())));
+    endWhenDone();
+}
+
+double MachineApplication::fraction() const
+{
+    if (m_written.empty())
+        return 0.0;
+    double sum = 0.0;
+    for (const Written& written : m_written)
+        sum += written.isUnderWay ? std::min(written.fraction, 0.99) : 1.0;
+    return sum / static_cast<double>(m_written.size());
+}
+
+Outcome MachineApplication::outcome() const
+{
+    return ApplicationOutcome::of(m_fileName, m_written);
+}
+
+QString axisOutcomeText(const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome)
+{
+    return ApplicationOutcome::ofAxis(drive, plan, outcome);
+}
+
+} // namespace axiscomp::ui
