@@ -207,7 +207,8 @@ void MachineApplication::beginCurrent(std::size_t index, const MachineContext& c
                 take(index, end.outcome);
         },
         [planned, file = m_fileName](const Result<Outcomes>& outcomes) {
-            Written written{planned};
+            Written written;
+            written.planned = planned;
             if (outcomes)
                 written.outcomes = **outcomes;
             else
