@@ -56,7 +56,8 @@ void MachineActions::close()
 
 void MachineActions::apply()
 {
-    if (m_controller.machine().file() && !m_controller.machine().application().isRunning())
+    if (!m_controller.machine().path().isEmpty()
+        && !m_controller.machine().application().isRunning())
         (new ApplyMachineDialog(m_controller, &m_window))->open();
 }
 
