@@ -6050,6 +6050,14 @@
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
         <translation>in der Datei steht „{note}“; ein Kommentar, lookup: encoder oder lookup: set, sagt dort, für welche Seite der Kompensation die Tabelle erstellt wurde: diese Zeile korrigieren oder weglassen</translation>
     </message>
+    <message>
+        <source>these drives make no machine: {problem}</source>
+        <translation>diese Antriebe ergeben keine Maschine: {problem}</translation>
+    </message>
+    <message>
+        <source>the connection was ended</source>
+        <translation>die Verbindung wurde beendet</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -6111,6 +6119,85 @@
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
         <translation>Jede Toleranz ist eingehalten. Eine Tabelle kann die Achse noch verbessern: weiter mit Anpassen.</translation>
+    </message>
+</context>
+<context>
+    <name>Machine</name>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Dimensionality</source>
+        <translation>Dimensionalität</translation>
+    </message>
+    <message>
+        <source>Persistency</source>
+        <translation>Persistenz</translation>
+    </message>
+    <message>
+        <source>Dim{n}Source</source>
+        <translation>Dim{n}-Quelle</translation>
+    </message>
+    <message>
+        <source>problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>has all of this</source>
+        <translation>hat das alles</translation>
+    </message>
+    <message>
+        <source>unfinished write</source>
+        <translation>unterbrochener Schreibvorgang</translation>
+    </message>
+    <message>
+        <source>Activation</source>
+        <translation>Aktivierung</translation>
+    </message>
+    <message>
+        <source>differs: {fields}</source>
+        <translation>weicht ab: {fields}</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>written and switched</source>
+        <translation>geschrieben und geschaltet</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>geschrieben</translation>
+    </message>
+    <message>
+        <source>switched</source>
+        <translation>geschaltet</translation>
+    </message>
+    <message>
+        <source>nothing to do</source>
+        <translation>nichts zu tun</translation>
+    </message>
+    <message>
+        <source>not written</source>
+        <translation>nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>no table</source>
+        <translation>keine Tabelle</translation>
+    </message>
+    <message>
+        <source>{slot}, empty</source>
+        <translation>{slot}, leer</translation>
+    </message>
+    <message>
+        <source>{slot}, persistent, CRC {crc}</source>
+        <translation>{slot}, dauerhaft, CRC {crc}</translation>
+    </message>
+    <message>
+        <source>{slot}, volatile, CRC {crc}</source>
+        <translation>{slot}, flüchtig, CRC {crc}</translation>
     </message>
 </context>
 <context>
@@ -8146,6 +8233,154 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::ApplyMachineDialog</name>
+    <message>
+        <source>Apply Machine File</source>
+        <translation>Maschinendatei anwenden</translation>
+    </message>
+    <message>
+        <source>What %1 says is written to all drives that differ from it, or to none. Each axis is backed up first, verified, and put back when its write fails.</source>
+        <translation>Was in %1 steht, wird in alle Antriebe geschrieben, die davon abweichen, oder in keinen. Jede Achse wird zuerst gesichert, dann verifiziert und zurückgesetzt, wenn ihr Schreibvorgang misslingt.</translation>
+    </message>
+    <message>
+        <source>Also &amp;switch compensations on and off where the file says so</source>
+        <translation>Kompensationen auch ein- und ausschalten, wo die Datei es &amp;sagt</translation>
+    </message>
+    <message>
+        <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
+        <translation>Eingeschaltete Achsen werden nachgewiesen; ohne dies wird „active“ der Datei nur verglichen</translation>
+    </message>
+    <message>
+        <source>Leave &amp;out drives that do not answer</source>
+        <translation>Antriebe auslassen, die &amp;nicht antworten</translation>
+    </message>
+    <message>
+        <source>Otherwise nothing is written while one does not answer</source>
+        <translation>Sonst wird nichts geschrieben, solange einer nicht antwortet</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>In the machine file</source>
+        <translation>In der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation>Was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Apply</source>
+        <translation>&amp;Anwenden</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and remark</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>field and value</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>drive or axis, and warning</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>In a machine file that is “accept-large = true” of this axis.</source>
+        <translation>In einer Maschinendatei ist das „accept-large = true“ bei dieser Achse.</translation>
+    </message>
+    <message>
+        <source>This drive is not among the connections any more.</source>
+        <translation>Dieser Antrieb ist nicht mehr unter den Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>It holds</source>
+        <translation>Sie enthält</translation>
+    </message>
+    <message>
+        <source>What has become of each axis</source>
+        <translation>Was aus jeder Achse geworden ist</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>drive and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Uses no flash operation.</source>
+        <translation>Braucht keinen Flash-Vorgang.</translation>
+    </message>
+    <message>
+        <source>Flash operations in total: %1.</source>
+        <translation>Flash-Vorgänge insgesamt: %1.</translation>
+    </message>
+    <message>
+        <source>Stopping: each drive ends where it is safe …</source>
+        <translation>Wird angehalten: jeder Antrieb endet dort, wo es sicher ist …</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Write these to the drives now</source>
+        <translation>Das jetzt in die Antriebe schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Change nothing and go back (Esc)</source>
+        <translation>Nichts ändern und zurückgehen (Esc)</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>Anhal&amp;ten</translation>
+    </message>
+    <message>
+        <source>Stops the writes; those under way are rolled back (Esc)</source>
+        <translation>Hält das Schreiben an; was gerade läuft, wird rückgängig gemacht (Esc)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Go back to the page (Esc)</source>
+        <translation>Zurück zur Seite (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::AxisList</name>
     <message>
         <source>The drive %1 is not connected.</source>
@@ -9679,6 +9914,30 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::DriftDetails</name>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>On the drive</source>
+        <translation>Im Antrieb</translation>
+    </message>
+    <message>
+        <source>In the machine file</source>
+        <translation>In der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>How the axis differs from the machine file</source>
+        <translation>Wie die Achse von der Maschinendatei abweicht</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis, and how it stands to the machine file</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::DriftModel</name>
     <message>
         <source>Drift of the runs</source>
@@ -9766,6 +10025,115 @@
     <message>
         <source>How far each run lies beside the mean of its direction. A click or the arrow keys select a run.</source>
         <translation>Wie weit jeder Durchlauf neben dem Mittel seiner Richtung liegt. Ein Klick oder die Pfeiltasten wählen einen Durchlauf.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::DriftText</name>
+    <message>
+        <source>not in the file</source>
+        <comment>axis</comment>
+        <translation>nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>not among the connections</source>
+        <comment>drive</comment>
+        <translation>nicht unter den Verbindungen</translation>
+    </message>
+    <message>
+        <source>is being compared …</source>
+        <translation>wird verglichen …</translation>
+    </message>
+    <message>
+        <source>not reachable</source>
+        <comment>drive</comment>
+        <translation>nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>cannot be compared</source>
+        <translation>nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>as the file says</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>%1 (compared at %2)</source>
+        <comment>state and time</comment>
+        <translation>%1 (verglichen um %2)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>table and grid</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>persistent</source>
+        <comment>table</comment>
+        <translation>dauerhaft</translation>
+    </message>
+    <message>
+        <source>volatile</source>
+        <comment>table</comment>
+        <translation>flüchtig</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <comment>source</comment>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <comment>compensation</comment>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <comment>compensation</comment>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Earlier write</source>
+        <translation>Früheres Schreiben</translation>
+    </message>
+    <message>
+        <source>did not end</source>
+        <translation>nicht beendet</translation>
+    </message>
+    <message>
+        <source>is ended by the next write</source>
+        <translation>wird vom nächsten Schreiben beendet</translation>
+    </message>
+    <message>
+        <source>Compensation</source>
+        <translation>Kompensation</translation>
+    </message>
+    <message>
+        <source>%1D</source>
+        <translation>%1D</translation>
+    </message>
+    <message>
+        <source>%1 (serial number %2)</source>
+        <comment>address of a drive</comment>
+        <translation>%1 (Seriennummer %2)</translation>
+    </message>
+    <message>
+        <source>%1, axis %2</source>
+        <comment>drive and axis</comment>
+        <translation>%1, Achse %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>file and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <comment>file, line and problem</comment>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>This cannot be written now: %1</source>
+        <translation>Das kann jetzt nicht geschrieben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -11408,6 +11776,194 @@
     </message>
 </context>
 <context>
+    <name>axiscomp::ui::MachineActions</name>
+    <message>
+        <source>Open Machine File</source>
+        <translation>Maschinendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Machine files (*.toml)</source>
+        <translation>Maschinendateien (*.toml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MachineApplication</name>
+    <message>
+        <source>All drives already had what %1 says; nothing was written.</source>
+        <translation>Alle Antriebe hatten schon, was in %1 steht; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 is applied. Written and verified: %2.</source>
+        <translation>%1 ist angewendet. Geschrieben und verifiziert: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not applied as a whole: %2</source>
+        <translation>%1 ist nicht ganz angewendet: %2</translation>
+    </message>
+    <message>
+        <source>Failed: %1.</source>
+        <translation>Fehlgeschlagen: %1.</translation>
+    </message>
+    <message>
+        <source>Written and verified: %1.</source>
+        <translation>Geschrieben und verifiziert: %1.</translation>
+    </message>
+    <message>
+        <source>Not written: %1.</source>
+        <translation>Nicht geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Applying it again does the rest.</source>
+        <translation>Erneutes Anwenden erledigt den Rest.</translation>
+    </message>
+    <message>
+        <source>%1: %2; it holds: %3.</source>
+        <comment>axis, what became of it, and its table</comment>
+        <translation>%1: %2; sie enthält: %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2; what it holds is not known.</source>
+        <comment>axis, and what became of it</comment>
+        <translation>%1: %2; was sie enthält, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Begin: applying the machine file %1.</source>
+        <translation>Beginn: Anwenden der Maschinendatei %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>drive and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MachineController</name>
+    <message>
+        <source>No machine file is open.</source>
+        <translation>Keine Maschinendatei ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>The machine file is being read.</source>
+        <translation>Die Maschinendatei wird gelesen.</translation>
+    </message>
+    <message>
+        <source>The machine file is being applied.</source>
+        <translation>Die Maschinendatei wird angewendet.</translation>
+    </message>
+    <message>
+        <source>Wait for the end of the current operation.</source>
+        <translation>Warten Sie das Ende des laufenden Vorgangs ab.</translation>
+    </message>
+    <message>
+        <source>The drives are being compared.</source>
+        <translation>Die Antriebe werden verglichen.</translation>
+    </message>
+    <message>
+        <source>Not all drives of the file are among the connections.</source>
+        <translation>Nicht alle Antriebe der Datei sind unter den Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Nothing is written while something stands in the way of a part of it.</source>
+        <translation>Nichts wird geschrieben, solange einem Teil davon etwas im Weg steht.</translation>
+    </message>
+    <message>
+        <source>All drives have what the file says.</source>
+        <translation>Alle Antriebe haben, was in der Datei steht.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::MachinePane</name>
+    <message>
+        <source>&amp;Plan Again</source>
+        <translation>Neu &amp;planen</translation>
+    </message>
+    <message>
+        <source>Reads the machine file and its tables again and compares all drives with them</source>
+        <translation>Liest die Maschinendatei und ihre Tabellen neu und vergleicht alle Antriebe damit</translation>
+    </message>
+    <message>
+        <source>&amp;Apply…</source>
+        <translation>&amp;Anwenden…</translation>
+    </message>
+    <message>
+        <source>Show what would be written to all drives, before anything is written</source>
+        <translation>Zeigen, was in alle Antriebe geschrieben würde, bevor etwas geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Close Machine &amp;File</source>
+        <translation>Maschinendatei sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>The drives stay connected; nothing is changed</source>
+        <translation>Die Antriebe bleiben verbunden; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>Problems of the machine file</source>
+        <translation>Probleme der Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>as the file says: %1</source>
+        <comment>number of axes</comment>
+        <translation>wie in der Datei: %1</translation>
+    </message>
+    <message>
+        <source>differ: %1</source>
+        <comment>number of axes</comment>
+        <translation>abweichend: %1</translation>
+    </message>
+    <message>
+        <source>cannot be compared: %1</source>
+        <comment>number of axes</comment>
+        <translation>nicht vergleichbar: %1</translation>
+    </message>
+    <message>
+        <source>not reachable: %1</source>
+        <comment>number of axes</comment>
+        <translation>nicht erreichbar: %1</translation>
+    </message>
+    <message>
+        <source>not among the connections: %1</source>
+        <comment>number of axes</comment>
+        <translation>nicht unter den Verbindungen: %1</translation>
+    </message>
+    <message>
+        <source>not compared yet: %1</source>
+        <comment>number of axes</comment>
+        <translation>noch nicht verglichen: %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>file and machine</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: axes %2.</source>
+        <comment>machine file and numbers of axes</comment>
+        <translation>%1: Achsen %2.</translation>
+    </message>
+    <message>
+        <source>Compared at %1.</source>
+        <translation>Verglichen um %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>drive or axis, and what is wrong</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>This drive is not among the connections any more.</source>
+        <translation>Dieser Antrieb ist nicht mehr unter den Verbindungen.</translation>
+    </message>
+</context>
+<context>
     <name>axiscomp::ui::MeasurePage</name>
     <message>
         <source>Files</source>
@@ -12262,6 +12818,14 @@
         <source>The accuracy of the axis with this table and before, as the records of this computer have it</source>
         <translation>Die Genauigkeit der Achse mit dieser Tabelle und davor, wie die Protokolle dieses Rechners sie haben</translation>
     </message>
+    <message>
+        <source>Machine file</source>
+        <translation>Maschinendatei</translation>
+    </message>
+    <message>
+        <source>Whether the axis has what the machine file says, and when it was compared</source>
+        <translation>Ob die Achse hat, was in der Maschinendatei steht, und wann das verglichen wurde</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageMenu</name>
@@ -12380,6 +12944,58 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>State and table of each axis of all connected drives</source>
         <translation>Zustand und Tabelle jeder Achse aller verbundenen Antriebe</translation>
+    </message>
+    <message>
+        <source>No machine file is open.</source>
+        <translation>Keine Maschinendatei ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Read the machine file again and compare all drives with it</source>
+        <translation>Die Maschinendatei neu lesen und alle Antriebe damit vergleichen</translation>
+    </message>
+    <message>
+        <source>The drives are being compared.</source>
+        <translation>Die Antriebe werden verglichen.</translation>
+    </message>
+    <message>
+        <source>Show what would be written to all drives, before anything is written</source>
+        <translation>Zeigen, was in alle Antriebe geschrieben würde, bevor etwas geschrieben wird</translation>
+    </message>
+    <message>
+        <source>The drives stay connected; nothing is changed</source>
+        <translation>Die Antriebe bleiben verbunden; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Maschine</translation>
+    </message>
+    <message>
+        <source>&amp;Open Machine File…</source>
+        <translation>Maschinendatei &amp;öffnen…</translation>
+    </message>
+    <message>
+        <source>Compare all drives of a machine with the file that says which tables they have</source>
+        <translation>Alle Antriebe einer Maschine mit der Datei vergleichen, die sagt, welche Tabellen sie haben</translation>
+    </message>
+    <message>
+        <source>&amp;Plan Again</source>
+        <translation>Neu &amp;planen</translation>
+    </message>
+    <message>
+        <source>&amp;Apply…</source>
+        <translation>&amp;Anwenden…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Machine File…</source>
+        <translation>Maschinendatei &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Running drives as a machine file with all tables, in a folder of your choice</source>
+        <translation>Laufende Antriebe als Maschinendatei mit allen Tabellen, in einem Ordner Ihrer Wahl</translation>
+    </message>
+    <message>
+        <source>&amp;Close Machine File</source>
+        <translation>Maschinendatei s&amp;chließen</translation>
     </message>
 </context>
 <context>
@@ -13350,6 +13966,99 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Values: %1, excluded: %2 (✕). ↑ up, ↓ down.</source>
         <translation>Werte: %1, ausgeschlossen: %2 (✕). ↑ aufwärts, ↓ abwärts.</translation>
+    </message>
+</context>
+<context>
+    <name>axiscomp::ui::SaveMachineDialog</name>
+    <message>
+        <source>Save Machine File</source>
+        <translation>Maschinendatei speichern</translation>
+    </message>
+    <message>
+        <source>Writes machine.toml and the tables of all axes into a folder. The drives are only read.</source>
+        <translation>Schreibt machine.toml und die Tabellen aller Achsen in einen Ordner. Die Antriebe werden nur gelesen.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the machine (may be empty)</source>
+        <translation>&amp;Name der Maschine (darf leer sein)</translation>
+    </message>
+    <message>
+        <source>&amp;Drives</source>
+        <translation>Antrie&amp;be</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>Drives of the machine</source>
+        <translation>Antriebe der Maschine</translation>
+    </message>
+    <message>
+        <source>&amp;Replace These Files</source>
+        <translation>Diese Dateien e&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Save in Folder…</source>
+        <translation>In Ordner &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>Sch&amp;ließen</translation>
+    </message>
+    <message>
+        <source>Go back to the page (Esc)</source>
+        <translation>Zurück zur Seite (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 (does not answer)</source>
+        <comment>drive</comment>
+        <translation>%1 (antwortet nicht)</translation>
+    </message>
+    <message>
+        <source>No drive is chosen.</source>
+        <translation>Kein Antrieb ist gewählt.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: a machine file without one of its drives would be another machine.</source>
+        <translation>%1 antwortet nicht: eine Maschinendatei ohne einen ihrer Antriebe wäre eine andere Maschine.</translation>
+    </message>
+    <message>
+        <source>Wait for the end of the write.</source>
+        <translation>Warten Sie das Ende des Schreibens ab.</translation>
+    </message>
+    <message>
+        <source>Files that are there are not replaced unasked</source>
+        <translation>Vorhandene Dateien werden nicht ungefragt ersetzt</translation>
+    </message>
+    <message>
+        <source>The folder has other files of these names, which would be replaced: %1.</source>
+        <translation>Der Ordner hat andere Dateien dieser Namen, die ersetzt würden: %1.</translation>
+    </message>
+    <message>
+        <source>Reading the drives …</source>
+        <translation>Die Antriebe werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Saving …</source>
+        <translation>Wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Nothing is saved yet.</source>
+        <translation>Noch ist nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>drive and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Saved %1: drives: %2, tables: %3.</source>
+        <translation>%1 gespeichert: Antriebe: %2, Tabellen: %3.</translation>
+    </message>
+    <message>
+        <source>Folder for the Machine File</source>
+        <translation>Ordner für die Maschinendatei</translation>
     </message>
 </context>
 <context>

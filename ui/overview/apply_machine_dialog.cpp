@@ -142,7 +142,7 @@ void ApplyMachineDialog::retranslate()
     m_activates->setToolTip(
         tr("Axes that it switches on are proved; without it the file's “active” is only compared"));
     m_activates->setAccessibleDescription(m_activates->toolTip());
-    m_allowsMissing->setText(tr("&Leave out drives that do not answer"));
+    m_allowsMissing->setText(tr("Leave &out drives that do not answer"));
     m_allowsMissing->setToolTip(tr("Otherwise nothing is written while one does not answer"));
     m_allowsMissing->setAccessibleDescription(m_allowsMissing->toolTip());
     m_rows->setHorizontalHeaderLabels({tr("Axis"), tr("On the drive"), tr("In the machine file")});
