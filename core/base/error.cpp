@@ -67,6 +67,10 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT("Error", "the format {format} cannot hold this table: {reason}; {wayOut}")},
     ErrorRow{ErrorCode::SignNotConvertible, "SignNotConvertible", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error", "the sign cannot be converted at {position}: {reason}")},
+    ErrorRow{ErrorCode::SignNotStated, "SignNotStated", ErrorClass::Request,
+        AXISCOMP_TEXT("Error",
+            "nobody has published which sign files of the format {format} have; {sign} is an "
+            "assumption. Check one point on the machine, and state the sign: {statement}")},
     ErrorRow{ErrorCode::TargetNotKnown, "TargetNotKnown", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "it is not stated which axis the values of {column} correct, and the numbers depend on "

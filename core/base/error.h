@@ -35,6 +35,7 @@ enum class ErrorCode {
     FormatAmbiguous, ///< file, candidates
     FormatCannotHold, ///< format, reason, wayOut
     SignNotConvertible, ///< position, reason
+    SignNotStated, ///< format, sign (that is assumed), statement (how to state it)
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
     TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement
     UnitMismatch, ///< what, unit, other

@@ -208,23 +208,31 @@ Result<void> Converter::finish(
     return {};
 }
 
-void remarkOnSigns(const ConversionRequest& request, std::vector<Text>& remarks)
+Result<void> checkSignStated(
+    const FormatFacts& facts, bool isStated, std::string_view option, std::string_view entry)
 {
-    const auto remark = [&](const TableFormat& format, bool isOverruled) {
-        const FormatFacts& facts = format.facts;
-        if (!isOverruled && facts.signEvidence == Evidence::Assumed)
-            remarkOnce(remarks,
-                (facts.sign == SignConvention::Feedback
-                        ? AXISCOMP_TEXT("Error",
-                            "that files of the format {format} hold the feedback convention is "
-                            "an assumption: check one point on the machine")
-                        : AXISCOMP_TEXT("Error",
-                            "that files of the format {format} hold the command convention is an "
-                            "assumption: check one point on the machine"))
-                    .with("format", facts.name));
-    };
-    remark(*request.from, request.sourceSign.has_value());
-    remark(*request.to, request.targetSign.has_value());
+    if (isStated || !facts.needsSign())
+        return {};
+    const TextPattern where = entry.empty()
+        ? AXISCOMP_TEXT("Error", "in the field Sign, or with {option}")
+        : AXISCOMP_TEXT("Error",
+            "in the field Sign, with {option}, or as {entry} in a machine "
+            "file");
+    return fail(ErrorCode::SignNotStated,
+        {{"format", facts.name}, {"sign", signName(facts.sign)},
+            {"statement",
+                where.with("option", Verbatim{std::string(option)})
+                    .with("entry", Verbatim{std::string(entry)})}});
+}
+
+/// Within one format every number keeps its sign, whichever it is.
+Result<void> checkSigns(const ConversionRequest& request)
+{
+    if (request.from == request.to && !request.sourceSign && !request.targetSign)
+        return {};
+    AXISCOMP_CHECK(
+        checkSignStated(request.from->facts, request.sourceSign.has_value(), "--sign", "sign"));
+    return checkSignStated(request.to->facts, request.targetSign.has_value(), "--to-sign", {});
 }
 
 } // namespace
@@ -237,6 +245,7 @@ Result<Conversion> convertTables(
             {{"reason",
                 AXISCOMP_TEXT("Error", "the format {format} can be read, not written")
                     .with("format", request.to->facts.name)}});
+    AXISCOMP_CHECK(checkSigns(request));
     Conversion conversion;
     Converter converter(request, conversion.remarks);
     std::vector<NeutralTable> prepared;
@@ -252,7 +261,6 @@ Result<Conversion> convertTables(
     for (std::size_t n = 0; n < count; ++n)
         AXISCOMP_CHECK(
             converter.finish(prepared[n], conversion.written.held[n], conversion.tables[n]));
-    remarkOnSigns(request, conversion.remarks);
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;

@@ -23,7 +23,9 @@ struct WantedDeviation {
 struct ConversionRequest {
     const TableFormat* from = nullptr;
     const TableFormat* to = nullptr;
-    std::optional<SignConvention> sourceSign; ///< overrules what is known of the source's format
+    /// Overrules what is known of the source's format; needed where that is only assumed
+    /// (FormatFacts::needsSign).
+    std::optional<SignConvention> sourceSign;
     std::optional<SignConvention> targetSign; ///< likewise of the target's
     /// What the columns of each table correct (target_axis.h), one for all or one for each; empty:
     /// as the tables say.
@@ -57,7 +59,8 @@ struct Conversion {
 
 /// In this order: adjust the values, merge directions, resample, convert the sign, check that the
 /// target can hold it, write, and compare what the file says with the source under both
-/// controllers' rules. Errors: of each of these steps.
+/// controllers' rules. Errors: of each of these steps; SignNotStated before any of them where the
+/// sign of one of two formats is assumed and the request does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

@@ -74,6 +74,11 @@ struct FormatFacts {
     std::span<const FormatSetting> settings = {};
     std::span<const std::string_view> rules = {}; ///< sentences for docs/formats.md, published
     std::span<const std::string_view> assumptions = {}; ///< likewise; ours
+
+    /// Nobody has published the sign: a conversion is refused (SignNotStated) until the user says
+    /// it, with --sign or --to-sign, in the field Sign, or as sign in a machine file. signEvidence
+    /// alone decides that: a format says Assumed there and has nothing else to do.
+    [[nodiscard]] bool needsSign() const { return signEvidence == Evidence::Assumed; }
 };
 
 struct TableReadOptions {

@@ -337,9 +337,12 @@ void ConversionForm::fillItems()
     }
     m_format->setPlaceholderText(tr("choose the format"));
     const TableFormat* const chosen = format();
-    const QString usual = !chosen                        ? tr("as the format says")
-        : chosen->facts.sign == SignConvention::Feedback ? tr("as the format says: feedback")
-                                                         : tr("as the format says: command");
+    const bool isFeedback = chosen && chosen->facts.sign == SignConvention::Feedback;
+    const QString usual = !chosen   ? tr("as the format says")
+        : chosen->facts.needsSign() ? (isFeedback ? tr("choose one; feedback is assumed")
+                                                  : tr("choose one; command is assumed"))
+        : isFeedback                ? tr("as the format says: feedback")
+                                    : tr("as the format says: command");
     m_target->setItemText(
         0, m_purpose == Purpose::Import ? tr("as the file says") : tr("as the table says"));
     m_target->setItemText(1, tr("the first source"));

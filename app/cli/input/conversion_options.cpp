@@ -95,7 +95,8 @@ void addConversionOptions(CLI::App& command, ConversionOptions& options)
     command
         .add_option("--sign", options.sign,
             "Convention of the input: feedback (added to the encoder position) or command (added "
-            "to the commanded position); by default that of its format")
+            "to the commanded position); by default that of its format, needed where that is "
+            "assumed")
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);
@@ -177,7 +178,8 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options)
     const std::string group = "Conversion";
     command
         .add_option("--to-sign", options.toSign,
-            "Convention of the output: feedback or command; by default that of its format")
+            "Convention of the output: feedback or command; by default that of its format, needed "
+            "where that is assumed")
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);

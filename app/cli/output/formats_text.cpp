@@ -57,7 +57,8 @@ std::string signText(const FormatFacts& facts)
     const std::string words = facts.sign == SignConvention::Feedback
         ? "feedback: x_ref - x_enc, added to the encoder position"
         : "command: an offset added to the commanded position, the opposite sign";
-    return words + " (" + std::string(evidenceName(facts.signEvidence)) + ")";
+    return words + " (" + std::string(evidenceName(facts.signEvidence))
+        + (facts.needsSign() ? ": state it with `--sign`, or `--to-sign` for a new file)" : ")");
 }
 
 Lines factLines(const TableFormat& format)
@@ -187,7 +188,8 @@ std::string formatsPage()
         "With e = x_ref - x_enc, a *feedback* file holds +e, which the controller adds to the "
         "encoder position, and a\n*command* file holds the offset that is added to the commanded "
         "position: c(x) = -e(x + c(x)).\n`--sign feedback|command` overrules what is known of a "
-        "format.\n\n"
+        "format. Where the sign is assumed, it must be stated:\n`--sign` for a file that is read, "
+        "`--to-sign` for one that is written.\n\n"
         "| format | controller | use | dimensions | sign |\n|---|---|---|---|---|\n";
     for (const TableFormat* format : tableFormats()) {
         const FormatFacts& facts = format->facts;

@@ -80,7 +80,13 @@ void tst_EveryFormat::everyCommandTakesIt()
     const bool isPlane = format.facts.fewestDimensions == 2;
     const QStringList position = isPlane ? QStringList{"5", "5"} : QStringList{"15"};
     const QStringList table{isPlane ? "plane.csv" : "line.csv", "--dims", isPlane ? "2" : "1"};
-    const QStringList to = QStringList{"--target", isPlane ? "3" : "#1"} + settingsOf(format, true);
+    const QString side = QString::fromStdString(std::string(signName(format.facts.sign)));
+    const QStringList toSide =
+        format.facts.needsSign() ? QStringList{"--to-sign", side} : QStringList{};
+    const QStringList fromSide =
+        format.facts.needsSign() ? QStringList{"--sign", side} : QStringList{};
+    const QStringList to =
+        QStringList{"--target", isPlane ? "3" : "#1"} + settingsOf(format, true) + toSide;
     const Sandbox box;
     box.file("line.csv", line);
     box.file("plane.csv", plane);
@@ -111,8 +117,9 @@ void tst_EveryFormat::everyCommandTakesIt()
         write += {"--source2", test::positionSource(1)};
     const std::vector<QStringList> reading{QStringList{"inspect", "file"} + from,
         QStringList{"convert", "file", "back.csv", "--target", isPlane ? "3" : "#1"} + from
-            + linear,
-        QStringList{"lookup", "file"} + position + from + first, write + from + first + linear};
+            + fromSide + linear,
+        QStringList{"lookup", "file"} + position + from + first,
+        write + from + fromSide + first + linear};
     for (const QStringList& command : reading) {
         const ProgramRun run = box.run(command);
         if (!format.read) {

@@ -37,6 +37,7 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::FormatAmbiguous, 2},
     {ErrorCode::FormatCannotHold, 2},
     {ErrorCode::SignNotConvertible, 3},
+    {ErrorCode::SignNotStated, 2},
     {ErrorCode::TargetNotKnown, 2},
     {ErrorCode::TargetMismatch, 2},
     {ErrorCode::UnitMismatch, 2},

@@ -89,6 +89,11 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
     request.writing.layout = &layout();
     request.writing.settings = writeSettings(to.facts);
     request.writing.fileName = "table.txt";
+    // What a person has to say of formats whose sign nobody has published.
+    if (from.facts.needsSign())
+        request.sourceSign = from.facts.sign;
+    if (to.facts.needsSign())
+        request.targetSign = to.facts.sign;
     return request;
 }
 
@@ -354,13 +359,44 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "as you say"));
     }
 
-    void anAssumedSignIsARemark()
+    void anAssumedSignMustBeStated()
     {
         const std::array tables{exampleTable(1, SignConvention::Feedback)};
-        const auto conversion =
-            convertTables(tables, requestFor(calibration_csv::format(), siemens_cec::format()));
-        VERIFY_RESULT(conversion);
-        QVERIFY(contains(conversion->remarks, "is an assumption"));
+        ConversionRequest out = requestFor(calibration_csv::format(), siemens_cec::format());
+        out.targetSign.reset();
+        const auto refused = convertTables(tables, out);
+        VERIFY_ERROR(refused, ErrorCode::SignNotStated);
+        QVERIFY(test::mentions(sentence(refused.error()), "siemens-cec"));
+        QVERIFY(test::mentions(sentence(refused.error()), "--to-sign"));
+        for (const SignConvention sign : {SignConvention::Feedback, SignConvention::Command}) {
+            out.targetSign = sign;
+            const auto stated = convertTables(tables, out);
+            VERIFY_RESULT(stated);
+            QVERIFY(contains(conversionReport(*stated, out), "values, as you say"));
+        }
+
+        ConversionRequest in = requestFor(siemens_cec::format(), calibration_csv::format());
+        in.sourceSign.reset();
+        const auto unstated = convertTables(tables, in);
+        VERIFY_ERROR(unstated, ErrorCode::SignNotStated);
+        QVERIFY(test::mentions(sentence(unstated.error()), "with --sign, or as sign"));
+    }
+
+    void withinOneFormatAnAssumedSignIsKept()
+    {
+        std::array tables{exampleTable(1, SignConvention::Command)};
+        nameAxes(tables[0], siemens_cec::format());
+        ConversionRequest request = requestFor(siemens_cec::format(), siemens_cec::format());
+        request.sourceSign.reset();
+        request.targetSign.reset();
+        const auto kept = convertTables(tables, request);
+        VERIFY_RESULT(kept);
+        QVERIFY(test::largestDifference(
+                    kept->tables[0].result.columns[0].values, tables[0].columns[0].values)
+            < 1e-9);
+        // One of both stated: the other one counts as well.
+        request.targetSign = SignConvention::Feedback;
+        VERIFY_ERROR(convertTables(tables, request), ErrorCode::SignNotStated);
     }
 
     void aDriveGetsValuesInTheUnitOfThePositions()

@@ -33,6 +33,10 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
         if (setting.isNeeded && setting.forWriting)
             request.writing.settings[std::string(setting.key)] =
                 setting.kind == FormatSetting::Kind::Text ? "X" : "1000000";
+    if (from.facts.needsSign())
+        request.sourceSign = from.facts.sign;
+    if (to.facts.needsSign())
+        request.targetSign = to.facts.sign;
     return request;
 }
 

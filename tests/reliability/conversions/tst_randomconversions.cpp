@@ -248,6 +248,10 @@ std::optional<json> converted(Cases& cases, const Case& chosen, bool keepsSign)
     request.direction = chosen.choice;
     request.dropsWrap = read->tables.front().axes[0].wrap && !chosen.to->facts.holdsWrap;
     request.writing.settings = to.writing;
+    if (chosen.from->facts.needsSign())
+        request.sourceSign = chosen.from->facts.sign;
+    if (chosen.to->facts.needsSign())
+        request.targetSign = chosen.to->facts.sign;
     if (keepsSign)
         request.targetSign = chosen.from->facts.sign;
     const NeutralTable first = separateColumns(read->tables).front();

@@ -3,6 +3,7 @@
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/window_test.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -190,6 +191,25 @@ private Q_SLOTS:
         QTRY_VERIFY(mayAccept(bench));
         QVERIFY(reason(bench).isEmpty());
         QVERIFY(!report(bench).isEmpty());
+    }
+
+    void aSignThatNobodyHasPublishedIsChosen()
+    {
+        PageFixture bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("leadscrew compensation of one source")));
+        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("nobody has published")),
+            qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        QCOMPARE(bench.user.the<QComboBox>("signField").currentText(),
+            QStringLiteral("choose one; command is assumed"));
+        QVERIFY(chooseAt(bench, "signField", 2));
+        QTRY_VERIFY2(
+            reason(bench).contains(QStringLiteral("counts-per-unit")), qPrintable(reason(bench)));
+        QVERIFY(bench.user.click("setting_counts-per-unit"));
+        bench.user.type(QStringLiteral("10000"));
+        QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
+        QVERIFY(report(bench).contains(QStringLiteral("pmac-1d holds command values, as you say")));
     }
 
     void anExportedFileIsReadByCore()
