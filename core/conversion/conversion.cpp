@@ -92,6 +92,7 @@ private:
         NeutralTable table, TableConversion& conversion) const;
     [[nodiscard]] Result<NeutralTable> signConverted(
         NeutralTable table, TableConversion& conversion) const;
+    void remarkOnEnds(const TableConversion& conversion) const;
 
     /// A grid that was asked for is kept, and so is an even one where that is all the target takes.
     [[nodiscard]] ConvertedKnots knotsFor(const NeutralTable& table) const
@@ -190,6 +191,38 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     return result;
 }
 
+/// A controller that goes on beyond the ends, and another one that does not.
+void Converter::remarkOnEnds(const TableConversion& conversion) const
+{
+    const Outside from = m_request.from->facts.behaviour.outside;
+    const Outside to = m_request.to->facts.behaviour.outside;
+    if (from == to || (from != Outside::Extrapolate && to != Outside::Extrapolate))
+        return;
+    constexpr TextPattern held = AXISCOMP_TEXT("Error", "holds the end values");
+    constexpr TextPattern nothing = AXISCOMP_TEXT("Error", "applies nothing");
+    constexpr TextPattern goesOn = AXISCOMP_TEXT("Error", "goes on as in the last cell");
+    const auto words = [&](Outside outside) {
+        return outside == Outside::Extrapolate ? goesOn : outside == Outside::Zero ? nothing : held;
+    };
+    for (const ColumnDifference& difference : conversion.difference.columns) {
+        const CompensationColumn& column = conversion.source.columns[difference.columnA];
+        if (difference.where.empty())
+            continue;
+        remarkOnce(m_remarks,
+            AXISCOMP_TEXT("Error",
+                "beyond the ends of the table the controller of {from} {before}, and that of {to} "
+                "{after}: up to one cell beyond them, the corrections for {column} differ by at "
+                "most {largest}, at {place}")
+                .with("from", m_request.from->facts.name)
+                .with("before", words(from))
+                .with("to", m_request.to->facts.name)
+                .with("after", words(to))
+                .with("column", columnText(conversion.source, column))
+                .with("largest", quantityOf(difference.largest, column.unit))
+                .with("place", positionText(conversion.source, difference.where)));
+    }
+}
+
 Result<void> Converter::finish(
     const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const
 {
@@ -203,6 +236,7 @@ Result<void> Converter::finish(
         conversionDifference(
             source, m_request.from->facts.behaviour, held, m_request.to->facts.behaviour));
     conversion.difference = std::move(difference);
+    remarkOnEnds(conversion);
     noteRounding(prepared, held, conversion);
     conversion.result = std::move(held);
     return {};

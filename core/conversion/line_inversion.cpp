@@ -72,6 +72,68 @@ Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::siz
     return {};
 }
 
+/// By how much a mover moves its axis at most.
+double largestOffset(const NeutralTable& table, const Mover& mover)
+{
+    double largest = 0.0;
+    for (std::size_t index = 0; index < table.pointCount(); ++index)
+        largest = std::max(largest, std::abs(offsetAt(table, mover, index)));
+    return largest;
+}
+
+/// The table with a knot more at both ends of each axis that moves, where it goes on linearly.
+NeutralTable extended(
+    const NeutralTable& table, const std::vector<Mover>& movers, const Position& rooms)
+{
+    NeutralTable wide = table;
+    for (const Mover& mover : movers) {
+        std::vector<double>& knots = wide.axes[mover.axis].knots;
+        if (wide.axes[mover.axis].wrap)
+            continue;
+        knots.insert(knots.begin(), knots.front() - rooms[mover.axis]);
+        knots.push_back(knots.back() + rooms[mover.axis]);
+    }
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        const ControllerLookup applied(table, n, {.outside = Outside::Extrapolate});
+        std::vector<double> values(wide.pointCount());
+        for (std::size_t index = 0; index < values.size(); ++index) {
+            const Position position = knotPosition(wide, index);
+            values[index] = applied.at(std::span(position).first(wide.axes.size()));
+        }
+        wide.columns[n].values = std::move(values);
+    }
+    return wide;
+}
+
+/// The table with as much beyond its knots as the places of all knots can need: no correction
+/// within is larger than the room. Where that grows without an end, the slopes there are too steep.
+NeutralTable withRoomOutside(const NeutralTable& table, const std::vector<Mover>& movers)
+{
+    Position rooms{};
+    for (const Mover& mover : movers) {
+        const std::vector<double>& knots = table.axes[mover.axis].knots;
+        constexpr double little = 1e-3; // of a cell, where nothing moves
+        rooms[mover.axis] =
+            std::max(2.0 * largestOffset(table, mover), little * (knots[1] - knots[0]));
+    }
+    NeutralTable wide = extended(table, movers, rooms);
+    constexpr int mostSteps = 40;
+    for (int step = 0; step < mostSteps; ++step) {
+        bool isEnough = true;
+        for (const Mover& mover : movers) {
+            const double needed = largestOffset(wide, mover);
+            if (needed <= rooms[mover.axis])
+                continue;
+            isEnough = false;
+            rooms[mover.axis] = 2.0 * needed;
+        }
+        if (isEnough)
+            break;
+        wide = extended(table, movers, rooms);
+    }
+    return wide;
+}
+
 /// The leading principal minors of 1 - slopes.
 bool contracts(const SlopeMatrix& slopes)
 {
@@ -88,10 +150,12 @@ bool contracts(const SlopeMatrix& slopes)
 
 } // namespace
 
-LineInversion::LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first)
+LineInversion::LineInversion(
+    const NeutralTable& table, const Mover& mover, std::size_t first, Outside outside)
     : m_axis(table.axes[mover.axis])
     , m_first(first)
     , m_stride(strideOf(table, mover.axis))
+    , m_goesOn(outside == Outside::Extrapolate && !m_axis.wrap)
     , m_places(m_axis.knots)
 {
     for (std::size_t i = 0; i < m_axis.knots.size(); ++i)
@@ -118,11 +182,11 @@ LineInversion::Place LineInversion::placeOf(double sum) const
         const double turns = std::floor((sum - m_sums.front()) / *m_axis.wrap);
         sum -= turns * *m_axis.wrap;
     }
-    if (sum <= m_sums.front())
+    if (sum <= m_sums.front() && !m_goesOn)
         return {0, 0.0, sum - m_offsets.front()};
-    if (sum >= m_sums.back())
+    if (sum >= m_sums.back() && !m_goesOn)
         return {m_offsets.size() - 1, 0.0, sum - m_offsets.back()};
-    const auto above = std::ranges::upper_bound(m_sums, sum);
+    const auto above = std::upper_bound(m_sums.begin() + 1, m_sums.end() - 1, sum);
     const auto i = static_cast<std::size_t>(above - m_sums.begin()) - 1;
     const double fraction = (sum - m_sums[i]) / (m_sums[i + 1] - m_sums[i]);
     return {i, fraction, m_places[i] + fraction * (m_places[i + 1] - m_places[i])};
@@ -164,8 +228,11 @@ Result<void> checkInvertible(const NeutralTable& table, const Mover& mover)
     return {};
 }
 
-Result<SlopeMatrix> checkContraction(const NeutralTable& table, const std::vector<Mover>& movers)
+Result<SlopeMatrix> checkContraction(
+    const NeutralTable& table, const std::vector<Mover>& movers, Outside outside)
 {
+    if (outside == Outside::Extrapolate)
+        return checkContraction(withRoomOutside(table, movers), movers);
     SlopeMatrix slopes{};
     Slope steepest;
     std::size_t row = 0;

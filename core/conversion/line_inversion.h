@@ -6,18 +6,20 @@
 namespace axiscomp {
 
 /// z + f(z) along one line of knots, and the z that belongs to a given sum: exact, since f is
-/// linear between the knots. Beyond the knots f is held; on a modulo axis it repeats. Refers to the
-/// table.
+/// linear between the knots. Beyond the knots f is held, or goes on as in the first and the last
+/// cell (Outside::Extrapolate); on a modulo axis it repeats. Refers to the table.
 class LineInversion {
 public:
     struct Place {
         std::size_t knot = 0; ///< at or before the place
-        double fraction = 0.0; ///< of the way to the next one
+        /// Of the way to the next one; extrapolated it may be below 0 or above 1.
+        double fraction = 0.0;
         double position = 0.0; ///< z, on a modulo axis within its period
     };
 
     /// first: the index of the line's first point, as in CompensationColumn::values.
-    LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first);
+    LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first,
+        Outside outside = Outside::Hold);
 
     /// The knot behind which the sum does not increase.
     [[nodiscard]] std::optional<std::size_t> fault() const;
@@ -34,6 +36,7 @@ private:
     const SourceAxis& m_axis;
     std::size_t m_first;
     std::size_t m_stride;
+    bool m_goesOn; ///< beyond the knots
     std::vector<double> m_offsets; ///< f at the knots
     std::vector<double> m_places; ///< the knots; a modulo axis ends with the first one again
     std::vector<double> m_sums; ///< z + f(z) at these
@@ -49,8 +52,9 @@ using SlopeMatrix = std::array<std::array<double, 3>, 3>;
 /// move. The slopes df_n / dx_m of a table that is linear between knots are largest along the edges
 /// of its cells; with their sizes as a matrix M the differences of two iterations shrink as the
 /// powers of M do, whatever the units. They vanish when the principal minors of 1 - M are positive.
-/// Answers M. Errors: SignNotConvertible.
+/// A table that goes on beyond its knots (Outside::Extrapolate) becomes steeper there: looked at is
+/// as much of that as a place can need. Answers M. Errors: SignNotConvertible.
 [[nodiscard]] Result<SlopeMatrix> checkContraction(
-    const NeutralTable& table, const std::vector<Mover>& movers);
+    const NeutralTable& table, const std::vector<Mover>& movers, Outside outside = Outside::Hold);
 
 } // namespace axiscomp

@@ -15,14 +15,13 @@ namespace axiscomp {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// What the source says between and beyond its knots, whatever its controller does out there.
-constexpr TableBehaviour heldEnds{.outside = Outside::Hold};
-
 class SignConverter {
 public:
     SignConverter(const NeutralTable& source, const TableBehaviour& behaviour)
         : m_source(source)
         , m_behaviour(behaviour)
+        , m_ends{.outside = behaviour.outside == Outside::Extrapolate ? Outside::Extrapolate
+                                                                      : Outside::Hold}
     {
         m_result.table = source;
     }
@@ -45,6 +44,9 @@ private:
 
     const NeutralTable& m_source;
     TableBehaviour m_behaviour;
+    /// What the source says between and beyond its knots: where its controller applies nothing out
+    /// there, the ends are held.
+    TableBehaviour m_ends;
     SignConversion m_result;
 };
 
@@ -134,7 +136,7 @@ void SignConverter::noteEnds(std::size_t axis, double place)
     const double rounding = 8.0 * epsilon * std::abs(place);
     const bool isBefore = place < source.knots.front() - rounding;
     const bool isBehind = place > source.knots.back() + rounding;
-    const bool needsZero = m_behaviour.outside != Outside::Hold;
+    const bool needsZero = m_behaviour.outside == Outside::Zero;
     if (!source.wrap
         && ((isBefore && (needsZero || m_behaviour.startsAtFirst)) || (isBehind && needsZero)))
         m_result.usesHeldEnds = true;
@@ -149,7 +151,7 @@ void SignConverter::convertLines(const Mover& mover, const std::vector<std::size
     for (std::size_t first = 0; first < m_source.pointCount(); ++first) {
         if (first / stride % count != 0)
             continue;
-        const LineInversion line(m_source, mover, first);
+        const LineInversion line(m_source, mover, first, m_ends.outside);
         for (std::size_t i = 0; i < count; ++i) {
             const LineInversion::Place place =
                 line.placeOf(axis.knots[isClosed ? i % (count - 1) : i]);
@@ -193,11 +195,11 @@ Result<Position> SignConverter::fixedPoint(
 Result<void> SignConverter::convertJointly(
     const std::vector<Mover>& movers, const std::vector<std::size_t>& columns)
 {
-    AXISCOMP_TRY(const auto slopes, checkContraction(m_source, movers));
-    const Motion motion(m_source, heldEnds, movers);
+    AXISCOMP_TRY(const auto slopes, checkContraction(m_source, movers, m_ends.outside));
+    const Motion motion(m_source, m_ends, movers);
     std::vector<ControllerLookup> applied;
     for (const std::size_t column : columns)
-        applied.emplace_back(m_source, column, heldEnds);
+        applied.emplace_back(m_source, column, m_ends);
     for (std::size_t index = 0; index < m_source.pointCount(); ++index) {
         AXISCOMP_TRY(const auto place, fixedPoint(motion, slopes, knotPosition(m_source, index)));
         for (const Mover& mover : movers)
@@ -217,7 +219,7 @@ Result<double> SignConverter::largestResidual() const
     double largest = 0.0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         AXISCOMP_TRY(const auto movers, moversOf(m_source, ownAxes, table.columns[i].direction));
-        const ControllerLookup applied(m_source, i, heldEnds);
+        const ControllerLookup applied(m_source, i, m_ends);
         for (std::size_t index = 0; index < table.pointCount(); ++index) {
             Position place = knotPosition(table, index);
             for (const Mover& mover : movers)

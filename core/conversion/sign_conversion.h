@@ -37,7 +37,9 @@ enum class ConvertedKnots {
 ///   column of Both is moved by the mean of an axis's two directions.
 /// - With one axis that moves, the places are exact: f is linear between knots. With more, they are
 ///   the fixed point of z = knot - f(z), which converges because every slope is looked at before.
-/// Numbers are those of the table; TableBehaviour::usesFloat does not round them.
+/// Beyond its knots the table is held, or goes on as in its first and last cell where its
+/// controller does that (Outside::Extrapolate). Numbers are those of the table;
+/// TableBehaviour::usesFloat does not round them.
 /// - Exact knots are possible in 1D, for an axis that is not modulo and columns for both
 /// directions. Errors: TargetNotKnown; SignNotConvertible where z + f(z) does not increase
 /// strictly, where the corrections of several axes are so steep that one solution is not certain,

@@ -324,12 +324,17 @@ std::vector<double> Comparison::metKnots(
         x[axis] = place / command().factors[axis];
         sums.push_back(place + motion.offset(command().used(command().positionOf(x)))[axis]);
     }
+    const bool goesOn = command().behaviour.outside == Outside::Extrapolate && !moved.wrap;
     std::vector<double> met;
     const auto add = [&](double knot) {
         const auto after = std::ranges::upper_bound(sums, knot);
         const auto i = static_cast<std::size_t>(after - sums.begin());
         double place = 0.0;
-        if (i == 0 || i == sums.size()) // the ends are held, or nothing is applied
+        const std::size_t cell = std::clamp<std::size_t>(i, 1, sums.size() - 1);
+        if ((i == 0 || i == sums.size()) && goesOn)
+            place = std::lerp(places[cell - 1], places[cell],
+                (knot - sums[cell - 1]) / (sums[cell] - sums[cell - 1]));
+        else if (i == 0 || i == sums.size()) // the ends are held, or nothing is applied
             place = knot - (i == 0 ? sums.front() - places.front() : sums.back() - places.back());
         else
             place =

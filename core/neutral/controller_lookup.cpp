@@ -33,6 +33,11 @@ ControllerLookup::ControllerLookup(
 ControllerLookup::Place ControllerLookup::placeOf(std::size_t axis, double position) const
 {
     const std::vector<double>& knots = m_table.axes[axis].knots;
+    if (m_behaviour.outside == Outside::Extrapolate && !m_table.axes[axis].wrap) {
+        const auto behind = std::upper_bound(knots.begin() + 1, knots.end() - 1, position);
+        const auto knot = static_cast<std::size_t>(behind - knots.begin()) - 1;
+        return {knot, (position - knots[knot]) / (knots[knot + 1] - knots[knot])};
+    }
     if (position <= knots.front())
         return {0, 0.0};
     if (position >= knots.back())
@@ -78,7 +83,7 @@ double ControllerLookup::at(std::span<const double> position) const
             index += stride * (places[n].knot + (isUpper ? 1 : 0));
             stride *= m_table.axes[n].knots.size();
         }
-        if (weight > 0.0)
+        if (weight != 0.0)
             sum += weight * valueAt(index);
     }
     return sum;

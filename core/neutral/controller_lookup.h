@@ -10,7 +10,9 @@ namespace axiscomp {
 
 /// What a controller makes of a table: the same numbers mean different corrections.
 struct TableBehaviour {
-    Outside outside = Outside::Hold; ///< Hold or Zero; an axis with a wrap period wraps first
+    /// Hold, Zero or Extrapolate: dimension by dimension the first and the last cell go on. An axis
+    /// with a wrap period wraps first, and is held where it has no knots.
+    Outside outside = Outside::Hold;
     bool startsAtFirst = false; ///< nothing until every source has reached its first value
     bool usesFloat = false; ///< values are float32 in the controller
 };
@@ -24,7 +26,7 @@ public:
         const NeutralTable& table, std::size_t column, const TableBehaviour& behaviour);
 
     /// position: one number for each source axis, in the units of the axes. The value is in the
-    /// unit of the column. A NaN gives NaN.
+    /// unit of the column. A NaN gives NaN; with Extrapolate, so may an infinite position.
     [[nodiscard]] double at(std::span<const double> position) const;
 
 private:

@@ -150,9 +150,11 @@ std::string dimensionsText(const FormatFacts& facts)
 
 std::string outsideWords(const FormatFacts& facts)
 {
-    std::string text = facts.behaviour.outside == Outside::Zero
-        ? "no correction outside of the table"
-        : "the values at the ends hold outside of the table";
+    std::string text = "the values at the ends hold outside of the table";
+    if (facts.behaviour.outside == Outside::Zero)
+        text = "no correction outside of the table";
+    if (facts.behaviour.outside == Outside::Extrapolate)
+        text = "outside of the table the first and the last cell go on, in each dimension";
     if (facts.behaviour.startsAtFirst)
         text += "; nothing before every source has reached its first value";
     return text;

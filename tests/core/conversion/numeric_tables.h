@@ -9,6 +9,7 @@ namespace axiscomp::test {
 
 constexpr TableBehaviour held{.outside = Outside::Hold};
 constexpr TableBehaviour zeroOutside{.outside = Outside::Zero};
+constexpr TableBehaviour goingOn{.outside = Outside::Extrapolate};
 
 /// A value at a position.
 using Formula = std::function<double(const std::vector<double>&)>;

@@ -487,6 +487,66 @@ private Q_SLOTS:
         QVERIFY(!whole->usesHeldEnds);
     }
 
+    /// e(x) = 1 + x / 10 everywhere: c(x) = -(1 + x / 10) / 1.1, also at places outside of the
+    /// knots.
+    void aTableThatGoesOnIsConvertedAsALine()
+    {
+        const auto table =
+            tableOver({axisX({0, 10, 30})}, "X", [](const Values& p) { return 1 + 0.1 * p[0]; });
+        const auto command = convertSign(table, SignConvention::Command, test::goingOn);
+        VERIFY_RESULT(command);
+        QVERIFY(test::largestDifference(
+                    command->table.columns[0].values, {-1 / 1.1, -2 / 1.1, -4 / 1.1})
+            < 1e-14);
+        QVERIFY(command->residual < 1e-14 && !command->usesHeldEnds);
+        const auto back = convertSign(command->table, SignConvention::Feedback, test::goingOn);
+        VERIFY_RESULT(back);
+        QVERIFY(test::largestDifference(back->table.columns[0].values, table.columns[0].values)
+            < 1e-14);
+        // Held, the place for 0 is at -1, and not at -1 / 1.1.
+        const auto ended = convertSign(table, SignConvention::Command, held);
+        VERIFY_RESULT(ended);
+        QCOMPARE(ended->table.columns[0].values[0], -1.0);
+    }
+
+    /// Both ends of the first column fall outside: e = a + M x, so c = -(1 + M)^-1 (a + M x).
+    void twoAxesThatGoOnAreConvertedTogether()
+    {
+        auto table = tableOver({axisX({-10, 0, 10}), axisX({0, 5})}, "X",
+            [](const Values& p) { return 0.5 + 0.01 * p[0] + 0.02 * p[1]; });
+        table.axes[1].name = "Y";
+        addColumn(table, "Y", [](const Values& p) { return -0.2 + 0.03 * p[0] - 0.01 * p[1]; });
+        const auto command = convertSign(table, SignConvention::Command, test::goingOn);
+        VERIFY_RESULT(command);
+        const double determinant = 1.01 * 0.99 - 0.02 * 0.03;
+        for (std::size_t i = 0; i < table.pointCount(); ++i) {
+            const Values p = test::positionOf(table, i);
+            const double a = 0.5 + 0.01 * p[0] + 0.02 * p[1];
+            const double b = -0.2 + 0.03 * p[0] - 0.01 * p[1];
+            const double x = -(0.99 * a - 0.02 * b) / determinant;
+            const double y = -(1.01 * b - 0.03 * a) / determinant;
+            QVERIFY(std::abs(command->table.columns[0].values[i] - x) < 1e-12);
+            QVERIFY(std::abs(command->table.columns[1].values[i] - y) < 1e-12);
+        }
+        const auto back = convertSign(command->table, SignConvention::Feedback, test::goingOn);
+        VERIFY_RESULT(back);
+        for (std::size_t n = 0; n < 2; ++n)
+            QVERIFY(test::largestDifference(back->table.columns[n].values, table.columns[n].values)
+                < 1e-12);
+    }
+
+    /// Within the knots the slopes are gentle; where the cells go on, they are not.
+    void aTwistThatGrowsTooSteepOutsideIsRefused()
+    {
+        auto table = tableOver({axisX({-1, 1}), axisX({-1, 1})}, "X",
+            [](const Values& p) { return 0.45 * p[0] * p[1]; });
+        table.axes[1].name = "Y";
+        addColumn(table, "Y", [](const Values& p) { return 0.45 * p[0] * p[1]; });
+        VERIFY_RESULT(convertSign(table, SignConvention::Command, held));
+        VERIFY_ERROR(convertSign(table, SignConvention::Command, test::goingOn),
+            ErrorCode::SignNotConvertible);
+    }
+
     void theSameSignIsLeftAsItIs()
     {
         const auto table =

@@ -190,6 +190,25 @@ private Q_SLOTS:
         QVERIFY(begin->columns[0].where[0] < 0);
     }
 
+    /// A line and its opposite in the other convention are the same compensation everywhere, as
+    /// long as both go on; against ends that are held the difference is that of a cell.
+    void tablesThatGoOnAreComparedBeyondTheirEnds()
+    {
+        const auto e =
+            tableOver({axisX({0, 10, 20})}, "X", [](const Values& p) { return 1 + 0.1 * p[0]; });
+        const auto c = convertSign(e, SignConvention::Command, test::goingOn);
+        VERIFY_RESULT(c);
+        const auto same = conversionDifference(e, test::goingOn, c->table, test::goingOn);
+        VERIFY_RESULT(same);
+        QVERIFY2(same->columns[0].largest < 1e-13,
+            qPrintable(QString::number(same->columns[0].largest)));
+        const auto ended = conversionDifference(e, test::goingOn, e, held);
+        VERIFY_RESULT(ended);
+        QVERIFY(std::abs(ended->columns[0].largest - 1.0) < 1e-14);
+        QVERIFY(ended->columns[0].where[0] == -10.0 || ended->columns[0].where[0] == 30.0);
+        QCOMPARE(ended->columns[0].largestInside, 0.0);
+    }
+
     void anEndThatTheShiftLeavesIsNotInside()
     {
         // at the first knot the encoder is moved to -0.1, where e is not applied
