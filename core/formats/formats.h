@@ -35,6 +35,15 @@ namespace isg_ssfk {
 namespace klipper {
 [[nodiscard]] const TableFormat& format(); ///< bed_mesh of printer.cfg
 }
+namespace klipper_twist {
+[[nodiscard]] const TableFormat& format(); ///< axis_twist_compensation of printer.cfg
+}
+namespace kmotion_geo {
+[[nodiscard]] const TableFormat& format(); ///< geometric correction of KMotion
+}
+namespace kmotion_linear {
+[[nodiscard]] const TableFormat& format(); ///< positions to command of one axis
+}
 namespace linuxcnc {
 [[nodiscard]] const TableFormat& format(); ///< compensation file of a joint
 }

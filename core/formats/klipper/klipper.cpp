@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
+#include "core/formats/klipper/klipper_config.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -13,7 +14,6 @@ namespace axiscomp::klipper {
 namespace {
 
 constexpr std::string_view sectionPrefix = "bed_mesh ";
-constexpr std::string_view autosavePrefix = "#*#";
 
 constexpr std::array<std::string_view, 1> extensions{".cfg"};
 constexpr std::array<std::string_view, 8> rules{
@@ -53,25 +53,6 @@ bool isKnownKey(std::string_view key)
         "mesh_x_pps", "mesh_y_pps", "algo", "tension", "min_x", "max_x", "min_y", "max_y",
         "x_offset", "y_offset"};
     return std::ranges::find(keys, key) != keys.end();
-}
-
-/// The line as the firmware sees it: without #*# in front, or without comments.
-Token configLine(const Token& line)
-{
-    if (!line.text.starts_with(autosavePrefix))
-        return withoutComment(line, "#;");
-    const std::size_t length = std::min<std::size_t>(autosavePrefix.size() + 1, line.text.size());
-    return {line.text.substr(length), line.line, line.column + length};
-}
-
-/// "[bed_mesh default]": what stands in the brackets; nothing when this is no section.
-std::optional<Token> sectionOf(const Token& line)
-{
-    const Token content = trimmedToken(line);
-    const std::size_t end = content.text.find(']');
-    if (!content.text.starts_with('[') || end == std::string_view::npos)
-        return std::nullopt;
-    return trimmedToken({content.text.substr(1, end - 1), content.line, content.column + 1});
 }
 
 constexpr TextPattern noEntry = AXISCOMP_TEXT("Error", "an entry such as min_x = 10");

@@ -66,6 +66,15 @@ bool isNumber(const Token& token)
     return numberOf(token.text).has_value();
 }
 
+/// Between semicolons, where a comma may stand for the decimal point; statements of a program end
+/// with them as well.
+bool beginsWithNumber(const std::vector<Token>& row)
+{
+    std::string first(row.front().text);
+    std::ranges::replace(first, ',', '.');
+    return numberOf(first).has_value();
+}
+
 /// A header of at least two names, and a line of as many numbers.
 Recognition recognise(std::string_view text)
 {
@@ -85,7 +94,7 @@ Recognition recognise(std::string_view text)
         const bool isHeader = header.size() >= 2 && std::ranges::none_of(header, isNumber)
             && !header.back().text.empty();
         if (isHeader && row.size() == header.size()
-            && (separator == ';' || std::ranges::all_of(row, isNumber)))
+            && (separator == ';' ? beginsWithNumber(row) : std::ranges::all_of(row, isNumber)))
             return Recognition::Possible;
         row.clear();
     }

@@ -23,6 +23,9 @@ QByteArray fileOf(const TableFormat& format)
     if (format.facts.name == "klipper")
         return "[bed_mesh default]\nversion = 1\npoints =\n  0, 0.01\n  0.02, 0.03\nx_count = 2\n"
                "y_count = 2\nmin_x = 0\nmax_x = 10\nmin_y = 0\nmax_y = 10\n";
+    if (format.facts.name == "klipper-twist")
+        return "[axis_twist_compensation]\nz_compensations = 0.01, 0.02\n"
+               "compensation_start_x = 0\ncompensation_end_x = 20\n";
     if (format.facts.name == "reprap")
         return "RepRapFirmware height map file v2 generated at 2026-05-01 12:00, mean error 0.0\n"
                "axis0,axis1,min0,max0,min1,max1,radius,spacing0,spacing1,num0,num1\n"
@@ -80,13 +83,14 @@ void tst_EveryFormat::everyCommandTakesIt()
     const bool isPlane = format.facts.fewestDimensions == 2;
     const QStringList position = isPlane ? QStringList{"5", "5"} : QStringList{"15"};
     const QStringList table{isPlane ? "plane.csv" : "line.csv", "--dims", isPlane ? "2" : "1"};
+    const bool isKmotion = name == QStringLiteral("kmotion-geo"); // X, Y and Z have their places
+    const QString target = isKmotion ? "other" : isPlane ? "3" : "#1";
     const QString side = QString::fromStdString(std::string(signName(format.facts.sign)));
     const QStringList toSide =
         format.facts.needsSign() ? QStringList{"--to-sign", side} : QStringList{};
     const QStringList fromSide =
         format.facts.needsSign() ? QStringList{"--sign", side} : QStringList{};
-    const QStringList to =
-        QStringList{"--target", isPlane ? "3" : "#1"} + settingsOf(format, true) + toSide;
+    const QStringList to = QStringList{"--target", target} + settingsOf(format, true) + toSide;
     const Sandbox box;
     box.file("line.csv", line);
     box.file("plane.csv", plane);
@@ -109,15 +113,14 @@ void tst_EveryFormat::everyCommandTakesIt()
     if (format.facts.name == "csv")
         from += {"--dims", "1"};
     const QStringList linear{"--no-wrap"};
-    const QStringList first{"--table", "#1"};
+    const QStringList first{"--table", isKmotion ? "#3" : "#1"};
     const test::VirtualDriveProcess drive(box, {"--axes", "3"});
     QStringList write{"write", "--drive", drive.url(), "--dry-run", "--axis", isPlane ? "2" : "0",
         "--source1", test::positionSource(0), "--data", "file"};
     if (isPlane)
         write += {"--source2", test::positionSource(1)};
     const std::vector<QStringList> reading{QStringList{"inspect", "file"} + from,
-        QStringList{"convert", "file", "back.csv", "--target", isPlane ? "3" : "#1"} + from
-            + fromSide + linear,
+        QStringList{"convert", "file", "back.csv", "--target", target} + from + fromSide + linear,
         QStringList{"lookup", "file"} + position + from + first,
         write + from + fromSide + first + linear};
     for (const QStringList& command : reading) {

@@ -63,6 +63,8 @@ FormatSettings writeSettings(const FormatFacts& facts)
         if (setting.isNeeded && setting.forWriting)
             settings[std::string(setting.key)] =
                 setting.kind == FormatSetting::Kind::Text ? "X" : "100000";
+        else if (setting.key == "unit")
+            settings["unit"] = "mm";
     return settings;
 }
 
@@ -74,6 +76,8 @@ TableReadOptions readOptions(const FormatFacts& facts, int dimensions)
     for (const FormatSetting& setting : facts.settings)
         if ((setting.isNeeded || setting.key == "counts-per-unit") && setting.forReading)
             options.settings[std::string(setting.key)] = "100000";
+        else if (setting.key == "unit" && setting.forReading)
+            options.settings["unit"] = "mm";
     if (!facts.holdsUnits && facts.name != "tamtbl") {
         options.settings["position-unit"] = "mm";
         options.settings["value-unit"] = "mm";
@@ -397,6 +401,28 @@ private Q_SLOTS:
         // One of both stated: the other one counts as well.
         request.targetSign = SignConvention::Feedback;
         VERIFY_ERROR(convertTables(tables, request), ErrorCode::SignNotStated);
+    }
+
+    void endsThatNoLongerGoOnAreSaidWithTheirNumber()
+    {
+        NeutralTable table = exampleTable(2, SignConvention::Command);
+        nameAxes(table, calibration_csv::format());
+        for (std::size_t i = 0; i < table.pointCount(); ++i)
+            table.columns[0].values[i] = 0.001 * static_cast<double>(i % 5);
+        table.columns[0].target = "other";
+        const auto conversion = convertTables(
+            std::vector{table}, requestFor(kmotion_geo::format(), calibration_csv::format()));
+        VERIFY_RESULT(conversion);
+        QVERIFY2(contains(conversion->remarks,
+                     "the controller of kmotion-geo goes on as in the last cell, and that of csv "
+                     "holds the end values"),
+            test::joined(conversion->remarks).c_str());
+        QVERIFY2(contains(conversion->remarks, "differ by at most 0.001 mm"),
+            test::joined(conversion->remarks).c_str());
+        const auto other = convertTables(
+            std::vector{table}, requestFor(softmc::format(), calibration_csv::format()));
+        VERIFY_RESULT(other);
+        QVERIFY(!contains(other->remarks, "beyond the ends"));
     }
 
     void aDriveGetsValuesInTheUnitOfThePositions()

@@ -33,6 +33,8 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
         if (setting.isNeeded && setting.forWriting)
             request.writing.settings[std::string(setting.key)] =
                 setting.kind == FormatSetting::Kind::Text ? "X" : "1000000";
+        else if (setting.key == "unit")
+            request.writing.settings["unit"] = "mm";
     if (from.facts.needsSign())
         request.sourceSign = from.facts.sign;
     if (to.facts.needsSign())
@@ -48,6 +50,8 @@ TableReadOptions readOptions(const FormatFacts& facts, int dimensions)
     for (const FormatSetting& setting : facts.settings)
         if ((setting.isNeeded || setting.key == "counts-per-unit") && setting.forReading)
             options.settings[std::string(setting.key)] = "1000000";
+        else if (setting.key == "unit" && setting.forReading)
+            options.settings["unit"] = "mm";
     if (!facts.holdsUnits && facts.name != "tamtbl") {
         options.settings["position-unit"] = "mm";
         options.settings["value-unit"] = "mm";
@@ -256,6 +260,7 @@ private Q_SLOTS:
         names.resize(static_cast<std::size_t>(dimensions));
         const std::string target = own >= 0 ? names[static_cast<std::size_t>(own)]
             : hasNames                      ? "Z3"
+            : &to == &kmotion_geo::format() ? "other"
                                             : "4";
         const std::optional<std::size_t> axis =
             own < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(own));

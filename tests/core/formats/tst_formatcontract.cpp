@@ -237,7 +237,8 @@ private:
     std::locale m_before;
 };
 
-/// A softMC file has no names: what its writer knows is not read from it.
+/// A softMC file has no names: what its writer knows is not read from it. A KMotion file has a
+/// place for each axis, whichever the table names first.
 std::vector<NeutralTable> withTargetsOf(
     std::vector<NeutralTable> read, const std::vector<NeutralTable>& held)
 {
@@ -245,6 +246,13 @@ std::vector<NeutralTable> withTargetsOf(
         for (std::size_t c = 0; c < std::min(read[t].columns.size(), held[t].columns.size()); ++c)
             if (sample().format == &softmc::format())
                 read[t].columns[c].target = held[t].columns[c].target;
+    if (sample().format != &kmotion_geo::format())
+        return read;
+    for (std::size_t t = 0; t < std::min(read.size(), held.size()); ++t)
+        std::ranges::sort(read[t].columns, {}, [&](const CompensationColumn& column) {
+            return std::ranges::find(held[t].columns, column.target, &CompensationColumn::target)
+                - held[t].columns.begin();
+        });
     return read;
 }
 

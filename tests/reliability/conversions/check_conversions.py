@@ -6,7 +6,8 @@
 
 FILE has a line of JSON for each conversion: the texts of both files, and what a person has to say of them.
 Each text is read here by a few lines of its own. A table f, linear between its knots and held beyond them,
-becomes -f(z) in the other convention, where z + f(z) is the knot; z is found by halving an interval. The
+(KMotion's geometric correction goes on instead as in its first and last cells) becomes -f(z) in the other
+convention, where z + f(z) is the knot; z is found by halving an interval. The
 second file must hold that, to the rounding of its text.
 """
 
@@ -29,6 +30,7 @@ class Table:
         self.step, self.relative = step, relative  # rounding of the values
         self.period = axes[0][-1] - axes[0][0] if wraps else None
         self.position_step = 0.0
+        self.goes_on = False  # beyond the knots
 
 
 def spaced(start, step, count):
@@ -226,23 +228,50 @@ def read_pmac_1d(side, case):
     return Table([knots], {BOTH: scaled(entries, value / per / 16)}, step=value / per / 16, wraps=True)
 
 
+def read_kmotion_geo(side, case):
+    numbers = [float(word) for word in re.split(r"[\s,]+", side["text"].strip())]
+    rows, columns, dx, dy, x0, y0 = int(numbers[0]), int(numbers[1]), *numbers[2:6]
+    unit = UNITS[side["settings"]["unit"]]
+    axes = [spaced(x0, dx, columns), spaced(y0, dy, rows)]
+    corrections = [[None] * (rows * columns) for _ in range(3)]
+    for k in range(6, len(numbers), 5):
+        row, column = int(numbers[k]), int(numbers[k + 1])
+        for n, place in enumerate((axes[0][column], axes[1][row], 0.0)):
+            corrections[n][row * columns + column] = (numbers[k + 2 + n] - place) * unit
+    own = case.get("own", 2)
+    if side is case["to"] and any(any(values) for n, values in enumerate(corrections) if n != own):
+        raise ValueError("another axis is moved as well")
+    table = Table([scaled(axis, unit) for axis in axes], {BOTH: corrections[own]})
+    table.goes_on = True
+    return table
+
+
+def read_kmotion_linear(side, case):
+    unit, _ = setting_units(side)
+    count, size, start, *lines = side["text"].split()
+    knots = spaced(float(start), float(size), int(count))
+    places = [float(line.split(",")[1]) for line in lines]
+    return Table([scaled(knots, unit)], {BOTH: [(place - x) * unit for place, x in zip(places, knots)]})
+
+
 UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc"}
 
 READERS = {"csv": read_csv, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
            "siemens-eec": read_siemens_eec, "siemens-cec": read_siemens_cec, "isg-ssfk": read_isg_ssfk,
            "isg-crosscomp": read_isg_crosscomp, "isg-crosscomp2": read_isg_crosscomp2, "softmc": read_softmc,
-           "icube": read_icube, "linuxcnc": read_linuxcnc, "rapidcode": read_rapidcode, "pmac-1d": read_pmac_1d}
+           "icube": read_icube, "linuxcnc": read_linuxcnc, "rapidcode": read_rapidcode, "pmac-1d": read_pmac_1d,
+           "kmotion-geo": read_kmotion_geo, "kmotion-linear": read_kmotion_linear}
 
 
-def lookup(axes, values, period, point):
-    """Linear in each dimension, held outside; a first axis with a period rolls over."""
+def lookup(axes, values, period, point, goes_on=False):
+    """Linear in each dimension, outside held or as in the cell at that end; a first axis with a period rolls over."""
     total, corners = 0.0, [(0, 1.0)]
     stride = 1
     for n, (knots, x) in enumerate(zip(axes, point)):
         if period and n == 0:
             x = knots[0] + (x - knots[0]) % period
-        x = min(max(x, knots[0]), knots[-1])
-        i = min(bisect_right(knots, x) - 1, len(knots) - 2)
+        x = x if goes_on else min(max(x, knots[0]), knots[-1])
+        i = max(0, min(bisect_right(knots, x) - 1, len(knots) - 2))
         part = (x - knots[i]) / (knots[i + 1] - knots[i])
         corners = [(index + stride * (i + k), weight * (part if k else 1 - part))
                    for index, weight in corners for k in (0, 1)]
@@ -255,13 +284,13 @@ def lookup(axes, values, period, point):
 def converted(table, values, point, own, changes):
     """What the other file says at this position."""
     def f(x):
-        return lookup(table.axes, values, table.period, x)
+        return lookup(table.axes, values, table.period, x, table.goes_on)
 
     if not changes:
         return f(point)
     if own is None:
         return -f(point)
-    reach = 1.01 * max(map(abs, values)) + 1e-12
+    reach = (2 if table.goes_on else 1.01) * max(map(abs, values)) + 1e-12
     low, high = point[own] - reach, point[own] + reach
     for _ in range(100):
         middle = (low + high) / 2

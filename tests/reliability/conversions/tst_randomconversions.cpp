@@ -70,10 +70,16 @@ bool isPmac(const TableFormat& format)
     return format.facts.name.starts_with("pmac");
 }
 
+/// Its axes are X, Y and Z, whatever a table calls them.
+bool isKmotionGeo(const TableFormat& format)
+{
+    return &format == &kmotion_geo::format();
+}
+
 bool isOwnOnly(const TableFormat& format)
 {
     for (const std::string_view name :
-        {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube", "linuxcnc"})
+        {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube", "kmotion-linear", "linuxcnc"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -81,11 +87,12 @@ bool isOwnOnly(const TableFormat& format)
 
 std::optional<Case> Cases::next()
 {
-    static const std::array<const TableFormat*, 13> formats{&calibration_csv::format(),
+    static const std::array<const TableFormat*, 15> formats{&calibration_csv::format(),
         &aerotech_1d::format(), &aerotech_2d::format(), &siemens_eec::format(),
         &siemens_cec::format(), &isg_ssfk::format(), &isg_crosscomp::format(),
         &isg_crosscomp2::format(), &softmc::format(), &icube::format(), &linuxcnc::format(),
-        &rapidcode::format(), &pmac_1d::format()};
+        &rapidcode::format(), &pmac_1d::format(), &kmotion_geo::format(),
+        &kmotion_linear::format()};
     Case chosen;
     chosen.from = oneOf(formats);
     chosen.to = oneOf(formats);
@@ -155,7 +162,8 @@ NeutralTable Cases::table(const Case& chosen)
     std::uniform_real_distribution value(-largest, largest);
     for (const Direction direction : {Direction::Positive, Direction::Negative}) {
         CompensationColumn& column = table.columns.emplace_back();
-        column.target = chosen.own ? table.axes[*chosen.own].name : "9";
+        const char* const other = isKmotionGeo(*chosen.from) ? "other" : "9";
+        column.target = chosen.own ? table.axes[*chosen.own].name : other;
         column.unit = valueUnit;
         column.direction = chosen.hasDirections ? direction : Direction::Both;
         for (std::size_t i = 0; i < table.pointCount(); ++i)
@@ -199,11 +207,15 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
     if (name == "softmc")
         return {{{"position-unit", position}, {"value-unit", value}},
             {{"position-unit", position}, {"value-unit", value}}};
-    if (name == "icube" || name == "linuxcnc") {
+    if (name == "kmotion-geo") {
+        const FormatSettings both{{"unit", maybe(0.5) ? "inch" : "mm"}};
+        return {both, both};
+    }
+    if (name == "icube" || name == "linuxcnc" || name == "kmotion-linear") {
         FormatSettings both{{"position-unit", position}};
         if (name == "linuxcnc")
             both["type"] = maybe(0.5) ? "1" : "0";
-        else if (chosen.isRotary)
+        else if (chosen.isRotary && name == "icube")
             both["wrap-range"] = "360";
         return {both, both};
     }
@@ -254,7 +266,8 @@ std::optional<json> converted(Cases& cases, const Case& chosen, bool keepsSign)
         request.targetSign = chosen.to->facts.sign;
     if (keepsSign)
         request.targetSign = chosen.from->facts.sign;
-    const NeutralTable first = separateColumns(read->tables).front();
+    const std::size_t column = isKmotionGeo(*chosen.from) ? chosen.own.value_or(2) : 0;
+    const NeutralTable first = separateColumns(read->tables)[column];
     const auto result = convertTables(std::span(&first, 1), request);
     if (!result)
         return std::nullopt;

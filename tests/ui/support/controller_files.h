@@ -53,6 +53,17 @@ inline QString controllerFile(const QString& format)
                            "#*# x_count = 3\n#*# y_count = 2\n#*# min_x = 10.0\n"
                            "#*# max_x = 110.0\n#*# min_y = 5.0\n#*# max_y = 95.0\n"
                            "#*# x_offset = 1.5\n")},
+        {QStringLiteral("klipper-twist"),
+            QStringLiteral("[axis_twist_compensation]\ncalibrate_start_x: 20\n"
+                           "calibrate_end_x: 200\n#*# [axis_twist_compensation]\n"
+                           "#*# z_compensations = -0.05, -0.005, 0.056\n"
+                           "#*# compensation_start_x = 30.0\n"
+                           "#*# compensation_end_x = 210.0\n")},
+        {QStringLiteral("kmotion-geo"),
+            QStringLiteral("2,3\n20,10\n-20,5\n0,0,-19.9,5,0.1\n0,1,0,5,0\n0,2,20,5,0\n"
+                           "1,0,-20,15,0\n1,1,0,15,0\n1,2,20,15.1,0\n")},
+        {QStringLiteral("kmotion-linear"),
+            QStringLiteral("5\n2\n-180\n0,-180\n1,-178.1\n2,-176.2\n3,-174.1\n4,-172\n")},
         {QStringLiteral("linuxcnc"),
             QStringLiteral("0 0 0\n100 100.01 100.02\n200 200.02 200.03\n")},
         {QStringLiteral("pmac-1d"),
