@@ -72,6 +72,7 @@ std::span<const TableFormat* const> tableFormats()
         &linuxcnc::format(),
         &pmac_1d::format(),
         &pmac_2d::format(),
+        &power_pmac::format(),
         &rapidcode::format(),
         &rapidcode_header::format(),
         &siemens_cec::format(),
@@ -79,6 +80,7 @@ std::span<const TableFormat* const> tableFormats()
         &reprap::format(),
         &softmc::format(),
         &softmc_basic::format(),
+        &twincat_nc::format(),
     };
     return formats;
 }

@@ -53,6 +53,9 @@ namespace pmac_1d {
 namespace pmac_2d {
 [[nodiscard]] const TableFormat& format(); ///< DEFINE COMP of two sources
 }
+namespace power_pmac {
+[[nodiscard]] const TableFormat& format(); ///< CompTable of one source
+}
 namespace rapidcode {
 [[nodiscard]] const TableFormat& format(); ///< CSV of this program
 }
@@ -73,6 +76,9 @@ namespace softmc {
 }
 namespace softmc_basic {
 [[nodiscard]] const TableFormat& format(); ///< MC-BASIC fragment
+}
+namespace twincat_nc {
+[[nodiscard]] const TableFormat& format(); ///< structured text of an NC axis
 }
 
 /// The product's own formats: what the drive adds, on an even grid.

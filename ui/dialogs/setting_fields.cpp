@@ -39,6 +39,7 @@ namespace {
     QT_TRANSLATE_NOOP("Setting", "actual"),
     QT_TRANSLATE_NOOP("Setting", "counts per unit"),
     QT_TRANSLATE_NOOP("Setting", "unit"),
+    QT_TRANSLATE_NOOP("Setting", "table"),
     QT_TRANSLATE_NOOP("Setting", "inch"),
     QT_TRANSLATE_NOOP("Setting", "position unit"),
     QT_TRANSLATE_NOOP("Setting", "value unit"),

@@ -266,7 +266,7 @@ Recognition recognise(std::string_view text)
         if (isPair(cells)) {
             points.positions.push_back(*numberOf(cells[0].text));
             points.offsets.push_back(*numberOf(cells[1].text));
-        } else if (cells.size() == 1 && numberOf(cells.front().text)) {
+        } else if (points.positions.empty() && cells.size() == 1 && numberOf(cells.front().text)) {
             return Recognition::No; // sizes, as other controllers have them above their rows
         } else if (points.positions.empty() && ++headers <= mostHeaders) {
             continue;

@@ -437,24 +437,37 @@ Result<Targets> targetsOf(const NeutralTable& table)
     return targets;
 }
 
+/// An axis as the controller computes its positions.
+struct Spacing {
+    explicit Spacing(const std::vector<double>& knots)
+        : start(knots.front())
+        , distance((knots.back() - knots.front()) / static_cast<double>(knots.size() - 1))
+    {
+    }
+    [[nodiscard]] double at(std::size_t i) const
+    {
+        return start + static_cast<double>(i) * distance;
+    }
+    double start;
+    double distance;
+};
+
 std::string textOf(const NeutralTable& table, const Targets& targets)
 {
-    const std::vector<double>& x = table.axes[0].knots;
-    const std::vector<double>& y = table.axes[1].knots;
-    const auto distance = [](const std::vector<double>& knots) {
-        return toText((knots.back() - knots.front()) / static_cast<double>(knots.size() - 1));
-    };
-    std::string text = std::to_string(y.size()) + ',' + std::to_string(x.size()) + '\n';
-    text += distance(x) + ',' + distance(y) + '\n';
-    text += toText(x.front()) + ',' + toText(y.front()) + '\n';
-    for (std::size_t row = 0; row < y.size(); ++row)
-        for (std::size_t column = 0; column < x.size(); ++column) {
-            const std::size_t index = column + x.size() * row;
+    const std::size_t columns = table.axes[0].knots.size();
+    const std::size_t rows = table.axes[1].knots.size();
+    const Spacing x(table.axes[0].knots);
+    const Spacing y(table.axes[1].knots);
+    std::string text = std::to_string(rows) + ',' + std::to_string(columns) + '\n';
+    text += toText(x.distance) + ',' + toText(y.distance) + '\n';
+    text += toText(x.start) + ',' + toText(y.start) + '\n';
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < columns; ++column) {
             const auto value = [&](std::size_t n) {
-                return targets[n] ? targets[n]->values[index] : 0.0;
+                return targets[n] ? targets[n]->values[column + columns * row] : 0.0;
             };
             text += std::to_string(row) + ',' + std::to_string(column) + ','
-                + toText(x[column] + value(0)) + ',' + toText(y[row] + value(1)) + ','
+                + toText(x.at(column) + value(0)) + ',' + toText(y.at(row) + value(1)) + ','
                 + toText(value(2)) + '\n';
         }
     return text;

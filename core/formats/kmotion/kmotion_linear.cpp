@@ -242,12 +242,13 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(const auto table, asOwnAxisTable(facts, tables.front(), values, written.remarks));
     AXISCOMP_CHECK(checkWritable(facts, table));
     const std::vector<double>& knots = table.axes[0].knots;
-    written.bytes = std::to_string(knots.size()) + '\n'
-        + toText((knots.back() - knots.front()) / static_cast<double>(knots.size() - 1)) + '\n'
-        + toText(knots.front()) + '\n';
-    for (std::size_t i = 0; i < knots.size(); ++i)
+    const double size = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+    const std::vector<double> places = evenKnots(knots.front(), size, knots.size());
+    written.bytes =
+        std::to_string(places.size()) + '\n' + toText(size) + '\n' + toText(places.front()) + '\n';
+    for (std::size_t i = 0; i < places.size(); ++i)
         written.bytes +=
-            std::to_string(i) + ',' + toText(knots[i] + table.columns[0].values[i]) + '\n';
+            std::to_string(i) + ',' + toText(places[i] + table.columns[0].values[i]) + '\n';
     FormatSettings reading;
     if (!table.axes[0].unit.empty())
         reading["position-unit"] = table.axes[0].unit;

@@ -149,8 +149,8 @@ QString farthest(const CompensationColumn& column, const Values& expected, doubl
 
 bool isOfAxesForThemselves(const TableFormat& format)
 {
-    for (const std::string_view name :
-        {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube", "linuxcnc"})
+    for (const std::string_view name : {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
+             "kmotion-linear", "linuxcnc", "twincat-nc"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -283,6 +283,8 @@ private Q_SLOTS:
         const auto reading = to.read(conversion->written.bytes, readOptions(to.facts, dimensions));
         VERIFY_RESULT(reading);
         std::vector<NeutralTable> back = separateColumns(reading->tables);
+        if (&to == &kmotion_geo::format()) // X, Y and Z, whatever was written
+            std::swap(back[0], back[axis.value_or(2)]);
         back.resize(1);
         const auto stated = targetOf(back.front(), back.front().columns.front());
         QVERIFY(!stated || stated == TargetAxis{axis});

@@ -18,7 +18,7 @@ import sys
 from bisect import bisect_right
 
 UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "inch": 0.0254, "deg": 1.0, "mdeg": 1e-3, "arcsec": 1 / 3600}
-FEEDBACK = {"csv", "siemens-eec", "isg-ssfk"}
+FEEDBACK = {"csv", "siemens-eec", "isg-ssfk", "power-pmac"}
 BOTH, POSITIVE, NEGATIVE = "both", "positive", "negative"
 
 
@@ -254,13 +254,33 @@ def read_kmotion_linear(side, case):
     return Table([scaled(knots, unit)], {BOTH: [(place - x) * unit for place, x in zip(places, knots)]})
 
 
+def read_power_pmac(side, case):
+    said = dict(re.findall(r"^CompTable\[0\]\.(\S+) = (.*);$", side["text"], re.M))
+    if (said["Source[0]"] == re.search(r"\d+", said["Target[0]"])[0]) != ("own" in case):
+        raise ValueError("another motor")
+    position, value = setting_units(side)
+    per = float(side["settings"]["counts-per-unit"])
+    segments, start, span = int(said["Nx[0]"]), float(said["X0[0]"]), float(said["Dx[0]"])
+    lists = sorted((int(name[5:-1]), text) for name, text in said.items() if name.startswith("Data["))
+    values = [float(cell) * value / per for _, text in lists for cell in text.split(",")]
+    return Table([scaled([start + span * i / segments for i in range(segments + 1)], position / per)], {BOTH: values})
+
+
+def read_twincat_nc(side, case):
+    unit, _ = setting_units(side)
+    pairs = re.findall(r"Position:=(\S+), Compensation:=([^)\s]+)\)", side["text"])
+    return Table([[float(x) * unit for x, _ in pairs]], {BOTH: [float(value) * unit for _, value in pairs]},
+                 wraps="Modulo:=TRUE" in side["text"])
+
+
 UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc"}
 
 READERS = {"csv": read_csv, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
            "siemens-eec": read_siemens_eec, "siemens-cec": read_siemens_cec, "isg-ssfk": read_isg_ssfk,
            "isg-crosscomp": read_isg_crosscomp, "isg-crosscomp2": read_isg_crosscomp2, "softmc": read_softmc,
            "icube": read_icube, "linuxcnc": read_linuxcnc, "rapidcode": read_rapidcode, "pmac-1d": read_pmac_1d,
-           "kmotion-geo": read_kmotion_geo, "kmotion-linear": read_kmotion_linear}
+           "kmotion-geo": read_kmotion_geo, "kmotion-linear": read_kmotion_linear,
+           "power-pmac": read_power_pmac, "twincat-nc": read_twincat_nc}
 
 
 def lookup(axes, values, period, point, goes_on=False):

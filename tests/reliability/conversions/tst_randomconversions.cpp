@@ -78,8 +78,8 @@ bool isKmotionGeo(const TableFormat& format)
 
 bool isOwnOnly(const TableFormat& format)
 {
-    for (const std::string_view name :
-        {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube", "kmotion-linear", "linuxcnc"})
+    for (const std::string_view name : {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
+             "kmotion-linear", "linuxcnc", "twincat-nc"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -87,12 +87,12 @@ bool isOwnOnly(const TableFormat& format)
 
 std::optional<Case> Cases::next()
 {
-    static const std::array<const TableFormat*, 15> formats{&calibration_csv::format(),
+    static const std::array<const TableFormat*, 17> formats{&calibration_csv::format(),
         &aerotech_1d::format(), &aerotech_2d::format(), &siemens_eec::format(),
         &siemens_cec::format(), &isg_ssfk::format(), &isg_crosscomp::format(),
         &isg_crosscomp2::format(), &softmc::format(), &icube::format(), &linuxcnc::format(),
-        &rapidcode::format(), &pmac_1d::format(), &kmotion_geo::format(),
-        &kmotion_linear::format()};
+        &rapidcode::format(), &pmac_1d::format(), &kmotion_geo::format(), &kmotion_linear::format(),
+        &power_pmac::format(), &twincat_nc::format()};
     Case chosen;
     chosen.from = oneOf(formats);
     chosen.to = oneOf(formats);
@@ -211,7 +211,7 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
         const FormatSettings both{{"unit", maybe(0.5) ? "inch" : "mm"}};
         return {both, both};
     }
-    if (name == "icube" || name == "linuxcnc" || name == "kmotion-linear") {
+    if (name == "icube" || name == "linuxcnc" || name == "kmotion-linear" || name == "twincat-nc") {
         FormatSettings both{{"position-unit", position}};
         if (name == "linuxcnc")
             both["type"] = maybe(0.5) ? "1" : "0";
@@ -223,7 +223,7 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
         return {{{"counts-per-unit", maybe(0.5) ? "20000" : "-4096"}, {"position-unit", position},
                     {"value-unit", position}},
             {}};
-    if (isPmac(format)) {
+    if (isPmac(format) || &format == &power_pmac::format()) {
         const std::string unit = chosen.isRotary ? "deg" : "mm";
         const FormatSettings both{
             {"counts-per-unit", "10000"}, {"position-unit", unit}, {"value-unit", unit}};

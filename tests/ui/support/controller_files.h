@@ -71,6 +71,13 @@ inline QString controllerFile(const QString& format)
         {QStringLiteral("pmac-2d"),
             QStringLiteral("#3\nDEFINE COMP 2.3,#1D,#2D,#3,3000,4000\n16 32 0\n48 64 80 48\n"
                            "0 16 32 0\n")},
+        {QStringLiteral("power-pmac"),
+            QStringLiteral("CompTable[0].Source[0] = 1;\nCompTable[0].Nx[0] = 4;\n"
+                           "CompTable[0].X0[0] = -100000;\nCompTable[0].Dx[0] = 200000;\n"
+                           "CompTable[0].Target[0] = Motor[1].CompPos.a;\n"
+                           "CompTable[0].Sf[0] = 1; CompTable[0].Ctrl = 7;\n"
+                           "CompTable[0].Data[0] = 0,12.5,-3\nCompTable[0].Data[3] = 4,8\n"
+                           "Sys.CompEnable = 1\n")},
         {QStringLiteral("rapidcode"),
             QStringLiteral("# RapidCode compensator table, the first axis fastest\n"
                            "# name = Table 1\n# input.1.axis = X\n# input.1.unit = mm\n"
@@ -94,6 +101,14 @@ inline QString controllerFile(const QString& format)
                            "$AA_ENC_COMP[0,2,X]=0.02\n$AA_ENC_COMP_STEP[0,X]=100\n"
                            "$AA_ENC_COMP_MIN[0,X]=0\n$AA_ENC_COMP_MAX[0,X]=200\n"
                            "$AA_ENC_COMP_IS_MODULO[0,X]=0\nM17\n")},
+        {QStringLiteral("twincat-nc"),
+            QStringLiteral("stPar : ST_PositionCompensationTableParameter := (MinPosition:=0.0,\n"
+                           "MaxPosition:=20.0, NoOfTableElements:=3,\n"
+                           "Direction:=WorkDirectionBoth, Modulo:=FALSE);\n"
+                           "stTab : ARRAY[0..2] OF ST_PositionCompensationTableElement := [\n"
+                           "(Position:=0.0, Compensation:=0.0),\n"
+                           "(Position:=10.0, Compensation:=0.1),\n"
+                           "(Position:=20.0, Compensation:=0.2)];\n")},
         {QStringLiteral("softmc"), QStringLiteral("1 3\n0 0\n100 -0.01\n200 -0.02\n")},
     };
     return files.value(format);
