@@ -59,6 +59,7 @@ std::span<const TableFormat* const> tableFormats()
     static const std::array formats{
         &calibration_csv::format(),
         &tam_table::format(),
+        &acs_1d::format(),
         &aerotech_1d::format(),
         &aerotech_2d::format(),
         &icube::format(),

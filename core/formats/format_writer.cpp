@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace axiscomp {
 
@@ -135,6 +136,21 @@ std::string plainNumber(double value)
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
         value == 0.0 ? 0.0 : value, std::chars_format::fixed);
     return end.ec == std::errc{} ? std::string(buffer.data(), end.ptr) : toText(value);
+}
+
+double evenDistance(const SourceAxis& axis)
+{
+    const std::vector<double>& knots = axis.knots;
+    const double exact = (knots.back() - knots.front()) / static_cast<double>(knots.size() - 1);
+    const double brief = numberOf(roundedText(exact)).value_or(exact);
+    const double largest = std::max(std::abs(knots.front()), std::abs(knots.back()));
+    const double rounding = 4 * std::numeric_limits<double>::epsilon() * largest;
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const double place = knots.front() + static_cast<double>(i) * brief;
+        if (!(std::abs(place - knots[i]) <= rounding))
+            return exact;
+    }
+    return brief;
 }
 
 double FileNumbers::inFile(double x) const

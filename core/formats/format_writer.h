@@ -40,6 +40,10 @@ struct DirectionPair {
 /// The shortest decimal text that is read as the same number, never with an exponent.
 [[nodiscard]] std::string plainNumber(double value);
 
+/// The distance between the knots of an even axis: the shortest number that puts all of them where
+/// they are, but for the rounding of doubles.
+[[nodiscard]] double evenDistance(const SourceAxis& axis);
+
 /// What a format holds of a number x: n / perUnit, n a whole number or, with decimals, one of 12
 /// digits.
 struct FileNumbers {

@@ -14,6 +14,9 @@ namespace tam_table {
 [[nodiscard]] const TableFormat& format(); ///< the drive's table file (docs/tamtbl.md)
 }
 
+namespace acs_1d {
+[[nodiscard]] const TableFormat& format(); ///< program, ERRORMAP1D or MAP
+}
 namespace aerotech_1d {
 [[nodiscard]] const TableFormat& format(); ///< calibration file, :START
 }

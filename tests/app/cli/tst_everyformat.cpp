@@ -48,6 +48,8 @@ QStringList settingsOf(const TableFormat& format, bool isWritten)
             settings += {option, "counts-per-unit=1000"};
         else if (isAxis && format.facts.name.starts_with("siemens"))
             settings += {option, QString::fromStdString(std::string(setting.key)) + "=X1"};
+        else if (setting.isNeeded && format.facts.name.starts_with("acs"))
+            settings += {option, QString::fromStdString(std::string(setting.key)) + "=1"};
         else if (isUnit && format.facts.name != "csv" && format.facts.name != "tamtbl")
             settings += {option, QString::fromStdString(std::string(setting.key)) + "=mm"};
     }

@@ -149,7 +149,7 @@ QString farthest(const CompensationColumn& column, const Values& expected, doubl
 
 bool isOfAxesForThemselves(const TableFormat& format)
 {
-    for (const std::string_view name : {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
+    for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
              "kmotion-linear", "linuxcnc", "twincat-nc"})
         if (format.facts.name == name)
             return true;

@@ -63,6 +63,17 @@ def metric(case):
     return UNITS["deg" if case["rotary"] else "mm"]
 
 
+def read_acs_1d(side, case):
+    text = side["text"]
+    call = (re.search(r"ERRORMAP1D (\w+), \w+, (\S+), (\S+), (\w+)\n", text)
+            or re.search(r"RPOS\((\w+)\) = APOS\(\1\) \+ MAP\(APOS\(\1\), ()()(\w+), (\S+), (\S+)\)\n", text))
+    base, step = map(float, (call[2] or call[5], call[3] or call[6]))
+    found = {int(i): float(v) for i, v in re.findall(r"^" + call[4] + r"\((\d+)\) = (\S+)$", text, re.M)}
+    unit, _ = setting_units(side)
+    return Table([scaled(spaced(base, step, len(found)), unit)],
+                 {BOTH: [found[i] * unit for i in range(len(found))]})
+
+
 def aerotech(text):
     words = [re.split(r"[;']", line)[0].split() for line in text.splitlines()]
     heads = [line[1:] for line in words if line and line[0].startswith(":START")]
@@ -275,7 +286,7 @@ def read_twincat_nc(side, case):
 
 UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc"}
 
-READERS = {"csv": read_csv, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
+READERS = {"csv": read_csv, "acs-1d": read_acs_1d, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
            "siemens-eec": read_siemens_eec, "siemens-cec": read_siemens_cec, "isg-ssfk": read_isg_ssfk,
            "isg-crosscomp": read_isg_crosscomp, "isg-crosscomp2": read_isg_crosscomp2, "softmc": read_softmc,
            "icube": read_icube, "linuxcnc": read_linuxcnc, "rapidcode": read_rapidcode, "pmac-1d": read_pmac_1d,

@@ -78,7 +78,7 @@ bool isKmotionGeo(const TableFormat& format)
 
 bool isOwnOnly(const TableFormat& format)
 {
-    for (const std::string_view name : {"aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
+    for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
              "kmotion-linear", "linuxcnc", "twincat-nc"})
         if (format.facts.name == name)
             return true;
@@ -87,8 +87,8 @@ bool isOwnOnly(const TableFormat& format)
 
 std::optional<Case> Cases::next()
 {
-    static const std::array<const TableFormat*, 17> formats{&calibration_csv::format(),
-        &aerotech_1d::format(), &aerotech_2d::format(), &siemens_eec::format(),
+    static const std::array<const TableFormat*, 18> formats{&calibration_csv::format(),
+        &acs_1d::format(), &aerotech_1d::format(), &aerotech_2d::format(), &siemens_eec::format(),
         &siemens_cec::format(), &isg_ssfk::format(), &isg_crosscomp::format(),
         &isg_crosscomp2::format(), &softmc::format(), &icube::format(), &linuxcnc::format(),
         &rapidcode::format(), &pmac_1d::format(), &kmotion_geo::format(), &kmotion_linear::format(),
@@ -186,6 +186,11 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
     const std::string position = chosen.isRotary ? "deg" : oneOf(lengths);
     const std::string value = chosen.isRotary ? "arcsec" : oneOf(lengths);
     const std::string kind = chosen.isRotary ? "rotary" : "linear";
+    if (name == "acs-1d")
+        return {{{"axis", "0"}, {"position-unit", position},
+                    {"form", maybe(0.5) ? "errormap" : "connect"},
+                    {"declare", maybe(0.5) ? "yes" : "no"}},
+            {{"position-unit", position}}};
     if (name == "aerotech-1d")
         return {{{"axis", "1"}},
             chosen.isRotary ? FormatSettings{{"rotary-axes", "1"}} : FormatSettings{}};

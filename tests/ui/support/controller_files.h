@@ -15,6 +15,10 @@ inline QString controllerFile(const QString& format)
         {QStringLiteral("csv"),
             QStringLiteral("X [mm],Y [mm],Table 1 [mm]\n0,0,0\n100,0,0.01\n0,50,0.02\n"
                            "100,50,0.03\n")},
+        {QStringLiteral("acs-1d"),
+            QStringLiteral("GLOBAL REAL STATIC XMAP(3)\nXMAP(0) = 0\nXMAP(1) = -0.01\n"
+                           "XMAP(2) = -0.02\nERRORUNMAP 0, 0\n"
+                           "ERRORMAP1D 0, 0, 0, 100, XMAP\nERRORMAPON 0, 0\nSTOP\n")},
         {QStringLiteral("aerotech-1d"),
             QStringLiteral(":START 1 SAMPLEDIST=100 POSUNIT=METRIC CORUNIT=PRIMARY\n"
                            ":START OFFSET=0 HOMEOFFSET=3\n0 -0.01 -0.02\n:END\n")},
