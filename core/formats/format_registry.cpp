@@ -22,7 +22,7 @@ bool hasExtension(const FormatFacts& facts, std::string_view fileName)
 /// An extension that says nothing of what is in the file.
 bool isOfAnything(std::string_view fileName)
 {
-    constexpr std::array<std::string_view, 4> extensions{".txt", ".ini", ".cfg", ".prg"};
+    constexpr std::array<std::string_view, 5> extensions{".txt", ".ini", ".cfg", ".prg", ".dat"};
     return std::ranges::any_of(extensions, [fileName](std::string_view extension) {
         return fileName.size() >= extension.size()
             && sameLetters(fileName.substr(fileName.size() - extension.size()), extension);
@@ -60,8 +60,11 @@ std::span<const TableFormat* const> tableFormats()
         &calibration_csv::format(),
         &tam_table::format(),
         &acs_1d::format(),
+        &acs_2d::format(),
         &aerotech_1d::format(),
         &aerotech_2d::format(),
+        &heidenhain_com::format(),
+        &heidenhain_com_530::format(),
         &icube::format(),
         &isg_crosscomp::format(),
         &isg_crosscomp2::format(),
@@ -82,6 +85,7 @@ std::span<const TableFormat* const> tableFormats()
         &softmc::format(),
         &softmc_basic::format(),
         &twincat_nc::format(),
+        &weihong::format(),
     };
     return formats;
 }

@@ -207,8 +207,8 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment)
                                                                : Encoding::Windows1252));
 }
 
-Result<std::vector<NeutralTable>> readBack(
-    const TableFormat& format, std::string_view bytes, FormatSettings settings)
+Result<std::vector<NeutralTable>> readBack(const TableFormat& format, std::string_view bytes,
+    FormatSettings settings, std::vector<Text>* warnings)
 {
     TableReadOptions options;
     options.settings = std::move(settings);
@@ -217,6 +217,8 @@ Result<std::vector<NeutralTable>> readBack(
         if (diagnostic.severity == Severity::Error)
             return cannotHold(
                 format.facts, textOf(diagnostic), AXISCOMP_TEXT("Error", "choose another format"));
+        else if (warnings != nullptr)
+            warnings->push_back(textOf(diagnostic));
     return std::move(reading.tables);
 }
 

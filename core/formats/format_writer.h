@@ -64,8 +64,8 @@ struct FileNumbers {
 void keepNote(std::vector<std::string>& notes, std::string_view comment);
 
 /// Reads what was written, so that `held` is what the file says. Errors: FormatCannotHold when the
-/// text cannot be read: the controller would not take it either.
-[[nodiscard]] Result<std::vector<NeutralTable>> readBack(
-    const TableFormat& format, std::string_view bytes, FormatSettings settings);
+/// text cannot be read: the controller would not take it either. warnings: gets those of reading.
+[[nodiscard]] Result<std::vector<NeutralTable>> readBack(const TableFormat& format,
+    std::string_view bytes, FormatSettings settings, std::vector<Text>* warnings = nullptr);
 
 } // namespace axiscomp

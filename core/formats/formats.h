@@ -17,11 +17,20 @@ namespace tam_table {
 namespace acs_1d {
 [[nodiscard]] const TableFormat& format(); ///< program, ERRORMAP1D or MAP
 }
+namespace acs_2d {
+[[nodiscard]] const TableFormat& format(); ///< program, MAP2
+}
 namespace aerotech_1d {
 [[nodiscard]] const TableFormat& format(); ///< calibration file, :START
 }
 namespace aerotech_2d {
 [[nodiscard]] const TableFormat& format(); ///< calibration file, :START2D
+}
+namespace heidenhain_com {
+[[nodiscard]] const TableFormat& format(); ///< .COM with the position in each line
+}
+namespace heidenhain_com_530 {
+[[nodiscard]] const TableFormat& format(); ///< .COM with DATUM and DISTANCE
 }
 namespace icube {
 [[nodiscard]] const TableFormat& format(); ///< CSV of Yaskawa iCube Control
@@ -82,6 +91,9 @@ namespace softmc_basic {
 }
 namespace twincat_nc {
 [[nodiscard]] const TableFormat& format(); ///< structured text of an NC axis
+}
+namespace weihong {
+[[nodiscard]] const TableFormat& format(); ///< axeserr.dat
 }
 
 /// The product's own formats: what the drive adds, on an even grid.

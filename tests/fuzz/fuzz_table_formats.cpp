@@ -24,8 +24,9 @@ FormatSettings neededSettings(const FormatFacts& facts, bool isWriting)
     FormatSettings settings;
     for (const FormatSetting& setting : facts.settings)
         if (setting.isNeeded && (isWriting ? setting.forWriting : setting.forReading))
-            settings[std::string(setting.key)] =
-                setting.kind == FormatSetting::Kind::Text ? "X" : "1000";
+            settings[std::string(setting.key)] = setting.kind == FormatSetting::Kind::Text ? "X"
+                : setting.key.ends_with("-2")                                              ? "2"
+                                                                                           : "1000";
     return settings;
 }
 

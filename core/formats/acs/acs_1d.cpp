@@ -230,12 +230,14 @@ void MapReader::warnOfOthers()
     if (other == m_program.calls().end())
         return;
     const Text found = AXISCOMP_TEXT("Error", "a map over two axes (MAP2)");
+    const Text expected = AXISCOMP_TEXT("Error", "the format {format} to read it")
+                              .with("format", acs_2d::format().facts.name);
     if (m_maps.empty())
-        m_diagnostics.error(DiagnosticCode::Syntax, other->name.line, other->name.column, found,
-            AXISCOMP_TEXT("Error", "the format acs-2d to read it"));
+        m_diagnostics.error(
+            DiagnosticCode::Syntax, other->name.line, other->name.column, found, expected);
     else
-        m_diagnostics.warning(DiagnosticCode::LeftOut, other->name.line, other->name.column, found,
-            AXISCOMP_TEXT("Error", "the format acs-2d to read it"));
+        m_diagnostics.warning(
+            DiagnosticCode::LeftOut, other->name.line, other->name.column, found, expected);
 }
 
 std::optional<NeutralTable> MapReader::tableOf(const Map& map)

@@ -48,8 +48,17 @@ QStringList settingsOf(const TableFormat& format, bool isWritten)
             settings += {option, "counts-per-unit=1000"};
         else if (isAxis && format.facts.name.starts_with("siemens"))
             settings += {option, QString::fromStdString(std::string(setting.key)) + "=X1"};
-        else if (setting.isNeeded && format.facts.name.starts_with("acs"))
-            settings += {option, QString::fromStdString(std::string(setting.key)) + "=1"};
+        else if (setting.key == "any-distance")
+            settings += {option, "any-distance=yes"};
+        else if (isAxis
+            && (format.facts.name.starts_with("heidenhain") || format.facts.name == "weihong"))
+            settings += {option, "axis=X"};
+        else if (format.facts.name == "acs-1d" && isAxis)
+            settings += {option, "axis=0"};
+        else if (format.facts.name == "acs-2d" && setting.key.ends_with("-1"))
+            settings += {option, "source-axis-1=0", option, "source-axis-2=1"};
+        else if (format.facts.name == "acs-2d" && setting.key == "target-axis")
+            settings += {option, "target-axis=2"};
         else if (isUnit && format.facts.name != "csv" && format.facts.name != "tamtbl")
             settings += {option, QString::fromStdString(std::string(setting.key)) + "=mm"};
     }

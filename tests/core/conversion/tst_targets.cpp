@@ -150,7 +150,7 @@ QString farthest(const CompensationColumn& column, const Values& expected, doubl
 bool isOfAxesForThemselves(const TableFormat& format)
 {
     for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
-             "kmotion-linear", "linuxcnc", "twincat-nc"})
+             "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -265,7 +265,19 @@ private Q_SLOTS:
         const std::optional<std::size_t> axis =
             own < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(own));
         const std::array tables{waves(names, target)};
-        const auto conversion = convertTables(tables, requestFor(calibration_csv::format(), to));
+        ConversionRequest asked = requestFor(calibration_csv::format(), to);
+        if (to.facts.name == "weihong" || to.facts.name.starts_with("heidenhain"))
+            asked.writing.settings["axis"] = "X";
+        if (to.facts.name.starts_with("heidenhain"))
+            asked.writing.settings["target-axis"] = "Z";
+        if (to.facts.name == "heidenhain-com-530")
+            asked.writing.settings["any-distance"] = "yes";
+        if (to.facts.name == "acs-2d") {
+            asked.writing.settings = {{"source-axis-1", "0"}, {"source-axis-2", "1"}};
+            if (!axis)
+                asked.writing.settings["target-axis"] = "2";
+        }
+        const auto conversion = convertTables(tables, asked);
         if (isOfAxesForThemselves(to) && !axis) {
             VERIFY_ERROR(conversion, ErrorCode::FormatCannotHold);
             return;

@@ -18,7 +18,7 @@ import sys
 from bisect import bisect_right
 
 UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "nm": 1e-9, "inch": 0.0254, "deg": 1.0, "mdeg": 1e-3, "arcsec": 1 / 3600}
-FEEDBACK = {"csv", "siemens-eec", "isg-ssfk", "power-pmac"}
+FEEDBACK = {"csv", "siemens-eec", "isg-ssfk", "power-pmac", "weihong", "heidenhain-com", "heidenhain-com-530"}
 BOTH, POSITIVE, NEGATIVE = "both", "positive", "negative"
 
 
@@ -72,6 +72,21 @@ def read_acs_1d(side, case):
     unit, _ = setting_units(side)
     return Table([scaled(spaced(base, step, len(found)), unit)],
                  {BOTH: [found[i] * unit for i in range(len(found))]})
+
+
+def read_acs_2d(side, case):
+    text = side["text"]
+    call = re.search(r"RPOS\((\w+)\) = APOS\(\1\) \+ MAP2\(APOS\(1\), APOS\(2\), (\w+), "
+                     r"(\S+), (\S+), (\S+), (\S+)\)\n", text)
+    if call[1] != str(case["own"] + 1 if "own" in case else 9):
+        raise ValueError("another axis")
+    found = {(int(i), int(j)): float(v)
+             for i, j, v in re.findall(r"^" + call[2] + r"\((\d+)\)\((\d+)\) = (\S+)$", text, re.M)}
+    position, value = setting_units(side)
+    rows, columns = (max(index[n] for index in found) + 1 for n in (0, 1))
+    axes = [scaled(spaced(float(call[3]), float(call[4]), columns), position),
+            scaled(spaced(float(call[5]), float(call[6]), rows), position)]
+    return Table(axes, {BOTH: [found[i, j] * value for i in range(rows) for j in range(columns)]})
 
 
 def aerotech(text):
@@ -217,6 +232,41 @@ def read_linuxcnc(side, case):
     return Table([[row[0] * unit for row in rows]], columns)
 
 
+def read_weihong(side, case):
+    unit, header, *lines = side["text"].splitlines()
+    if (unit, header) != (";unit=mm", "[X]"):
+        raise ValueError("another axis or unit")
+    rows = [[float(cell) * UNITS["mm"] for cell in line.split(",")] for line in lines]
+    forward, backward = ([row[k] for row in rows] for k in (1, 2))
+    columns = {BOTH: forward} if forward == backward else {POSITIVE: forward, NEGATIVE: backward}
+    return Table([[row[0] for row in rows]], columns)
+
+
+def read_heidenhain(side, case, name, start):
+    first, header, *lines = side["text"].splitlines()
+    moving = "C" if case["rotary"] else "X"
+    if not first.startswith("BEGIN " + name + moving + ".COM") or lines.pop() != "[END]":
+        raise ValueError("another axis, or no end")
+    unit = metric(case)
+    column = header.index(moving if "own" in case else "Z", 15)
+    rows = [(float(line[start:].split()[0]) * unit, float(line[column:].split()[0]) * unit) for line in lines]
+    return whole(Table([[x for x, _ in rows]], {BOTH: [value for _, value in rows]}), unit * 1e-4)
+
+
+def read_heidenhain_com(side, case):
+    return read_heidenhain(side, case, "AXIS_", 5)
+
+
+def read_heidenhain_com_530(side, case):
+    datum, distance = map(float, re.search(r"DATUM:(\S+) DISTANCE:(\S+)", side["text"]).groups())
+    table = read_heidenhain(side, case, "AXIS-", 8)
+    even = scaled(spaced(datum, distance, len(table.axes[0])), metric(case))
+    if any(abs(x - y) > 0.51e-4 * metric(case) for x, y in zip(table.axes[0], even)):
+        raise ValueError("positions that do not fit")
+    table.axes = [even]
+    return table
+
+
 def read_rapidcode(side, case):
     said = dict(re.findall(r"^# ([\w.-]+) = (.*)$", side["text"], re.M))
     counts = [float(cell) for line in side["text"].splitlines() if not line.startswith("#") for cell in line.split(",")]
@@ -284,12 +334,14 @@ def read_twincat_nc(side, case):
                  wraps="Modulo:=TRUE" in side["text"])
 
 
-UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc"}
+UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc", "weihong", "heidenhain-com"}
 
-READERS = {"csv": read_csv, "acs-1d": read_acs_1d, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
+READERS = {"csv": read_csv, "acs-1d": read_acs_1d, "acs-2d": read_acs_2d, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
            "siemens-eec": read_siemens_eec, "siemens-cec": read_siemens_cec, "isg-ssfk": read_isg_ssfk,
            "isg-crosscomp": read_isg_crosscomp, "isg-crosscomp2": read_isg_crosscomp2, "softmc": read_softmc,
            "icube": read_icube, "linuxcnc": read_linuxcnc, "rapidcode": read_rapidcode, "pmac-1d": read_pmac_1d,
+           "weihong": read_weihong, "heidenhain-com": read_heidenhain_com,
+           "heidenhain-com-530": read_heidenhain_com_530,
            "kmotion-geo": read_kmotion_geo, "kmotion-linear": read_kmotion_linear,
            "power-pmac": read_power_pmac, "twincat-nc": read_twincat_nc}
 

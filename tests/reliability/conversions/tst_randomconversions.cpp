@@ -79,7 +79,7 @@ bool isKmotionGeo(const TableFormat& format)
 bool isOwnOnly(const TableFormat& format)
 {
     for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
-             "kmotion-linear", "linuxcnc", "twincat-nc"})
+             "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -87,12 +87,13 @@ bool isOwnOnly(const TableFormat& format)
 
 std::optional<Case> Cases::next()
 {
-    static const std::array<const TableFormat*, 18> formats{&calibration_csv::format(),
-        &acs_1d::format(), &aerotech_1d::format(), &aerotech_2d::format(), &siemens_eec::format(),
-        &siemens_cec::format(), &isg_ssfk::format(), &isg_crosscomp::format(),
-        &isg_crosscomp2::format(), &softmc::format(), &icube::format(), &linuxcnc::format(),
-        &rapidcode::format(), &pmac_1d::format(), &kmotion_geo::format(), &kmotion_linear::format(),
-        &power_pmac::format(), &twincat_nc::format()};
+    static const std::array<const TableFormat*, 22> formats{&calibration_csv::format(),
+        &acs_1d::format(), &acs_2d::format(), &aerotech_1d::format(), &aerotech_2d::format(),
+        &siemens_eec::format(), &siemens_cec::format(), &isg_ssfk::format(),
+        &isg_crosscomp::format(), &isg_crosscomp2::format(), &softmc::format(), &icube::format(),
+        &linuxcnc::format(), &rapidcode::format(), &pmac_1d::format(), &weihong::format(),
+        &heidenhain_com::format(), &heidenhain_com_530::format(), &kmotion_geo::format(),
+        &kmotion_linear::format(), &power_pmac::format(), &twincat_nc::format()};
     Case chosen;
     chosen.from = oneOf(formats);
     chosen.to = oneOf(formats);
@@ -191,6 +192,21 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
                     {"form", maybe(0.5) ? "errormap" : "connect"},
                     {"declare", maybe(0.5) ? "yes" : "no"}},
             {{"position-unit", position}}};
+    if (name == "weihong")
+        return {{{"axis", "X"}}, {}};
+    if (name.starts_with("heidenhain")) {
+        FormatSettings writing{{"axis", chosen.isRotary ? "C" : "X"}, {"target-axis", "Z"}};
+        if (name == "heidenhain-com-530")
+            writing["any-distance"] = "yes";
+        return {writing, {}};
+    }
+    if (name == "acs-2d") {
+        const FormatSettings both{
+            {"position-unit", position}, {"value-unit", chosen.own ? position : value}};
+        FormatSettings writing = both;
+        writing.insert({{"source-axis-1", "1"}, {"source-axis-2", "2"}, {"target-axis", target}});
+        return {writing, both};
+    }
     if (name == "aerotech-1d")
         return {{{"axis", "1"}},
             chosen.isRotary ? FormatSettings{{"rotary-axes", "1"}} : FormatSettings{}};

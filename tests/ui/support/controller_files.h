@@ -19,12 +19,29 @@ inline QString controllerFile(const QString& format)
             QStringLiteral("GLOBAL REAL STATIC XMAP(3)\nXMAP(0) = 0\nXMAP(1) = -0.01\n"
                            "XMAP(2) = -0.02\nERRORUNMAP 0, 0\n"
                            "ERRORMAP1D 0, 0, 0, 100, XMAP\nERRORMAPON 0, 0\nSTOP\n")},
+        {QStringLiteral("acs-2d"),
+            QStringLiteral("GLOBAL REAL STATIC M0(2)(3)\nM0(0)(0) = 0\nM0(0)(1) = -0.01\n"
+                           "M0(0)(2) = -0.02\nM0(1)(0) = 0\nM0(1)(1) = -0.01\nM0(1)(2) = 0.02\n"
+                           "CONNECT RPOS(0) = APOS(0) + MAP2(APOS(0), APOS(1), M0, 0, 100, 0, 50)\n"
+                           "DEPENDS 0, (0,1)\nSTOP\n")},
         {QStringLiteral("aerotech-1d"),
             QStringLiteral(":START 1 SAMPLEDIST=100 POSUNIT=METRIC CORUNIT=PRIMARY\n"
                            ":START OFFSET=0 HOMEOFFSET=3\n0 -0.01 -0.02\n:END\n")},
         {QStringLiteral("aerotech-2d"),
             QStringLiteral(":START2D 2 1 1 2 10 5 3\n:START2D POSUNIT=METRIC CORUNIT=METRIC/1000\n"
                            ":START2D OFFSETCOL=5\n1 -1 2 -2 3 -3\n4 -4 5 -5 6 -6\n:END\n")},
+        {QStringLiteral("heidenhain-com"),
+            QStringLiteral("BEGIN AXIS_Y.COM MM\n"
+                           "NR   AXISPOS       BACKLASH      X             Y             Z\n"
+                           "0    +0.0000                                   +0.0000\n"
+                           "1    +100.0000                                 +0.0100\n"
+                           "2    +200.0000                                 +0.0200\n[END]\n")},
+        {QStringLiteral("heidenhain-com-530"),
+            QStringLiteral("BEGIN AXIS-Y.COM  DATUM:-90.0000 DISTANCE:+6.5536\n"
+                           "NR                  X          Y          Z\n"
+                           "0       -90.0000               +0.0000\n"
+                           "1       -83.4464               +0.0021\n"
+                           "2       -76.8928               +0.0035\n[END]\n")},
         {QStringLiteral("icube"), QStringLiteral("position,offset\n0,0\n100,-0.01\n200,-0.02\n")},
         {QStringLiteral("isg-crosscomp"),
             QStringLiteral("kopf.achs_nr 1\nkw.crosscomp.unit 1\nkw.crosscomp.last_index 2\n"
@@ -114,6 +131,9 @@ inline QString controllerFile(const QString& format)
                            "(Position:=10.0, Compensation:=0.1),\n"
                            "(Position:=20.0, Compensation:=0.2)];\n")},
         {QStringLiteral("softmc"), QStringLiteral("1 3\n0 0\n100 -0.01\n200 -0.02\n")},
+        {QStringLiteral("weihong"),
+            QStringLiteral(";unit=mm\n[X]\n0, 0.027, 0.083\n100, 0.025, 0.077\n"
+                           "200, 0.015, 0.068\n")},
     };
     return files.value(format);
 }
