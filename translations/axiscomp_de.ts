@@ -6058,6 +6058,542 @@
         <source>the connection was ended</source>
         <translation>die Verbindung wurde beendet</translation>
     </message>
+    <message>
+        <source>number of the axis, from 0</source>
+        <translation>Nummer der Achse, ab 0</translation>
+    </message>
+    <message>
+        <source>number of the zone of the error map, from 0</source>
+        <translation>Nummer der Zone der Fehlerkarte, ab 0</translation>
+    </message>
+    <message>
+        <source>how the array is mapped: ERRORMAP1D, or CONNECT with MAP</source>
+        <translation>wie das Array zugeordnet wird: ERRORMAP1D oder CONNECT mit MAP</translation>
+    </message>
+    <message>
+        <source>ERRORMAP1D axis, zone, base, step, array</source>
+        <translation>ERRORMAP1D Achse, Zone, Anfang, Schritt, Array</translation>
+    </message>
+    <message>
+        <source>CONNECT RPOS(a) = APOS(a) + MAP(APOS(a), array, base, step)</source>
+        <translation>CONNECT RPOS(a) = APOS(a) + MAP(APOS(a), Array, Anfang, Schritt)</translation>
+    </message>
+    <message>
+        <source>a step of {step}</source>
+        <translation>ein Schritt von {step}</translation>
+    </message>
+    <message>
+        <source>a step above 0</source>
+        <translation>ein Schritt über 0</translation>
+    </message>
+    <message>
+        <source>another map of axis {axis}, besides that of line {line}</source>
+        <translation>eine weitere Karte der Achse {axis} neben der in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>one map of an axis; both are read, and the program decides which one counts</source>
+        <translation>eine Karte je Achse; beide werden gelesen, und das Programm entscheidet, welche gilt</translation>
+    </message>
+    <message>
+        <source>no ERRORMAPON {axis}, {zone}</source>
+        <translation>kein ERRORMAPON {axis}, {zone}</translation>
+    </message>
+    <message>
+        <source>a statement that switches the map on, which may stand in another program</source>
+        <translation>eine Anweisung, die die Karte einschaltet; sie kann in einem anderen Programm stehen</translation>
+    </message>
+    <message>
+        <source>a map over two axes (MAP2)</source>
+        <translation>eine Karte über zwei Achsen (MAP2)</translation>
+    </message>
+    <message>
+        <source>the format {format} to read it</source>
+        <translation>das Format {format}, um sie zu lesen</translation>
+    </message>
+    <message>
+        <source>a statement ERRORMAP1D, or CONNECT with MAP, of which there is none</source>
+        <translation>eine Anweisung ERRORMAP1D oder CONNECT mit MAP; es gibt keine</translation>
+    </message>
+    <message>
+        <source>the axis must be referenced; the connection replaces an error map of the axis</source>
+        <translation>die Achse muss referenziert sein; die Verbindung ersetzt eine Fehlerkarte der Achse</translation>
+    </message>
+    <message>
+        <source>the axis must be referenced, and a map that is on switched off with ERRORMAPOFF before; ERRORUNMAP {axis}, {zone} removes the map</source>
+        <translation>die Achse muss referenziert sein und eine eingeschaltete Karte vorher mit ERRORMAPOFF ausgeschaltet werden; ERRORUNMAP {axis}, {zone} entfernt die Karte</translation>
+    </message>
+    <message>
+        <source>program with the error map of an axis (ERRORMAP1D, or CONNECT with MAP)</source>
+        <translation>Programm mit der Fehlerkarte einer Achse (ERRORMAP1D oder CONNECT mit MAP)</translation>
+    </message>
+    <message>
+        <source>number of the axis of the first source of the table, from 0</source>
+        <translation>Nummer der Achse der ersten Quelle der Tabelle, ab 0</translation>
+    </message>
+    <message>
+        <source>number of the axis of the second source of the table, from 0</source>
+        <translation>Nummer der Achse der zweiten Quelle der Tabelle, ab 0</translation>
+    </message>
+    <message>
+        <source>number of the axis that is compensated, from 0; needed where it is none of the sources</source>
+        <translation>Nummer der kompensierten Achse, ab 0; nötig, wo sie keine der Quellen ist</translation>
+    </message>
+    <message>
+        <source>CONNECT RPOS(t) = APOS(t) + MAP2(APOS(a), APOS(b), array, base1, step1, base2, step2)</source>
+        <translation>CONNECT RPOS(t) = APOS(t) + MAP2(APOS(a), APOS(b), Array, Anfang1, Schritt1, Anfang2, Schritt2)</translation>
+    </message>
+    <message>
+        <source>a map of one axis ({name})</source>
+        <translation>eine Karte einer Achse ({name})</translation>
+    </message>
+    <message>
+        <source>a statement CONNECT with MAP2, of which there is none</source>
+        <translation>eine Anweisung CONNECT mit MAP2; es gibt keine</translation>
+    </message>
+    <message>
+        <source>both sources are axis {axis}: {key} and {other}</source>
+        <translation>beide Quellen sind Achse {axis}: {key} und {other}</translation>
+    </message>
+    <message>
+        <source>the format {format} needs the setting {key}, since the table corrects none of its sources</source>
+        <translation>das Format {format} braucht die Einstellung {key}, weil die Tabelle keine ihrer Quellen korrigiert</translation>
+    </message>
+    <message>
+        <source>the table goes from {column}, which the settings {key}, {other} and {target} contradict</source>
+        <translation>die Tabelle geht von {column}; dem widersprechen die Einstellungen {key}, {other} und {target}</translation>
+    </message>
+    <message>
+        <source>the axes must be referenced; the connection replaces an error map of axis {axis}</source>
+        <translation>die Achsen müssen referenziert sein; die Verbindung ersetzt eine Fehlerkarte der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>program with the map of an axis over two (MAP2)</source>
+        <translation>Programm mit der Karte einer Achse über zwei Achsen (MAP2)</translation>
+    </message>
+    <message>
+        <source>a number, or a name that got one before</source>
+        <translation>eine Zahl oder ein Name, der vorher eine bekommen hat</translation>
+    </message>
+    <message>
+        <source>one number; other buffers give it another one in line {line}</source>
+        <translation>eine einzige Zahl; in Zeile {line} gibt ihm ein anderer Puffer eine andere</translation>
+    </message>
+    <message>
+        <source>a name that got a number; in line {line} it gets something that is not computed here</source>
+        <translation>ein Name, der eine Zahl bekommen hat; in Zeile {line} bekommt er etwas, das hier nicht ausgerechnet wird</translation>
+    </message>
+    <message>
+        <source>a whole number, since it is declared INT; in line {line} it gets another one</source>
+        <translation>eine ganze Zahl, weil er als INT deklariert ist; in Zeile {line} bekommt er eine andere</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, or a name that got one; expressions are not computed</source>
+        <translation>eine Zahl mit Dezimalpunkt oder ein Name, der eine bekommen hat; Ausdrücke werden nicht ausgerechnet</translation>
+    </message>
+    <message>
+        <source>a whole number from 0</source>
+        <translation>eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>one index of {name}</source>
+        <translation>ein Index von {name}</translation>
+    </message>
+    <message>
+        <source>two indices of {name}</source>
+        <translation>zwei Indizes von {name}</translation>
+    </message>
+    <message>
+        <source>an index of {name}: a whole number from 0</source>
+        <translation>ein Index von {name}: eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point; expressions are not computed</source>
+        <translation>eine Zahl mit Dezimalpunkt; Ausdrücke werden nicht ausgerechnet</translation>
+    </message>
+    <message>
+        <source>a whole number, since {name} is declared INT</source>
+        <translation>eine ganze Zahl, weil {name} als INT deklariert ist</translation>
+    </message>
+    <message>
+        <source>an array whose elements are numbers in this program</source>
+        <translation>ein Array, dessen Elemente in diesem Programm Zahlen sind</translation>
+    </message>
+    <message>
+        <source>{name} with another number of indices</source>
+        <translation>{name} mit einer anderen Zahl von Indizes</translation>
+    </message>
+    <message>
+        <source>{sizes}, which its elements need</source>
+        <translation>{sizes}, wie es seine Elemente brauchen</translation>
+    </message>
+    <message>
+        <source>{array} with elements for {sizes}</source>
+        <translation>{array} mit Elementen für {sizes}</translation>
+    </message>
+    <message>
+        <source>a value for each element; the table has those that the program gives, and the controller may use the others as they are</source>
+        <translation>ein Wert für jedes Element; die Tabelle hat die Werte aus dem Programm, und die Steuerung kann die übrigen verwenden, wie sie sind</translation>
+    </message>
+    <message>
+        <source>no {element}</source>
+        <translation>kein {element}</translation>
+    </message>
+    <message>
+        <source>a number for each element up to the highest index</source>
+        <translation>eine Zahl für jedes Element bis zum höchsten Index</translation>
+    </message>
+    <message>
+        <source>{element} a second time</source>
+        <translation>{element} ein zweites Mal</translation>
+    </message>
+    <message>
+        <source>each element once; the last number counts</source>
+        <translation>jedes Element einmal; die letzte Zahl gilt</translation>
+    </message>
+    <message>
+        <source>{name}, which is not supported</source>
+        <translation>{name}, was nicht unterstützt wird</translation>
+    </message>
+    <message>
+        <source>ERRORMAP1D, or CONNECT with MAP or MAP2</source>
+        <translation>ERRORMAP1D oder CONNECT mit MAP oder MAP2</translation>
+    </message>
+    <message>
+        <source>name of the array: a letter, then letters, digits and underlines</source>
+        <translation>Name des Arrays: ein Buchstabe, dann Buchstaben, Ziffern und Unterstriche</translation>
+    </message>
+    <message>
+        <source>the program declares the array; no where the controller has it already</source>
+        <translation>das Programm deklariert das Array; no, wo die Steuerung es schon hat</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot; is no name for an array of the format {format}, such as {example}; change the setting {key}</source>
+        <translation>„{name}“ ist kein Name für ein Array des Formats {format}, wie {example}; Einstellung {key} ändern</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}; it is a number from 0</source>
+        <translation>die Einstellung {key} des Formats {format} ist {value}; sie ist eine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>the controller must not have declared the array {name} before, which the program does; otherwise the setting declare=no</source>
+        <translation>die Steuerung darf das Array {name} noch nicht deklariert haben, denn das Programm deklariert es; sonst die Einstellung declare=no</translation>
+    </message>
+    <message>
+        <source>the controller must have declared the array {name}, with as many elements as the program gives it</source>
+        <translation>die Steuerung muss das Array {name} deklariert haben, mit so vielen Elementen, wie das Programm ihm gibt</translation>
+    </message>
+    <message>
+        <source>the format {format} names its axes by one of the letters {letters}, and the axis name is &quot;{name}&quot;; give the setting {key}</source>
+        <translation>das Format {format} benennt seine Achsen mit einem der Buchstaben {letters}, und der Achsname ist „{name}“; Einstellung {key} angeben</translation>
+    </message>
+    <message>
+        <source>the format {format} names its axes by one of the letters {letters}; the setting {key} is {value}</source>
+        <translation>das Format {format} benennt seine Achsen mit einem der Buchstaben {letters}; die Einstellung {key} ist {value}</translation>
+    </message>
+    <message>
+        <source>the table is of axis &quot;{name}&quot;, and the setting {key} of the format {format} says {value}</source>
+        <translation>die Tabelle gehört zur Achse „{name}“, und die Einstellung {key} des Formats {format} sagt {value}</translation>
+    </message>
+    <message>
+        <source>compensation-value table (.COM) with the position in each line</source>
+        <translation>Kompensationswert-Tabelle (.COM) mit der Position in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>also distances that are no power of two times 0.0001, for an iTNC 530</source>
+        <translation>auch Abstände, die keine Zweierpotenz mal 0.0001 sind, für eine iTNC 530</translation>
+    </message>
+    <message>
+        <source>compensation-value table (.COM) with even positions</source>
+        <translation>Kompensationswert-Tabelle (.COM) mit gleichmäßigen Positionen</translation>
+    </message>
+    <message>
+        <source>letter of the axis whose position counts, where its name is none or another one</source>
+        <translation>Buchstabe der Achse, deren Position gilt, wo ihr Name keiner oder ein anderer ist</translation>
+    </message>
+    <message>
+        <source>letter of the axis that is compensated by the position of another one, where its name is none</source>
+        <translation>Buchstabe der Achse, die nach der Position einer anderen kompensiert wird, wo ihr Name keiner ist</translation>
+    </message>
+    <message>
+        <source>a number in mm or degrees behind {word}</source>
+        <translation>eine Zahl in mm oder Grad hinter {word}</translation>
+    </message>
+    <message>
+        <source>the setting {key} {value}</source>
+        <translation>die Einstellung {key} {value}</translation>
+    </message>
+    <message>
+        <source>one letter</source>
+        <translation>ein Buchstabe</translation>
+    </message>
+    <message>
+        <source>the moving axis, as in AXIS_Y; its letter as the setting {key} where the file has another name</source>
+        <translation>die bewegte Achse, wie in AXIS_Y; ihr Buchstabe als Einstellung {key}, wo die Datei anders heißt</translation>
+    </message>
+    <message>
+        <source>axis {axis} in the name of the file</source>
+        <translation>Achse {axis} im Namen der Datei</translation>
+    </message>
+    <message>
+        <source>axis {axis}, as the setting {key} says</source>
+        <translation>Achse {axis}, wie die Einstellung {key} sagt</translation>
+    </message>
+    <message>
+        <source>a first line without MM</source>
+        <translation>eine erste Zeile ohne MM</translation>
+    </message>
+    <message>
+        <source>MM or INCH; mm is assumed</source>
+        <translation>MM oder INCH; mm wird angenommen</translation>
+    </message>
+    <message>
+        <source>a first line such as {example}</source>
+        <translation>eine erste Zeile wie {example}</translation>
+    </message>
+    <message>
+        <source>a distance of {distance}</source>
+        <translation>ein Abstand von {distance}</translation>
+    </message>
+    <message>
+        <source>a tab</source>
+        <translation>ein Tabulator</translation>
+    </message>
+    <message>
+        <source>blanks, since the columns are counted in characters</source>
+        <translation>Leerzeichen, weil die Spalten in Zeichen gezählt werden</translation>
+    </message>
+    <message>
+        <source>each column once</source>
+        <translation>jede Spalte einmal</translation>
+    </message>
+    <message>
+        <source>a line of headers such as {example}</source>
+        <translation>eine Zeile mit Überschriften wie {example}</translation>
+    </message>
+    <message>
+        <source>a value below the header of an axis, and one in each column</source>
+        <translation>ein Wert unter der Überschrift einer Achse, und einer je Spalte</translation>
+    </message>
+    <message>
+        <source>the number of a line</source>
+        <translation>die Nummer einer Zeile</translation>
+    </message>
+    <message>
+        <source>ascending numbers from 0</source>
+        <translation>aufsteigende Nummern ab 0</translation>
+    </message>
+    <message>
+        <source>{position}, as DATUM and DISTANCE say for line {number}</source>
+        <translation>{position}, wie DATUM und DISTANCE für Zeile {number} sagen</translation>
+    </message>
+    <message>
+        <source>more than {count} lines</source>
+        <translation>mehr als {count} Zeilen</translation>
+    </message>
+    <message>
+        <source>at most {count} lines</source>
+        <translation>höchstens {count} Zeilen</translation>
+    </message>
+    <message>
+        <source>a line with its number and its position</source>
+        <translation>eine Zeile mit ihrer Nummer und ihrer Position</translation>
+    </message>
+    <message>
+        <source>nothing behind [END]</source>
+        <translation>nichts hinter [END]</translation>
+    </message>
+    <message>
+        <source>no line [END]</source>
+        <translation>keine Zeile [END]</translation>
+    </message>
+    <message>
+        <source>that line at the end; the file may be cut off</source>
+        <translation>diese Zeile am Ende; die Datei ist vielleicht abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the position {position} of the rotary axis {axis}</source>
+        <translation>die Position {position} der Drehachse {axis}</translation>
+    </message>
+    <message>
+        <source>0 to 360 deg; the control does not use others</source>
+        <translation>0 bis 360 deg; andere verwendet die Steuerung nicht</translation>
+    </message>
+    <message>
+        <source>values of {axis} that change by {change}</source>
+        <translation>Werte von {axis}, die sich um {change} ändern</translation>
+    </message>
+    <message>
+        <source>at most {limit} from line to line, DISTANCE / 64, on older controls</source>
+        <translation>höchstens {limit} von Zeile zu Zeile, DISTANCE / 64, bei älteren Steuerungen</translation>
+    </message>
+    <message>
+        <source>values in a column, of which there are none</source>
+        <translation>Werte in einer Spalte; es gibt keine</translation>
+    </message>
+    <message>
+        <source>the column of {axis}</source>
+        <translation>der Spalte von {axis}</translation>
+    </message>
+    <message>
+        <source>a line of headers behind the first line</source>
+        <translation>eine Zeile mit Überschriften hinter der ersten Zeile</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values in the column BACKLASH</source>
+        <comment>1 value in the column BACKLASH</comment>
+        <translation>
+            <numerusform>1 Wert in der Spalte BACKLASH</numerusform>
+            <numerusform>{count} Werte in der Spalte BACKLASH</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>none: it is not published whether they are whole values or differences</source>
+        <translation>keine: es ist nicht veröffentlicht, ob es ganze Werte oder Differenzen sind</translation>
+    </message>
+    <message>
+        <source>the table goes from {column}, and the settings for its axes say {axis} for both</source>
+        <translation>die Tabelle geht von {column}, und die Einstellungen für ihre Achsen sagen {axis} für beide</translation>
+    </message>
+    <message>
+        <source>there are two columns for axis {axis}</source>
+        <translation>es gibt zwei Spalten für die Achse {axis}</translation>
+    </message>
+    <message>
+        <source>its numbers for axis {axis} are in {unit}; A, B and C are in degrees, other axes in mm</source>
+        <translation>ihre Zahlen für die Achse {axis} sind in {unit}; A, B und C sind in Grad, andere Achsen in mm</translation>
+    </message>
+    <message>
+        <source>check the units and the axes of the table</source>
+        <translation>Einheiten und Achsen der Tabelle prüfen</translation>
+    </message>
+    <message>
+        <source>its positions go from {first} to {last}, and of a rotary axis only 0 to 360 degrees count</source>
+        <translation>ihre Positionen gehen von {first} bis {last}, und von einer Drehachse gelten nur 0 bis 360 Grad</translation>
+    </message>
+    <message>
+        <source>resample it onto this range</source>
+        <translation>auf diesen Bereich umrechnen</translation>
+    </message>
+    <message>
+        <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>
+        <translation>die Zahlen für die Achse {axis} haben keine Einheit; sie gelten als {unit}</translation>
+    </message>
+    <message>
+        <source>its distance is {distance}; the TNC 407 takes a power of two times {step}, and the next ones are {below} and {above}</source>
+        <translation>ihr Abstand ist {distance}; die TNC 407 nimmt eine Zweierpotenz mal {step}, und die nächsten sind {below} und {above}</translation>
+    </message>
+    <message>
+        <source>resample it with one of these distances, or set any-distance=yes for an iTNC 530</source>
+        <translation>mit einem dieser Abstände umrechnen, oder any-distance=yes für eine iTNC 530 setzen</translation>
+    </message>
+    <message>
+        <source>its distance {distance} has more than {count} decimals</source>
+        <translation>ihr Abstand {distance} hat mehr als {count} Nachkommastellen</translation>
+    </message>
+    <message>
+        <source>resample it with a distance of fewer decimals</source>
+        <translation>mit einem Abstand mit weniger Nachkommastellen umrechnen</translation>
+    </message>
+    <message>
+        <source>the number {number} has more digits than a column holds</source>
+        <translation>die Zahl {number} hat mehr Ziffern, als eine Spalte fasst</translation>
+    </message>
+    <message>
+        <source>no text says the sign of a .COM table; it is written as the error, actual - commanded position. Check one point on the machine</source>
+        <translation>kein Text sagt das Vorzeichen einer .COM-Tabelle; sie wird als Fehler geschrieben, Istposition - Sollposition. Einen Punkt an der Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>name the file in a line of config.cma, in the column of axis {axis}, and mark the line with *; older controls also need the bit of the axis in MP730</source>
+        <translation>die Datei in einer Zeile von config.cma in der Spalte der Achse {axis} eintragen und die Zeile mit * markieren; ältere Steuerungen brauchen auch das Bit der Achse in MP730</translation>
+    </message>
+    <message>
+        <source>axis of the table, where the table names none of these</source>
+        <translation>Achse der Tabelle, wo die Tabelle keine von diesen nennt</translation>
+    </message>
+    <message>
+        <source>the unit &quot;{unit}&quot;</source>
+        <translation>die Einheit „{unit}“</translation>
+    </message>
+    <message>
+        <source>mm, the only unit of this file</source>
+        <translation>mm, die einzige Einheit dieser Datei</translation>
+    </message>
+    <message>
+        <source>the letter of an axis between brackets, such as [X]</source>
+        <translation>der Buchstabe einer Achse zwischen Klammern, wie [X]</translation>
+    </message>
+    <message>
+        <source>a section of axis {axis}</source>
+        <translation>ein Abschnitt der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>X, Y or Z</source>
+        <translation>X, Y oder Z</translation>
+    </message>
+    <message>
+        <source>a second section of axis {axis}</source>
+        <translation>ein zweiter Abschnitt der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>each axis once; the first is in line {line}</source>
+        <translation>jede Achse einmal; der erste Abschnitt steht in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>a section such as [X] before the first numbers</source>
+        <translation>ein Abschnitt wie [X] vor den ersten Zahlen</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} numbers between commas</source>
+        <comment>1 number between commas</comment>
+        <translation>
+            <numerusform>1 Zahl zwischen Kommas</numerusform>
+            <numerusform>{count} Zahlen zwischen Kommas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>3, with decimal points: nominal position, forward error, backward error</source>
+        <translation>3, mit Dezimalpunkten: Sollposition, Fehler vorwärts, Fehler rückwärts</translation>
+    </message>
+    <message>
+        <source>a forward error in mm</source>
+        <translation>ein Fehler vorwärts in mm</translation>
+    </message>
+    <message>
+        <source>a backward error in mm</source>
+        <translation>ein Fehler rückwärts in mm</translation>
+    </message>
+    <message>
+        <source>a section such as [X], of which there is none</source>
+        <translation>ein Abschnitt wie [X]; es gibt keinen</translation>
+    </message>
+    <message>
+        <source>no line unit=mm</source>
+        <translation>keine Zeile unit=mm</translation>
+    </message>
+    <message>
+        <source>that line; mm is the only unit</source>
+        <translation>diese Zeile; mm ist die einzige Einheit</translation>
+    </message>
+    <message>
+        <source>the file is axeserr.dat in the folder of the software (NK200: from a USB stick), read when the software starts</source>
+        <translation>die Datei ist axeserr.dat im Ordner der Software (NK200: vom USB-Stick), gelesen beim Start der Software</translation>
+    </message>
+    <message>
+        <source>set the parameter Screw error compensation to 2: both directions</source>
+        <translation>den Parameter Screw error compensation auf 2 setzen: beide Richtungen</translation>
+    </message>
+    <message>
+        <source>set the parameter Screw error compensation to 2, or to 1 with the backlash as a parameter of its own</source>
+        <translation>den Parameter Screw error compensation auf 2 setzen, oder auf 1 mit dem Umkehrspiel als eigenem Parameter</translation>
+    </message>
+    <message>
+        <source>positions are machine coordinates from the reference point and must lie within the stroke, else the compensation is invalid</source>
+        <translation>Positionen sind Maschinenkoordinaten vom Referenzpunkt aus und müssen im Verfahrweg liegen, sonst ist die Kompensation ungültig</translation>
+    </message>
+    <message>
+        <source>axeserr.dat: screw errors forwards and backwards</source>
+        <translation>axeserr.dat: Spindelfehler vorwärts und rückwärts</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
