@@ -1451,14 +1451,6 @@
         <translation>an den Enden der Tabelle wurde das Vorzeichen mit gehaltenen Endwerten umgerechnet, wo die Steuerung der Quelle nichts korrigiert</translation>
     </message>
     <message>
-        <source>that files of the format {format} hold the feedback convention is an assumption: check one point on the machine</source>
-        <translation>dass Dateien des Formats {format} Werte der Geberseite enthalten, ist eine Annahme: einen Punkt an der Maschine prüfen</translation>
-    </message>
-    <message>
-        <source>that files of the format {format} hold the command convention is an assumption: check one point on the machine</source>
-        <translation>dass Dateien des Formats {format} Werte der Sollseite enthalten, ist eine Annahme: einen Punkt an der Maschine prüfen</translation>
-    </message>
-    <message>
         <source>the {what} have no unit; they are taken to be {unit}</source>
         <translation>die Einheit fehlt ({what}); angenommen wird {unit}</translation>
     </message>
@@ -6594,6 +6586,477 @@
         <source>axeserr.dat: screw errors forwards and backwards</source>
         <translation>axeserr.dat: Spindelfehler vorwärts und rückwärts</translation>
     </message>
+    <message>
+        <source>nobody has published which sign files of the format {format} have; {sign} is an assumption. Check one point on the machine, and state the sign: {statement}</source>
+        <translation>niemand hat veröffentlicht, welches Vorzeichen Dateien des Formats {format} haben; {sign} ist eine Annahme. Prüfen Sie einen Punkt an der Maschine und geben Sie das Vorzeichen an: {statement}</translation>
+    </message>
+    <message>
+        <source>holds the end values</source>
+        <translation>hält die Endwerte</translation>
+    </message>
+    <message>
+        <source>applies nothing</source>
+        <translation>wendet nichts an</translation>
+    </message>
+    <message>
+        <source>goes on as in the last cell</source>
+        <translation>fährt wie in der letzten Zelle fort</translation>
+    </message>
+    <message>
+        <source>beyond the ends of the table the controller of {from} {before}, and that of {to} {after}: up to one cell beyond them, the corrections for {column} differ by at most {largest}, at {place}</source>
+        <translation>jenseits der Enden der Tabelle gilt: die Steuerung von {from} {before}, die von {to} {after}; bis zu einer Zelle jenseits davon unterscheiden sich die Korrekturen für {column} um höchstens {largest}, bei {place}</translation>
+    </message>
+    <message>
+        <source>in the field Sign, or with {option}</source>
+        <translation>im Feld Vorzeichen oder mit {option}</translation>
+    </message>
+    <message>
+        <source>in the field Sign, with {option}, or as {entry} in a machine file</source>
+        <translation>im Feld Vorzeichen, mit {option} oder als {entry} in einer Maschinendatei</translation>
+    </message>
+    <message>
+        <source>an entry such as {example}</source>
+        <translation>ein Eintrag wie {example}</translation>
+    </message>
+    <message>
+        <source>each entry once; the last one counts</source>
+        <translation>jeder Eintrag einmal; der letzte zählt</translation>
+    </message>
+    <message>
+        <source>a value in mm</source>
+        <translation>ein Wert in mm</translation>
+    </message>
+    <message>
+        <source>{key} and {key2} as the ends of {list}</source>
+        <translation>{key} und {key2} als Enden von {list}</translation>
+    </message>
+    <message>
+        <source>{key} and {key2}, as later firmware writes them</source>
+        <translation>{key} und {key2}, wie spätere Firmware sie schreibt</translation>
+    </message>
+    <message>
+        <source>entries {key} and {key2} for {list}</source>
+        <translation>Einträge {key} und {key2} für {list}</translation>
+    </message>
+    <message>
+        <source>an end above the start</source>
+        <translation>ein Ende über dem Anfang</translation>
+    </message>
+    <message>
+        <source>a section [{section}] with {list} or {list2}</source>
+        <translation>ein Abschnitt [{section}] mit {list} oder {list2}</translation>
+    </message>
+    <message>
+        <source>[axis_twist_compensation] of printer.cfg: errors of the probe over X or Y</source>
+        <translation>[axis_twist_compensation] von printer.cfg: Fehler des Tasters über X oder Y</translation>
+    </message>
+    <message>
+        <source>unit of all numbers of the file; the controller takes them to be inches, and files in millimetres occur</source>
+        <translation>Einheit aller Zahlen der Datei; die Steuerung hält sie für Zoll, und es kommen Dateien in Millimetern vor</translation>
+    </message>
+    <message>
+        <source>a missing number</source>
+        <translation>eine fehlende Zahl</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} numbers with commas between</source>
+        <comment>1 number</comment>
+        <translation>
+            <numerusform>eine Zahl</numerusform>
+            <numerusform>{count} Zahlen mit Kommas dazwischen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a comma directly behind the number &quot;{number}&quot;</source>
+        <translation>ein Komma direkt hinter der Zahl &quot;{number}&quot;</translation>
+    </message>
+    <message>
+        <source>rows and columns, distances of X and Y, and X and Y of the first point</source>
+        <translation>Zeilen und Spalten, Abstände von X und Y sowie X und Y des ersten Punkts</translation>
+    </message>
+    <message>
+        <source>a number of rows or columns, {number} to {number2}</source>
+        <translation>eine Anzahl Zeilen oder Spalten, {number} bis {number2}</translation>
+    </message>
+    <message>
+        <source>a distance such as 0.5</source>
+        <translation>ein Abstand wie 0.5</translation>
+    </message>
+    <message>
+        <source>another one: with 0 the controller corrects nothing</source>
+        <translation>ein anderer: mit 0 korrigiert die Steuerung nichts</translation>
+    </message>
+    <message>
+        <source>a position of row 0 and column 0</source>
+        <translation>eine Position von Zeile 0 und Spalte 0</translation>
+    </message>
+    <message>
+        <source>the number of a row, 0 to {last}</source>
+        <translation>die Nummer einer Zeile, 0 bis {last}</translation>
+    </message>
+    <message>
+        <source>the number of a column, 0 to {last}</source>
+        <translation>die Nummer einer Spalte, 0 bis {last}</translation>
+    </message>
+    <message>
+        <source>row {row}, column {column}</source>
+        <translation>Zeile {row}, Spalte {column}</translation>
+    </message>
+    <message>
+        <source>each point once; the last line counts</source>
+        <translation>jeder Punkt einmal; die letzte Zeile zählt</translation>
+    </message>
+    <message numerus="yes">
+        <source>no line for {count} points, the first of them {point}</source>
+        <comment>no line for {point}</comment>
+        <translation>
+            <numerusform>keine Zeile für {point}</numerusform>
+            <numerusform>keine Zeile für {count} Punkte, der erste davon {point}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a line for each of the {rows} x {columns} points</source>
+        <translation>eine Zeile für jeden der {rows} x {columns} Punkte</translation>
+    </message>
+    <message>
+        <source>further numbers behind the last point</source>
+        <translation>weitere Zahlen hinter dem letzten Punkt</translation>
+    </message>
+    <message>
+        <source>{number} points; the controller does not read more either</source>
+        <translation>{number} Punkte; auch die Steuerung liest nicht mehr</translation>
+    </message>
+    <message>
+        <source>numbers without a unit, taken to be {unit}</source>
+        <translation>Zahlen ohne Einheit, angenommen wird {unit}</translation>
+    </message>
+    <message>
+        <source>the setting {key}, {value} or {value2}</source>
+        <translation>die Einstellung {key}, {value} oder {value2}</translation>
+    </message>
+    <message>
+        <source>its source {number} is {axis}, and this one is {name}</source>
+        <translation>seine Quelle {number} ist {axis}, und diese ist {name}</translation>
+    </message>
+    <message>
+        <source>exchange the sources of the table</source>
+        <translation>vertauschen Sie die Quellen der Tabelle</translation>
+    </message>
+    <message>
+        <source>{count} points along {axis} are more than the {limit} that the controller takes</source>
+        <translation>{count} Punkte entlang {axis} sind mehr als die {limit}, die die Steuerung annimmt</translation>
+    </message>
+    <message>
+        <source>it corrects X, Y and Z, and this table goes from {column}</source>
+        <translation>es korrigiert X, Y und Z, und diese Tabelle geht von {column}</translation>
+    </message>
+    <message>
+        <source>state the target as Z, or as other, where it is Z</source>
+        <translation>geben Sie das Ziel als Z an, oder als other, wo es Z ist</translation>
+    </message>
+    <message>
+        <source>two columns go from {column}</source>
+        <translation>zwei Spalten gehen von {column}</translation>
+    </message>
+    <message>
+        <source>keep one of them</source>
+        <translation>behalten Sie eine davon</translation>
+    </message>
+    <message>
+        <source>the numbers of the file are in {unit}; the controller takes them to be inches</source>
+        <translation>die Zahlen der Datei sind in {unit}; die Steuerung hält sie für Zoll</translation>
+    </message>
+    <message>
+        <source>name the file as Geo File in the tool setup of KMotionCNC; arcs are then broken into short lines, and Z is corrected for the plane Z = 0 only</source>
+        <translation>tragen Sie die Datei als Geo File im Tool Setup von KMotionCNC ein; Bögen werden dann in kurze Strecken zerlegt, und Z wird nur für die Ebene Z = 0 korrigiert</translation>
+    </message>
+    <message>
+        <source>geometric correction of X, Y and Z over X and Y</source>
+        <translation>geometrische Korrektur von X, Y und Z über X und Y</translation>
+    </message>
+    <message>
+        <source>a line each for the number of positions, the size of a range and the first position</source>
+        <translation>je eine Zeile für die Anzahl der Positionen, die Größe eines Bereichs und die erste Position</translation>
+    </message>
+    <message>
+        <source>a number of positions</source>
+        <translation>eine Anzahl Positionen</translation>
+    </message>
+    <message>
+        <source>the size of a range</source>
+        <translation>die Größe eines Bereichs</translation>
+    </message>
+    <message>
+        <source>the first position</source>
+        <translation>die erste Position</translation>
+    </message>
+    <message>
+        <source>a range of {size}</source>
+        <translation>ein Bereich von {size}</translation>
+    </message>
+    <message>
+        <source>more than 0</source>
+        <translation>mehr als 0</translation>
+    </message>
+    <message>
+        <source>index and position, or the position alone</source>
+        <translation>Index und Position, oder die Position allein</translation>
+    </message>
+    <message>
+        <source>an index from 0</source>
+        <translation>ein Index ab 0</translation>
+    </message>
+    <message>
+        <source>the index {number}</source>
+        <translation>der Index {number}</translation>
+    </message>
+    <message>
+        <source>{number}: indices count from 0 in the order of the lines</source>
+        <translation>{number}: Indizes zählen ab 0 in der Reihenfolge der Zeilen</translation>
+    </message>
+    <message>
+        <source>a position to command</source>
+        <translation>eine zu kommandierende Position</translation>
+    </message>
+    <message>
+        <source>{value}, as the first line says</source>
+        <translation>{value}, wie die erste Zeile sagt</translation>
+    </message>
+    <message>
+        <source>strictly increasing positions to command; a list of corrections is no such file</source>
+        <translation>streng steigende zu kommandierende Positionen; eine Liste von Korrekturen ist keine solche Datei</translation>
+    </message>
+    <message>
+        <source>at {position} the position to command, {sum}, is not larger than the one before, {before}</source>
+        <translation>bei {position} ist die zu kommandierende Position {sum} nicht größer als die davor, {before}</translation>
+    </message>
+    <message>
+        <source>the file holds positions to command, not corrections; KMotionCNC applies them after the geometric correction</source>
+        <translation>die Datei enthält zu kommandierende Positionen, keine Korrekturen; KMotionCNC wendet sie nach der geometrischen Korrektur an</translation>
+    </message>
+    <message>
+        <source>linear table of one axis: positions to command</source>
+        <translation>lineare Tabelle einer Achse: zu kommandierende Positionen</translation>
+    </message>
+    <message>
+        <source>motor units for one unit of the positions</source>
+        <translation>Motoreinheiten für eine Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>number of the table, from 0</source>
+        <translation>Nummer der Tabelle, ab 0</translation>
+    </message>
+    <message>
+        <source>number of the motor whose position counts</source>
+        <translation>Nummer des Motors, dessen Position zählt</translation>
+    </message>
+    <message>
+        <source>number of the motor that is compensated</source>
+        <translation>Nummer des Motors, der kompensiert wird</translation>
+    </message>
+    <message>
+        <source>a value of the table</source>
+        <translation>ein Wert der Tabelle</translation>
+    </message>
+    <message>
+        <source>value {number} again</source>
+        <translation>Wert {number} noch einmal</translation>
+    </message>
+    <message>
+        <source>each value once; the last one counts</source>
+        <translation>jeder Wert einmal; der letzte zählt</translation>
+    </message>
+    <message>
+        <source>an assignment such as {example}</source>
+        <translation>eine Zuweisung wie {example}</translation>
+    </message>
+    <message>
+        <source>{element} of the table: {meaning}</source>
+        <translation>{element} der Tabelle: {meaning}</translation>
+    </message>
+    <message>
+        <source>CompPos or CompPos2 of one motor, such as {example}</source>
+        <translation>CompPos oder CompPos2 eines Motors, wie {example}</translation>
+    </message>
+    <message>
+        <source>the motor that is compensated</source>
+        <translation>der Motor, der kompensiert wird</translation>
+    </message>
+    <message>
+        <source>the scale factor of the values</source>
+        <translation>der Skalierungsfaktor der Werte</translation>
+    </message>
+    <message>
+        <source>a scale factor Sf[0] of {factor}</source>
+        <translation>ein Skalierungsfaktor Sf[0] von {factor}</translation>
+    </message>
+    <message>
+        <source>1; it is taken to multiply the values</source>
+        <translation>1; angenommen wird, dass er die Werte multipliziert</translation>
+    </message>
+    <message>
+        <source>{key} = {value}</source>
+        <translation>{key} = {value}</translation>
+    </message>
+    <message>
+        <source>{value}; what other bits do is not known</source>
+        <translation>{value}; was andere Bits bewirken, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>no value {number}</source>
+        <translation>kein Wert {number}</translation>
+    </message>
+    <message>
+        <source>{count} values</source>
+        <translation>
+            <numerusform>1 Wert</numerusform>
+            <numerusform>{count} Werte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a table of several sources</source>
+        <translation>eine Tabelle mit mehreren Quellen</translation>
+    </message>
+    <message>
+        <source>one source: in which order the values of several stand is not known</source>
+        <translation>eine Quelle: in welcher Reihenfolge die Werte mehrerer stehen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the number of segments, one less than values</source>
+        <translation>die Anzahl der Segmente, eines weniger als Werte</translation>
+    </message>
+    <message>
+        <source>the whole span</source>
+        <translation>die ganze Spanne</translation>
+    </message>
+    <message>
+        <source>the number of the source motor</source>
+        <translation>die Nummer des Quellmotors</translation>
+    </message>
+    <message>
+        <source>{count} segments over {span}</source>
+        <translation>{count} Segmente über {span}</translation>
+    </message>
+    <message>
+        <source>1 to {most} segments over more than 0</source>
+        <translation>1 bis {most} Segmente über mehr als 0</translation>
+    </message>
+    <message>
+        <source>assignments to {name}</source>
+        <translation>Zuweisungen an {name}</translation>
+    </message>
+    <message>
+        <source>a table in motor units</source>
+        <translation>eine Tabelle in Motoreinheiten</translation>
+    </message>
+    <message>
+        <source>there is no number {number}</source>
+        <translation>es gibt keine Nummer {number}</translation>
+    </message>
+    <message>
+        <source>choose one from 0 to {most}</source>
+        <translation>wählen Sie eine von 0 bis {most}</translation>
+    </message>
+    <message>
+        <source>Sys.CompEnable must be at least {number}, also for other tables</source>
+        <translation>Sys.CompEnable muss mindestens {number} sein, auch für andere Tabellen</translation>
+    </message>
+    <message>
+        <source>the sign of these tables and what Sf, Ctrl and OutCtrl do are assumptions: look at one point on the machine before the table is used</source>
+        <translation>das Vorzeichen dieser Tabellen und was Sf, Ctrl und OutCtrl bewirken, sind Annahmen: sehen Sie sich einen Punkt an der Maschine an, bevor die Tabelle benutzt wird</translation>
+    </message>
+    <message>
+        <source>compensation table of one source (CompTable)</source>
+        <translation>Kompensationstabelle mit einer Quelle (CompTable)</translation>
+    </message>
+    <message>
+        <source>what the variables are called: letters, digits and _, a letter first</source>
+        <translation>wie die Variablen heißen: Buchstaben, Ziffern und _, ein Buchstabe zuerst</translation>
+    </message>
+    <message>
+        <source>a variable of the type {type} in front of the elements</source>
+        <translation>eine Variable des Typs {type} vor den Elementen</translation>
+    </message>
+    <message>
+        <source>TRUE or FALSE</source>
+        <translation>TRUE oder FALSE</translation>
+    </message>
+    <message>
+        <source>{value}: what another direction means is not known here</source>
+        <translation>{value}: was eine andere Richtung bedeutet, ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a declaration without its end</source>
+        <translation>eine Deklaration ohne ihr Ende</translation>
+    </message>
+    <message>
+        <source>a semicolon behind it</source>
+        <translation>ein Semikolon dahinter</translation>
+    </message>
+    <message>
+        <source>the last position</source>
+        <translation>die letzte Position</translation>
+    </message>
+    <message>
+        <source>the number of elements</source>
+        <translation>die Anzahl der Elemente</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} elements</source>
+        <comment>1 element</comment>
+        <translation>
+            <numerusform>ein Element</numerusform>
+            <numerusform>{count} Elemente</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>from {first} to {last}, as MinPosition and MaxPosition say</source>
+        <translation>von {first} bis {last}, wie MinPosition und MaxPosition sagen</translation>
+    </message>
+    <message>
+        <source>an element of one number</source>
+        <translation>ein Element aus einer Zahl</translation>
+    </message>
+    <message>
+        <source>a position and a compensation</source>
+        <translation>eine Position und eine Kompensation</translation>
+    </message>
+    <message>
+        <source>a compensation</source>
+        <translation>eine Kompensation</translation>
+    </message>
+    <message>
+        <source>the values {first} and {last} at the ends</source>
+        <translation>die Werte {first} und {last} an den Enden</translation>
+    </message>
+    <message>
+        <source>the same value at both ends, which are one place</source>
+        <translation>derselbe Wert an beiden Enden, die ein Ort sind</translation>
+    </message>
+    <message>
+        <source>an array of {type} behind the parameters</source>
+        <translation>ein Feld von {type} hinter den Parametern</translation>
+    </message>
+    <message>
+        <source>a variable of the type {type}</source>
+        <translation>eine Variable des Typs {type}</translation>
+    </message>
+    <message>
+        <source>the setting name is &quot;{value}&quot;, expected letters, digits and _, a letter first</source>
+        <translation>die Einstellung name ist &quot;{value}&quot;, erwartet werden Buchstaben, Ziffern und _, ein Buchstabe zuerst</translation>
+    </message>
+    <message>
+        <source>the manual contradicts itself on whether the correction is added to the nominal or to the actual position: check one point on the machine</source>
+        <translation>das Handbuch widerspricht sich, ob die Korrektur zur Soll- oder zur Istposition addiert wird: prüfen Sie einen Punkt an der Maschine</translation>
+    </message>
+    <message>
+        <source>switch Position Correction of the axis on; Ramp limits the speed of the correction</source>
+        <translation>schalten Sie Position Correction der Achse ein; Ramp begrenzt die Geschwindigkeit der Korrektur</translation>
+    </message>
+    <message>
+        <source>structured text for MC_TableBasedPositionCompensation</source>
+        <translation>strukturierter Text für MC_TableBasedPositionCompensation</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8287,6 +8750,18 @@
     <message>
         <source>actual</source>
         <translation>Istposition</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
     </message>
 </context>
 <context>
@@ -10215,6 +10690,14 @@
     <message>
         <source>without noise (smoothing spline)</source>
         <translation>ohne Rauschen (Glättungsspline)</translation>
+    </message>
+    <message>
+        <source>choose one; feedback is assumed</source>
+        <translation>bitte wählen; angenommen wird Feedback</translation>
+    </message>
+    <message>
+        <source>choose one; command is assumed</source>
+        <translation>bitte wählen; angenommen wird Command</translation>
     </message>
 </context>
 <context>
