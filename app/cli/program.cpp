@@ -54,6 +54,30 @@ ExitCode run(int argc, char** argv, Console& console)
 
 } // namespace
 
+EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments, Interrupt& interrupt,
+    const EmbeddedTakers& takers)
+{
+    Console console(takers.output, takers.notes);
+    Environment environment(console, interrupt, takers.documents, takers.readings);
+    std::vector<std::string> words{"axiscomp"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    CommandLine line;
+    const Result<bool> proceed =
+        parseArguments(line.parser(), static_cast<int>(pointers.size()), pointers.data(), console);
+    Result<ExitCode> outcome = ExitCode::Done;
+    if (!proceed)
+        outcome = fail(proceed.error());
+    else if (*proceed)
+        outcome = line.chosen()(environment);
+    static_cast<void>(console.flush()); // to a taker, which cannot fail
+    if (outcome)
+        return {*outcome, {}, environment.diagnostics()};
+    return {exitCode(outcome.error().code), outcome.error(), environment.diagnostics()};
+}
+
 int runProgram(int argc, char** argv)
 {
     return runGuarded([&](Console& console) { return static_cast<int>(run(argc, argv, console)); });

@@ -93,6 +93,12 @@ Console::Console()
         m_width = size.ws_col;
 }
 
+Console::Console(Taker output, Taker notes)
+    : m_output(std::move(output))
+    , m_notes(std::move(notes))
+{
+}
+
 Console::~Console()
 {
     const std::lock_guard lock(m_mutex);
@@ -119,6 +125,10 @@ void Console::note(std::string_view line)
     hideProgress();
     send();
     std::string text = withoutPasswords(singleLine(line));
+    if (m_notes) {
+        m_notes(text);
+        return;
+    }
     text.push_back('\n');
     // Nobody can be told that standard error does not work.
     static_cast<void>(writeAll(STDERR_FILENO, text));
@@ -165,7 +175,9 @@ void Console::send()
 {
     if (m_kept.empty())
         return;
-    if (m_outputError == 0)
+    if (m_output)
+        m_output(m_kept);
+    else if (m_outputError == 0)
         m_outputError = writeAll(STDOUT_FILENO, m_kept);
     m_kept.clear();
 }

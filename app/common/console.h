@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ namespace axiscomp::app {
 class Console {
 public:
     Console();
+    /// Of a program inside of another one, which takes what is said. output: of print(), in pieces.
+    /// notes: one line, without its end. Both may be called on any thread; no progress is shown.
+    using Taker = std::function<void(std::string_view text)>;
+    Console(Taker output, Taker notes);
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
     ~Console();
@@ -47,6 +52,8 @@ private:
     void hideProgress();
 
     mutable std::mutex m_mutex;
+    Taker m_output; ///< empty: standard output
+    Taker m_notes; ///< empty: standard error
     std::string m_kept;
     int m_outputError = 0;
     bool m_outputIsTerminal = false;

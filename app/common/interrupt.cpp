@@ -29,8 +29,12 @@ sigset_t watchedSignals()
 
 } // namespace
 
-Interrupt::Interrupt() : m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
+Interrupt::Interrupt() : Interrupt(Signals::AreTaken) { }
+
+Interrupt::Interrupt(Signals signals) : m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 {
+    if (signals == Signals::AreLeftAlone)
+        return;
     const sigset_t set = watchedSignals();
     ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
     std::signal(SIGPIPE, SIG_IGN);
@@ -40,8 +44,10 @@ Interrupt::Interrupt() : m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK))
 Interrupt::~Interrupt()
 {
     m_done = true;
-    ::pthread_kill(m_thread.native_handle(), SIGTERM);
-    m_thread.join();
+    if (m_thread.joinable()) {
+        ::pthread_kill(m_thread.native_handle(), SIGTERM);
+        m_thread.join();
+    }
     ::close(m_wake);
 }
 
@@ -61,15 +67,20 @@ void Interrupt::takeSignals()
 {
     const sigset_t set = watchedSignals();
     int signal = 0;
-    for (int count = 1; ::sigwait(&set, &signal) == 0 && !m_done; ++count) {
-        m_source.request_stop();
-        const std::uint64_t one = 1;
-        // A full counter is readable too, which is all that matters.
-        static_cast<void>(::write(m_wake, &one, sizeof one) == sizeof one);
-        const std::lock_guard lock(m_mutex);
-        if (m_listener)
-            m_listener(count);
-    }
+    while (::sigwait(&set, &signal) == 0 && !m_done)
+        request();
+}
+
+void Interrupt::request()
+{
+    m_source.request_stop();
+    const std::uint64_t one = 1;
+    // A full counter is readable too, which is all that matters.
+    static_cast<void>(::write(m_wake, &one, sizeof one) == sizeof one);
+    const std::lock_guard lock(m_mutex);
+    ++m_requests;
+    if (m_listener)
+        m_listener(m_requests);
 }
 
 } // namespace axiscomp::app

@@ -16,6 +16,9 @@ namespace axiscomp::app {
 class Interrupt {
 public:
     Interrupt();
+    /// Of a program inside of another one, to which the signals belong: only request() stops.
+    enum class Signals { AreTaken, AreLeftAlone };
+    explicit Interrupt(Signals signals);
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
     ~Interrupt();
@@ -25,7 +28,11 @@ public:
     /// Becomes readable with the first signal: for poll().
     [[nodiscard]] int wakeDescriptor() const { return m_wake; }
 
-    /// Called on the thread of this object with 1 for the first signal, 2 for the second, ...
+    /// As a signal does it; may be called on any thread.
+    void request();
+
+    /// Called with 1 for the first signal, 2 for the second, ..., on the
+    /// thread of this object, or that of request().
     void setListener(std::function<void(int count)> listener);
     /// Until the first signal.
     void wait();
@@ -36,6 +43,7 @@ private:
     std::stop_source m_source;
     int m_wake = -1;
     std::mutex m_mutex;
+    int m_requests = 0;
     std::function<void(int)> m_listener;
     std::atomic<bool> m_done{false};
     std::jthread m_thread;

@@ -220,7 +220,8 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     for (const TableConversion& table : conversion.tables)
         results.push_back(conversionJson(table, request.speed));
     environment.document({{"input", options.input.file}, {"output", options.output},
-        {"from", input.format->facts.name}, {"to", to.facts.name}, {"tables", std::move(results)},
+        {"from", input.format->facts.name}, {"to", to.facts.name},
+        {"dimensions", conversion.written.held.front().axes.size()}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
     if (output.isStandardOutput())
         return ExitCode::Done;

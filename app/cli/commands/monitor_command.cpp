@@ -104,6 +104,10 @@ private:
             const bool isText = std::holds_alternative<std::string>(readings[i].value);
             json[m_names[i]] = isText ? Json(toText(readings[i].value)) : Json(number);
         }
+        if (m_environment.takesReadings()) {
+            m_environment.reading(json);
+            return;
+        }
         m_environment.print(line + "\n");
         if (m_environment.json())
             m_environment.console().print((m_isFirst ? "\n  " : ",\n  ")

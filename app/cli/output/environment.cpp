@@ -26,6 +26,14 @@ Environment::Environment(Console& console, Interrupt& interrupt, bool json)
 {
 }
 
+Environment::Environment(Console& console, Interrupt& interrupt, Taker documents, Taker readings)
+    : m_console(console)
+    , m_interrupt(interrupt)
+    , m_documents(std::move(documents))
+    , m_readings(std::move(readings))
+{
+}
+
 void Environment::print(std::string_view text)
 {
     if (!m_json)
@@ -34,7 +42,9 @@ void Environment::print(std::string_view text)
 
 void Environment::document(const Json& json)
 {
-    if (m_json)
+    if (m_documents)
+        m_documents(json);
+    else if (m_json)
         m_console.print(dump(json));
 }
 

@@ -6,6 +6,7 @@
 #include "app/common/interrupt.h"
 #include "core/text/diagnostic.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ namespace axiscomp::app {
 class Environment {
 public:
     Environment(Console& console, Interrupt& interrupt, bool json);
+    /// Of a program inside of another one, which takes text and document. readings: one after the
+    /// other, of a command that goes on until it is stopped.
+    using Taker = std::function<void(const Json&)>;
+    Environment(Console& console, Interrupt& interrupt, Taker documents, Taker readings);
 
     [[nodiscard]] Console& console() { return m_console; }
     [[nodiscard]] Interrupt& interrupt() { return m_interrupt; }
@@ -26,6 +31,9 @@ public:
     void print(std::string_view text);
     /// The one JSON document of the command.
     void document(const Json& json);
+    /// Whether somebody takes them.
+    [[nodiscard]] bool takesReadings() const { return m_readings != nullptr; }
+    void reading(const Json& json) { m_readings(json); }
 
     /// "FILE:LINE:COLUMN: error: ..." on standard error, kept for the JSON document of an error.
     void diagnose(const std::string& file, const std::vector<Diagnostic>& diagnostics);
@@ -41,6 +49,8 @@ private:
     Console& m_console;
     Interrupt& m_interrupt;
     bool m_json = false;
+    Taker m_documents;
+    Taker m_readings;
     Json m_diagnostics = Json::array();
 };
 

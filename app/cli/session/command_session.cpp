@@ -86,7 +86,8 @@ CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options)
 
 QtRuntime::QtRuntime() : m_arguments{m_name.data(), nullptr}
 {
-    m_application.emplace(m_count, m_arguments.data());
+    if (!QCoreApplication::instance())
+        m_application.emplace(m_count, m_arguments.data());
 }
 
 Result<TemporaryFolder> TemporaryFolder::make()

@@ -38,7 +38,7 @@ void addConnectionOptions(CLI::App& command, DriveOptions& options);
 CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
 
 /// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more
-/// time than the start of the program.
+/// time than the start of the program. Where a program has it already, that one is used.
 class QtRuntime {
 public:
     QtRuntime();

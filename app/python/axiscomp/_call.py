@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Commands of axiscomp as functions: arguments become words of the command line, and back."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any, Callable
+
+from . import _axiscomp
+from ._axiscomp import Table
+from .errors import RequestError
+
+Echo = Callable[[str], None]
+
+
+class Document(dict):
+    """What a command says: the document of --json (docs/cli.md), and what a person reads.
+
+    outcome  "Done", or a result that is no error: "ToleranceNotMet" (judge, fit, compare), "Differs" (plan)
+    text     what the command prints for people
+    notes    warnings and notes, one line each
+    tables   of fit, where it writes no file
+    """
+
+    def __init__(self, content: Any, outcome: str, text: str, notes: list[str]) -> None:
+        super().__init__(content if isinstance(content, dict) else {} if content is None else {"list": content})
+        self.outcome = outcome
+        self.text = text
+        self.notes = notes
+        self.tables: list[Table] = []
+
+    @property
+    def ok(self) -> bool:
+        """Nothing is against it: no tolerance that is not met, no drive that differs."""
+        return self.outcome == "Done"
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __reduce__(self):
+        return (Document, (dict(self), self.outcome, self.text, self.notes), {"tables": self.tables})
+
+
+class _Files:
+    """Objects that are given in place of files, as files in a folder that goes away with them."""
+
+    def __init__(self) -> None:
+        self._stack = ExitStack()
+        self._folder: Path | None = None
+        self._count = 0
+
+    def __enter__(self) -> "_Files":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._stack.close()
+
+    def put(self, content: bytes, name: str) -> str:
+        if self._folder is None:
+            self._folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="axiscomp-")))
+        self._count += 1
+        place = self._folder / str(self._count)
+        place.mkdir()
+        file = place / name
+        file.write_bytes(content)
+        return str(file)
+
+
+def option_name(parameter: str) -> str:
+    """"accept_large" -> "--accept-large", "from_" -> "--from"."""
+    return "--" + parameter.rstrip("_").replace("_", "-")
+
+
+def _text(value: Any) -> str:
+    # repr() of a float is the shortest text that reads back to the same number.
+    if isinstance(value, bool):
+        raise TypeError("True and False are for options without a value")
+    if isinstance(value, float) or hasattr(value, "dtype"):
+        return repr(float(value)) if float(value) != int(value) else str(int(value))
+    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+
+
+def _is_list(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) or (hasattr(value, "shape") and getattr(value, "ndim", 0) > 0)
+
+
+def _words(parameter: str, value: Any, files: _Files) -> list[str]:
+    name = option_name(parameter)
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [name]
+    if isinstance(value, dict):  # tolerance={"A": "10um"}, set_in={"axis": 1}
+        if parameter in ("tolerance", "columns"):
+            return [name + "=" + ",".join(f"{key}={_text(element)}" for key, element in value.items())]
+        return [f"{name}={key}={_text(element)}" for key, element in value.items()]
+    if hasattr(value, "as_file"):
+        return [f"{name}={value.as_file(files)}"]
+    if _is_list(value):
+        if parameter in LISTS:
+            return [name + "=" + ",".join(_text(element) for element in value)]
+        return [f"{name}={_text(element)}" for element in value]
+    return [f"{name}={_text(value)}"]
+
+
+def _positional(place: Any, files: _Files) -> str:
+    if hasattr(place, "as_file"):
+        return place.as_file(files)
+    text = _text(place)
+    is_file_like_an_option = isinstance(place, (str, os.PathLike)) and text.startswith("-") and text != "-"
+    return "./" + text if is_file_like_an_option else text
+
+
+# Options whose values stand in one word, with commas between them.
+LISTS = frozenset(("points", "distance", "period", "zero", "exclude"))
+
+
+class _TableFile:
+    """Tables over the same axes, given in place of a file."""
+
+    def __init__(self, tables: list[Table]) -> None:
+        self.tables = tables
+
+    def as_file(self, files: _Files) -> str:
+        return files.put(_axiscomp.csv_of_tables(self.tables), "table.csv")
+
+
+def _file_of(given: Any) -> Any:
+    """Tables become a file; all else stays."""
+    tables = [given] if isinstance(given, Table) else given
+    if isinstance(tables, (list, tuple)) and tables and all(isinstance(table, Table) for table in tables):
+        return _TableFile(list(tables))
+    return given
+
+
+def _with_files(positionals: list[Any], options: dict[str, Any]) -> tuple[list[Any], dict[str, Any]]:
+    positionals = [_file_of(given) for given in positionals]
+    options = {parameter: _file_of(value) for parameter, value in options.items()}
+    for given in (*positionals, options.get("data")):
+        if isinstance(given, _TableFile):  # it says its dimensions itself
+            for parameter, value in (("dims", given.tables[0].dimensions), ("from_", "csv")):
+                if options.get(parameter) is None:
+                    options[parameter] = value
+    return positionals, options
+
+
+def call(
+    command: str,
+    positionals: list[Any],
+    options: dict[str, Any],
+    echo: Echo | None = None,
+    raw: bool = False,
+) -> Any:
+    """Runs a command. raw: also the bytes that it wrote to standard output."""
+    positionals, options = _with_files(positionals, options)
+    with _Files() as files:
+        words = [command]
+        for parameter, value in options.items():
+            words += _words(parameter, value, files)
+        words += [_positional(place, files) for place in positionals if place is not None]
+        outcome, document, output, notes = _axiscomp.run(words, echo)
+    text = "" if raw else output.decode("utf-8", "replace")
+    result = Document(document, outcome, text, notes)
+    return (result, output) if raw else result
+
+
+def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo: Echo | None = None) -> Document:
+    """fit; the tables are in the document where the options name no file, and are of one direction or both."""
+    if any(options.get(name) is not None for name in ("output", "to")) or options.get("direction") == "both":
+        return call(command, positionals, options, echo)
+    with _Files() as files:
+        file = files.put(b"", "table.csv")
+        document = call(command, positionals, {**options, "output": file, "to": "csv"}, echo)
+        with open(file, "rb") as stream:
+            document.tables = _axiscomp.tables_of_csv(stream.read(), len(document["table"]["axes"]))
+    document["output"] = None
+    document.text = "".join(line for line in document.text.splitlines(True) if file not in line).rstrip("\n") + "\n"
+    return document
+
+
+def flat(values: Any) -> list[Any]:
+    """One thing, or a list of them."""
+    if isinstance(values, (list, tuple)):
+        return list(values)
+    return [values]
+
+
+def one(values: list[Any], what: str) -> Any:
+    if len(values) == 1:
+        return values[0]
+    raise RequestError("InvalidArgument", f"there are {len(values)} {what}, and one is needed: choose one with table=")

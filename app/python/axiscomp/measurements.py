@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measurements over numpy arrays."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import _axiscomp
+from ._call import _Files, call, flat
+
+if TYPE_CHECKING:
+    import numpy
+
+
+class Measurement:
+    """Deviations at targets, to be given to judge, fit, compare and runs in place of a file.
+
+    targets  shape (n,), ascending, in mm or deg
+    up       shape (runs, n): reference - target, in the unit of the targets, of runs in the positive direction;
+             NaN where nothing was measured
+    down     the same of the negative direction
+    unit     "mm" or "deg", of targets and deviations
+    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
+    """
+
+    def __init__(
+        self, targets: Any, up: Any = None, down: Any = None, unit: str = "mm", **statements: str
+    ) -> None:
+        import numpy
+
+        if unit not in ("mm", "deg"):
+            raise ValueError(f"the unit is mm or deg, not {unit}")
+        targets = numpy.asarray(targets, dtype=float)
+        none = numpy.empty((0, targets.size))
+        self._take(
+            _axiscomp.csv_of_runs(
+                targets,
+                none if up is None else numpy.atleast_2d(numpy.asarray(up, dtype=float)),
+                none if down is None else numpy.atleast_2d(numpy.asarray(down, dtype=float)),
+                unit == "deg",
+                statements,
+            )
+        )
+
+    def _take(self, file: bytes) -> None:
+        parts = _axiscomp.runs_of_csv(file)
+        self.file = file  #: the documented CSV of runs (docs/metrology.md)
+        self.targets: numpy.ndarray = parts["targets"]
+        self.up: numpy.ndarray = parts["up"]
+        self.down: numpy.ndarray = parts["down"]
+        self.unit: str = parts["unit"]
+
+    @classmethod
+    def of_file(cls, file: bytes) -> "Measurement":
+        """Of the documented CSV of runs."""
+        measurement = cls.__new__(cls)
+        measurement._take(file)
+        return measurement
+
+    def as_file(self, files: _Files) -> str:
+        return files.put(self.file, "measurement.csv")
+
+    def __reduce__(self):
+        return (Measurement.of_file, (self.file,))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Measurement) and self.file == other.file
+
+    def __repr__(self) -> str:
+        return (
+            f"<axiscomp.Measurement: {self.targets.size} targets from {self.targets[0]} to {self.targets[-1]} "
+            f"{self.unit}, {len(self.up)} runs up, {len(self.down)} runs down>"
+        )
+
+
+def read_measurement(files: Any, **options: Any) -> Measurement:
+    """One measurement of one file or several, of any format that `axiscomp runs` reads.
+
+    options: those of `axiscomp runs`, such as from_="renishaw", unit="mm", exclude="down:1:1". Values that
+    are left out are NaN. Raises Error.
+    """
+    _, output = call("runs", flat(files), {**options, "output": "-"}, raw=True)
+    return Measurement.of_file(output)

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables over numpy arrays: read, written, converted, resampled, looked up."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Sequence
+
+from . import _axiscomp
+from ._axiscomp import Table
+from ._call import Document, call, one
+
+
+class Axis(NamedTuple):
+    """One dimension of a table: position(i) = start + i * distance, i = 0 .. size - 1."""
+
+    start: float
+    distance: float
+    unit: str = ""
+    name: str = ""
+    size: int = 0
+
+    @property
+    def last(self) -> float:
+        return self.start + (self.size - 1) * self.distance
+
+
+def read_all(file: Any, **options: Any) -> list[Table]:
+    """All tables of a file of any format, in the sign of the drive.
+
+    options: those of `axiscomp convert`, such as dims=1, from_="softmc", fill="plane", within=0.01. A CSV
+    file needs dims. Raises Error.
+    """
+    document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
+    return _axiscomp.tables_of_csv(output, document["dimensions"])
+
+
+def read(file: Any, **options: Any) -> Table:
+    """The only table of a file, or that with the name or number `table`. Otherwise as read_all."""
+    return one(read_all(file, **options), "tables")
+
+
+def write(tables: Table | Sequence[Table], file: Any, **options: Any) -> Document:
+    """Writes a file, whole or not at all, in the format of its name or of to="...".
+
+    options: those of `axiscomp convert`. A large correction is refused in a .TAMtbl (LargeCorrection)
+    unless accept_large=True.
+    """
+    return call("convert", [tables, file], options)
+
+
+def resample(table: Table, **options: Any) -> Table:
+    """The table on another even grid: points=..., distance=... or within=..., method="cubic", hold=True."""
+    return read(table, **options)
+
+
+Table.__doc__ = """Compensation values on an even grid of 1 to 3 dimensions; it never changes.
+
+Table(values, axes, name="Table", unit="", target="", filled=[]) copies the values once, as float32:
+    values  shape (n1,), (n1, n2) or (n1, n2, n3), reference - encoder, in `unit`
+    axes    one (start, distance[, unit[, name]]) per dimension, distance > 0
+    target  the axis that is corrected, as in a file; empty: not said
+    filled  indices, dimension 1 fastest, of values that were made up
+Raises Error (InvalidArgument) for a value that is not finite.
+"""
+Table.values.__doc__ = "float32, shape (n1[, n2[, n3]]): the table's own memory, which nobody can write to."
+Table.axes.__doc__ = "One Axis(start, distance, unit, name, size) per dimension."
+Table.crc.__doc__ = "CRC-32 of the elements, as a drive with the built-in profile shows it."

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/output/json.h"
+
+#include <pybind11/pybind11.h>
+
+namespace axiscomp::app {
+
+/// Dictionaries, lists, text, numbers, True, False and None; a number that is not finite is None,
+/// as in a document of --json. The interpreter's lock is held.
+[[nodiscard]] pybind11::object pythonObject(const Json& json);
+
+/// Text of a file or a drive; bytes that are not UTF-8 are replaced.
+[[nodiscard]] pybind11::str pythonText(std::string_view text);
+
+} // namespace axiscomp::app

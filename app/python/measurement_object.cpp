@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/measurement_object.h"
+
+#include "app/python/command_run.h"
+#include "app/python/json_object.h"
+#include "core/metrology/formats/measurement_format.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace axiscomp::app {
+
+namespace py = pybind11;
+
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// values: [run][target], NaN where nothing was measured.
+void addRuns(Measurement& measurement, Approach direction, const Numbers& values)
+{
+    const auto targets = static_cast<py::ssize_t>(measurement.targets.size());
+    if (values.ndim() != 2 || values.shape(1) != targets)
+        throw py::value_error("the deviations are an array of runs x targets, with "
+            + std::to_string(targets) + " targets");
+    for (py::ssize_t run = 0; run < values.shape(0); ++run)
+        for (py::ssize_t target = 0; target < targets; ++target) {
+            const double deviation = values.at(run, target);
+            if (std::isinf(deviation))
+                throw py::value_error("a deviation is infinite");
+            if (!std::isnan(deviation))
+                measurement.values.push_back({.target = static_cast<std::size_t>(target),
+                    .direction = direction,
+                    .run = static_cast<int>(run) + 1,
+                    .deviation = deviation});
+        }
+}
+
+void takeTargets(Measurement& measurement, const Numbers& targets)
+{
+    if (targets.ndim() != 1 || targets.size() < 1)
+        throw py::value_error("the targets are an array of one dimension");
+    measurement.targets.assign(targets.data(), targets.data() + targets.size());
+    for (std::size_t i = 0; i < measurement.targets.size(); ++i)
+        if (!std::isfinite(measurement.targets[i])
+            || (i > 0 && measurement.targets[i] <= measurement.targets[i - 1]))
+            throw py::value_error("the targets are finite and ascend");
+}
+
+void takeStatements(
+    MeasurementHeader& header, const std::map<std::string, std::string>& statements)
+{
+    const std::map<std::string, std::string MeasurementHeader::*> fields{
+        {"machine", &MeasurementHeader::machine}, {"axis", &MeasurementHeader::axis},
+        {"instrument", &MeasurementHeader::instrument}, {"serial", &MeasurementHeader::serial},
+        {"operator", &MeasurementHeader::operatorName}, {"date", &MeasurementHeader::date},
+        {"feed", &MeasurementHeader::feed}, {"dwell", &MeasurementHeader::dwell}};
+    for (const auto& [key, value] : statements) {
+        if (key == "compensation") {
+            if (value != "off" && value != "on")
+                throw py::value_error("compensation is on or off");
+            header.compensation.kind =
+                value == "off" ? MeasuredState::Kind::Off : MeasuredState::Kind::On;
+            continue;
+        }
+        const auto field = fields.find(key);
+        if (field == fields.end())
+            throw py::value_error("a measurement has no statement " + key);
+        header.*(field->second) = value;
+    }
+}
+
+py::bytes csvOfRuns(const Numbers& targets, const Numbers& up, const Numbers& down, bool isAngular,
+    const std::map<std::string, std::string>& statements)
+{
+    Measurement measurement;
+    measurement.isAngular = isAngular;
+    takeTargets(measurement, targets);
+    addRuns(measurement, Approach::Up, up);
+    addRuns(measurement, Approach::Down, down);
+    takeStatements(measurement.header, statements);
+    if (measurement.values.empty())
+        throw py::value_error("the measurement has no value");
+    return py::bytes(writeRunsCsv(measurement));
+}
+
+py::array_t<double> runsOf(const Measurement& measurement, Approach direction)
+{
+    const auto targets = static_cast<py::ssize_t>(measurement.targets.size());
+    py::array_t<double> values({static_cast<py::ssize_t>(measurement.runCount(direction)), targets});
+    std::fill_n(values.mutable_data(), values.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const RunValue& value : measurement.values)
+        if (value.direction == direction && value.isUsed)
+            values.mutable_at(value.run - 1, static_cast<py::ssize_t>(value.target)) =
+                value.deviation;
+    return values;
+}
+
+/// Of a file that axiscomp has written itself.
+py::dict runsOfCsv(const py::bytes& file)
+{
+    const auto format = measurementFormatNamed("runs");
+    if (!format)
+        raiseError(format.error());
+    MeasurementReading reading;
+    {
+        const auto text = static_cast<std::string_view>(file);
+        const py::gil_scoped_release released;
+        reading = (*format)->read(text, {});
+    }
+    if (!reading.measurement)
+        raiseError(measurementError("measurement", reading));
+    const Measurement& measurement = *reading.measurement;
+    py::dict parts;
+    parts["targets"] =
+        py::array_t<double>(static_cast<py::ssize_t>(measurement.targets.size()),
+            measurement.targets.data());
+    parts["up"] = runsOf(measurement, Approach::Up);
+    parts["down"] = runsOf(measurement, Approach::Down);
+    parts["unit"] = measurement.isAngular ? "deg" : "mm";
+    return parts;
+}
+
+} // namespace
+
+void addMeasurements(py::module_& module)
+{
+    module.def("csv_of_runs", &csvOfRuns, py::arg("targets"), py::arg("up"), py::arg("down"),
+        py::arg("is_angular"), py::arg("statements"));
+    module.def("runs_of_csv", &runsOfCsv, py::arg("file"));
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/table_object.h"
+
+#include "app/python/command_run.h"
+#include "app/python/json_object.h"
+#include "core/csv/calibration_csv.h"
+#include "core/table/lookup.h"
+#include "core/table/tam_table.h"
+#include "drivecomm/profile/profile_loader.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace axiscomp::app {
+
+namespace py = pybind11;
+
+namespace {
+
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Dimension 1 fastest, as a table has its values.
+using Values = py::array_t<float, py::array::f_style | py::array::forcecast>;
+
+/// Arrays that show its values keep it alive; nothing changes it.
+struct TableObject {
+    CompensationTable table;
+};
+using TablePointer = std::shared_ptr<TableObject>;
+
+template <typename T> T valueOf(Result<T> result)
+{
+    if (!result)
+        raiseError(result.error());
+    return *std::move(result);
+}
+
+std::uint32_t crcOf(const CompensationTable& table)
+{
+    return valueOf(elementCrc(table, drivecomm::genericProfile().layout));
+}
+
+Outside outsideNamed(const std::string& name)
+{
+    if (name == "hold")
+        return Outside::Hold;
+    if (name == "zero")
+        return Outside::Zero;
+    if (name == "wrap")
+        return Outside::Wrap;
+    if (name == "extrapolate")
+        return Outside::Extrapolate;
+    if (name == "error")
+        return Outside::Error;
+    throw py::value_error("outside is hold, zero, wrap, extrapolate or error, not " + name);
+}
+
+std::vector<py::ssize_t> shapeOf(const Grid& grid)
+{
+    std::vector<py::ssize_t> shape;
+    for (const GridAxis& axis : grid.axes)
+        shape.push_back(static_cast<py::ssize_t>(axis.size));
+    return shape;
+}
+
+py::array valuesView(const py::object& self)
+{
+    const CompensationTable& table = self.cast<TableObject&>().table;
+    std::vector<py::ssize_t> strides;
+    py::ssize_t stride = sizeof(float);
+    for (const GridAxis& axis : table.grid.axes) {
+        strides.push_back(stride);
+        stride *= static_cast<py::ssize_t>(axis.size);
+    }
+    py::array_t<float> view(shapeOf(table.grid), strides, table.values.data(), self);
+    view.attr("setflags")(py::arg("write") = false);
+    return view;
+}
+
+/// One value for each position, on the thread that asks and without the interpreter's lock.
+py::array_t<double> lookedUp(
+    const TableObject& object, const Numbers& positions, const std::string& outside)
+{
+    const CompensationTable& table = object.table;
+    const Lookup lookup(table, outsideNamed(outside));
+    const auto dimensions = static_cast<py::ssize_t>(table.grid.axes.size());
+    const py::ssize_t rank = positions.ndim();
+    std::vector<py::ssize_t> shape(positions.shape(), positions.shape() + rank);
+    if (dimensions > 1) {
+        if (rank == 0 || shape.back() != dimensions)
+            throw py::value_error("the last dimension of the positions has "
+                + std::to_string(rank == 0 ? 0 : shape.back()) + " numbers, but the table has "
+                + std::to_string(dimensions) + " dimensions");
+        shape.pop_back();
+    }
+    py::array_t<double> answer(shape);
+    const double* const from = positions.data();
+    double* const to = answer.mutable_data();
+    const auto count = static_cast<std::size_t>(answer.size());
+    const auto width = static_cast<std::size_t>(dimensions);
+    const py::gil_scoped_release released;
+    for (std::size_t i = 0; i < count; ++i)
+        to[i] = lookup.at(std::span(from + i * width, width));
+    return answer;
+}
+
+py::array_t<double> positionsOf(const TableObject& object, std::size_t dimension)
+{
+    const auto& axes = object.table.grid.axes;
+    if (dimension < 1 || dimension > axes.size())
+        throw py::index_error("the table has dimensions 1 to " + std::to_string(axes.size()));
+    const GridAxis& axis = axes[dimension - 1];
+    py::array_t<double> positions(static_cast<py::ssize_t>(axis.size));
+    double* const to = positions.mutable_data();
+    for (std::size_t i = 0; i < axis.size; ++i)
+        to[i] = axis.position(i);
+    return positions;
+}
+
+GridAxis axisFrom(const py::handle& given, py::ssize_t size)
+{
+    GridAxis axis;
+    const py::sequence parts = given.cast<py::sequence>();
+    if (parts.size() < 2 || parts.size() > 4)
+        throw py::value_error("an axis is (start, distance), (start, distance, unit) or "
+                              "(start, distance, unit, name)");
+    axis.start = parts[0].cast<double>();
+    axis.distance = parts[1].cast<double>();
+    if (parts.size() > 2)
+        axis.unit = parts[2].cast<std::string>();
+    if (parts.size() > 3)
+        axis.name = parts[3].cast<std::string>();
+    axis.size = static_cast<std::uint32_t>(size);
+    return axis;
+}
+
+TablePointer makeTable(const Values& values, const py::sequence& axes, const std::string& name,
+    const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled)
+{
+    if (values.ndim() < 1 || values.ndim() > 3)
+        throw py::value_error("the values have 1, 2 or 3 dimensions");
+    if (static_cast<py::ssize_t>(axes.size()) != values.ndim())
+        throw py::value_error("the values have " + std::to_string(values.ndim())
+            + " dimensions, but there are " + std::to_string(axes.size()) + " axes");
+    auto object = std::make_shared<TableObject>();
+    CompensationTable& table = object->table;
+    table.name = name;
+    table.unit = unit;
+    table.target = target;
+    for (py::ssize_t n = 0; n < values.ndim(); ++n)
+        table.grid.axes.push_back(axisFrom(axes[static_cast<std::size_t>(n)], values.shape(n)));
+    table.values.assign(values.data(), values.data() + values.size());
+    table.filled = filled;
+    std::ranges::sort(table.filled);
+    if (!table.filled.empty() && table.filled.back() >= table.values.size())
+        throw py::value_error("a point of filled is beyond the table");
+    static_cast<void>(crcOf(table)); // the rules of a table
+    for (const GridAxis& axis : table.grid.axes)
+        if (!pointsAreDistinct(axis))
+            throw py::value_error("the distance of an axis is below the resolution of numbers");
+    return object;
+}
+
+py::list axesOf(const TableObject& object)
+{
+    const py::object type = py::module_::import("axiscomp.tables").attr("Axis");
+    py::list list;
+    for (const GridAxis& axis : object.table.grid.axes)
+        list.append(type(axis.start, axis.distance, pythonText(axis.unit), pythonText(axis.name),
+            axis.size));
+    return list;
+}
+
+std::string described(const TableObject& object)
+{
+    const CompensationTable& table = object.table;
+    std::string text = "<axiscomp.Table \"" + table.name + "\" [" + table.unit + "]:";
+    for (const GridAxis& axis : table.grid.axes)
+        text += " " + std::to_string(axis.size) + " from "
+            + py::str(py::float_(axis.start)).cast<std::string>() + " to "
+            + py::str(py::float_(axis.last())).cast<std::string>() + " [" + axis.unit + "]";
+    return text + ">";
+}
+
+/// Everything that the object has, for pickle.
+py::tuple stateOf(const py::object& self)
+{
+    const TableObject& object = self.cast<const TableObject&>();
+    py::list axes;
+    for (const GridAxis& axis : object.table.grid.axes)
+        axes.append(py::make_tuple(axis.start, axis.distance, axis.unit, axis.name));
+    py::list filled;
+    for (const std::uint32_t point : object.table.filled)
+        filled.append(point);
+    // A view must not go into a file.
+    return py::make_tuple(valuesView(self).attr("copy")("F"), axes, object.table.name,
+        object.table.unit, object.table.target, filled);
+}
+
+CalibrationData dataOf(const std::vector<TablePointer>& tables)
+{
+    if (tables.empty())
+        throw py::value_error("there is no table");
+    CalibrationData data{tables.front()->table.grid, {}, {}};
+    for (const TablePointer& object : tables) {
+        if (object->table.grid != data.grid)
+            throw py::value_error("the tables of one file have the same axes and units");
+        data.tables.push_back(object->table);
+    }
+    return data;
+}
+
+py::bytes csvOf(const std::vector<TablePointer>& tables)
+{
+    const CalibrationData data = dataOf(tables);
+    std::string text;
+    {
+        const py::gil_scoped_release released;
+        text = writeCalibrationCsv(data);
+    }
+    return py::bytes(text);
+}
+
+/// Of a file that axiscomp has written itself.
+std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
+{
+    const auto text = static_cast<std::string_view>(file);
+    CsvReading reading;
+    {
+        const py::gil_scoped_release released;
+        CsvOptions options;
+        options.dimensions = dimensions;
+        reading = parseCalibrationCsv(text, options);
+    }
+    if (!reading.data) {
+        Json diagnostics = Json::array();
+        for (const Diagnostic& diagnostic : reading.diagnostics)
+            diagnostics.push_back({{"code", diagnosticName(diagnostic.code)},
+                {"line", diagnostic.line}, {"column", diagnostic.column},
+                {"message", message(diagnostic)}});
+        raiseError({ErrorCode::InvalidCalibration,
+                       {{"file", Verbatim{"table"}}, {"count", reading.diagnostics.size()}}, {}},
+            diagnostics);
+    }
+    std::vector<TablePointer> tables;
+    for (CompensationTable& table : reading.data->tables) {
+        tables.push_back(std::make_shared<TableObject>());
+        tables.back()->table = std::move(table);
+    }
+    return tables;
+}
+
+} // namespace
+
+void addTables(py::module_& module)
+{
+    py::class_<TableObject, TablePointer> table(module, "Table");
+    table
+        .def(py::init(&makeTable), py::arg("values"), py::arg("axes"), py::arg("name") = "Table",
+            py::arg("unit") = "", py::arg("target") = "",
+            py::arg("filled") = std::vector<std::uint32_t>())
+        .def_property_readonly("values", &valuesView)
+        .def_property_readonly("axes", &axesOf)
+        .def_property_readonly(
+            "name", [](const TableObject& self) { return pythonText(self.table.name); })
+        .def_property_readonly(
+            "unit", [](const TableObject& self) { return pythonText(self.table.unit); })
+        .def_property_readonly(
+            "target", [](const TableObject& self) { return pythonText(self.table.target); })
+        .def_property_readonly(
+            "dimensions", [](const TableObject& self) { return self.table.grid.dimensions(); })
+        .def_property_readonly(
+            "filled", [](const TableObject& self) { return self.table.filled; })
+        .def_property_readonly("crc", [](const TableObject& self) { return crcOf(self.table); })
+        .def("positions", &positionsOf, py::arg("dimension") = 1)
+        .def("lookup", &lookedUp, py::arg("positions"), py::arg("outside") = "hold")
+        .def("__repr__", &described)
+        .def(
+            "__eq__",
+            [](const TableObject& self, const py::object& other) -> py::object {
+                if (!py::isinstance<TableObject>(other))
+                    return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+                return py::bool_(self.table == other.cast<const TableObject&>().table);
+            })
+        .def("__reduce__", [](const py::object& self) {
+            return py::make_tuple(self.attr("__class__"), stateOf(self));
+        });
+    module.def("tables_of_csv", &tablesOfCsv, py::arg("file"), py::arg("dimensions"));
+    module.def("csv_of_tables", &csvOf, py::arg("tables"));
+}
+
+} // namespace axiscomp::app

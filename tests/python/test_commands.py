@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The functions of the commands, and errors."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import axiscomp
+from axiscomp import commands
+
+SOURCE = Path(os.environ["AXISCOMP_SOURCE"])
+RUNS = SOURCE / "tests/data/metrology/b02_x.csv"
+
+
+def program(*arguments):
+    environment = {key: value for key, value in os.environ.items() if key != "LD_PRELOAD"}
+    return subprocess.run(
+        [os.environ["AXISCOMP_PROGRAM"], *map(str, arguments)], capture_output=True, env=environment, check=False
+    )
+
+
+class Commands(unittest.TestCase):
+    def test_the_functions_are_those_of_the_command_line(self):
+        made = subprocess.run(
+            [sys.executable, "-P", SOURCE / "app/python/make_commands.py"], capture_output=True, text=True, check=True
+        )
+        self.assertEqual(made.stdout, (SOURCE / "app/python/axiscomp/commands.py").read_text())
+
+    def test_a_document_is_that_of_json(self):
+        document = axiscomp.judge(RUNS, tolerance={"A": "10um"})
+        said = program("judge", RUNS, "--tolerance", "A=10um", "--json")
+        self.assertEqual(json.dumps(document), json.dumps(json.loads(said.stdout)))
+        self.assertEqual((document.outcome, document.ok, said.returncode), ("ToleranceNotMet", False, 8))
+
+    def test_the_text_is_that_of_the_command_line(self):
+        self.assertEqual(axiscomp.judge(RUNS).text.encode(), program("judge", RUNS).stdout)
+
+    def test_an_error_has_code_context_and_sentence(self):
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.judge("/nowhere/x.csv")
+        error = raised.exception
+        said = json.loads(program("judge", "/nowhere/x.csv", "--json").stdout)["error"]
+        self.assertEqual(error.code, "FileNotReadable")
+        self.assertEqual(error.message, said["message"])
+        self.assertEqual(error.context, said["context"])
+        self.assertIsInstance(error, ValueError)
+
+    def test_a_misspelt_option_is_an_error_of_python(self):
+        with self.assertRaises(TypeError):
+            axiscomp.judge(RUNS, tolerances="A=10um")
+        with self.assertRaises(axiscomp.RequestError) as raised:
+            axiscomp.judge(RUNS, outliers="all")
+        self.assertEqual(raised.exception.code, "InvalidArgument")
+
+    def test_a_file_named_as_an_option_is_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            there = os.getcwd()
+            os.chdir(folder)
+            self.addCleanup(os.chdir, there)
+            Path("--json").write_bytes(RUNS.read_bytes())
+            self.assertEqual(axiscomp.judge("--json")["source"][0]["format"], "runs")
+
+    def test_echo_hears_what_is_said(self):
+        said = []
+        document = axiscomp.judge(RUNS, echo=said.append)
+        self.assertTrue(document.text in "".join(said))
+
+    def test_the_lock_is_released_while_it_works(self):
+        count = 0
+        done = threading.Event()
+
+        def work():
+            for _ in range(3):
+                axiscomp.judge(RUNS)
+            done.set()
+
+        thread = threading.Thread(target=work)
+        thread.start()
+        while not done.is_set():
+            count += 1
+            time.sleep(0.0005)
+        thread.join()
+        self.assertGreater(count, 3)
+
+    def test_every_option_has_a_keyword(self):
+        for command in axiscomp._axiscomp.commands():
+            if command["name"] != "monitor":
+                self.assertTrue(callable(getattr(commands, command["name"])), command["name"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From a measurement to a table and a verdict."""
+
+import os
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+
+import axiscomp
+
+RUNS = Path(os.environ["AXISCOMP_SOURCE"]) / "tests/data/metrology/b02_x.csv"
+
+
+def made(slope=1e-4):
+    """Two runs in each direction along 0 to 40 mm, whose error is a line: the table takes all of it."""
+    targets = numpy.arange(0.0, 41.0, 10.0)
+    error = slope * targets
+    return axiscomp.Measurement(targets, up=[error, error], down=[error, error], axis="X", compensation="off")
+
+
+class Measurements(unittest.TestCase):
+    def test_arrays_go_in_and_out(self):
+        measurement = axiscomp.read_measurement(RUNS)
+        self.assertEqual((measurement.up.shape, measurement.down.shape, measurement.unit), ((5, 9), (5, 9), "mm"))
+        self.assertEqual(measurement.up[0, 0], -0.018516389956733548)
+        again = axiscomp.Measurement(measurement.targets, measurement.up, measurement.down)
+        numpy.testing.assert_array_equal(again.up, measurement.up)
+        numpy.testing.assert_array_equal(again.down, measurement.down)
+
+    def test_what_is_left_out_is_nan(self):
+        measurement = axiscomp.read_measurement(RUNS, exclude="up:1:1")
+        self.assertEqual(numpy.count_nonzero(numpy.isnan(measurement.up)), 1)
+        again = axiscomp.Measurement(measurement.targets, measurement.up, measurement.down)
+        self.assertEqual(numpy.count_nonzero(numpy.isnan(again.up)), 1)
+
+    def test_a_measurement_is_judged_as_its_file(self):
+        of_file, of_arrays = axiscomp.judge(RUNS), axiscomp.judge(axiscomp.read_measurement(RUNS))
+        for document in (of_file, of_arrays):
+            del document["source"], document["warnings"]
+        self.assertEqual(of_file, of_arrays)
+
+    def test_a_fit_gives_the_table_that_takes_the_error(self):
+        fit = axiscomp.fit(made(), lookup_at="encoder", zero="keep")
+        (table,) = fit.tables
+        # What is added is reference - encoder where the encoder stands: 1e-4 of the position, the zero kept.
+        numpy.testing.assert_allclose(table.lookup([0, 10, 40]), [0, 0.001, 0.004], atol=2e-6)
+        self.assertLess(fit["predicted"]["E"], 1e-6)
+        self.assertIsNone(fit["output"])
+        self.assertNotIn("/tmp/", fit.text)
+
+    def test_a_fit_does_not_guess(self):
+        with self.assertRaises(axiscomp.RequestError):
+            axiscomp.fit(made())  # where the table is looked up is not said
+        unstated = axiscomp.Measurement([0, 10, 20], up=[[0, 1e-3, 0]], down=[[0, 1e-3, 0]])
+        with self.assertRaises(axiscomp.Error):
+            axiscomp.fit(unstated, lookup_at="encoder")  # nor whether a table was active
+
+    def test_a_record_is_begun_and_kept(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record = Path(folder) / "x.axcal"
+            axiscomp.fit(made(), lookup_at="encoder", zero="keep", record=record, tolerance="A=5um")
+            self.assertTrue(record.exists())
+            after = axiscomp.Measurement(
+                made().targets, up=[0 * made().targets] * 2, down=[0 * made().targets] * 2, axis="X"
+            )
+            compared = axiscomp.compare(made(), after, record=record, measured_with="on", keep=True)
+            self.assertTrue(compared.ok, compared.text)
+            self.assertIn("after", record.read_text())
+
+    def test_the_arrays_are_checked(self):
+        for arguments in (
+            {"targets": [0, 0], "up": [[0, 0]]},
+            {"targets": [0, 1], "up": [[0, 0, 0]]},
+            {"targets": [0, 1], "up": [[0, float("inf")]]},
+            {"targets": [0, 1]},
+            {"targets": [0, 1], "up": [[0, 0]], "unit": "um"},
+            {"targets": [0, 1], "up": [[0, 0]], "colour": "red"},
+        ):
+            with self.assertRaises(ValueError, msg=str(arguments)):
+                axiscomp.Measurement(**arguments)
+
+    def test_a_measurement_goes_through_pickle(self):
+        self.assertEqual(pickle.loads(pickle.dumps(made())), made())
+
+
+if __name__ == "__main__":
+    unittest.main()

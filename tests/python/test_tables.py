@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables over numpy arrays."""
+
+import gc
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy
+
+import axiscomp
+
+
+def plane():
+    """values[i, j] = i + 10 j um, which trilinear lookup gives back everywhere."""
+    values = numpy.add.outer(numpy.arange(3), 10 * numpy.arange(4)) * 1e-3
+    return axiscomp.Table(
+        values, [(0, 5, "mm", "X"), (-30, 20, "mm", "Y")], name="X error", unit="mm", target="X"
+    )
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_values_are_the_tables_own_memory(self):
+        table = plane()
+        self.assertEqual(table.values.shape, (3, 4))
+        self.assertEqual(table.values.dtype, numpy.float32)
+        self.assertTrue(numpy.shares_memory(table.values, table.values))
+        self.assertEqual(table.values.__array_interface__["data"][0], table.values.__array_interface__["data"][0])
+        self.assertFalse(table.values.flags.owndata)
+        numpy.testing.assert_array_equal(table.values[2], numpy.float32([0.002, 0.012, 0.022, 0.032]))
+
+    def test_nobody_writes_to_a_table(self):
+        with self.assertRaises(ValueError):
+            plane().values[0, 0] = 1
+
+    def test_values_outlive_the_name_of_their_table(self):
+        values = plane().values
+        gc.collect()
+        self.assertEqual(values[2, 3], numpy.float32(0.032))
+
+    def test_lookup_takes_arrays_of_any_shape(self):
+        table = plane()
+        positions = numpy.array([[[0, -30], [2.5, -20]], [[10, 30], [99, 99]]])
+        answer = table.lookup(positions)
+        self.assertEqual(answer.shape, (2, 2))
+        numpy.testing.assert_allclose(answer, [[0, 0.0055], [0.032, 0.032]], atol=1e-8)
+        line = axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm")
+        self.assertAlmostEqual(float(line.lookup(2.5)), 0.0005)
+        numpy.testing.assert_allclose(line.lookup([0, 5, 10], outside="zero"), [0, 0.001, 0.002])
+        self.assertTrue(numpy.isnan(line.lookup([11], outside="error"))[0])
+        with self.assertRaises(ValueError):
+            table.lookup([1, 2, 3])
+        with self.assertRaises(ValueError):
+            line.lookup([1], outside="nearest")
+
+    def test_positions_are_those_of_the_grid(self):
+        numpy.testing.assert_array_equal(plane().positions(2), [-30, -10, 10, 30])
+        with self.assertRaises(IndexError):
+            plane().positions(3)
+
+    def test_a_table_keeps_the_rules_of_a_table(self):
+        for values, axes in (
+            ([0, float("nan")], [(0, 1)]),
+            ([0, 1], [(0, 0)]),
+            ([0, 1], [(0, -1)]),
+            ([0], [(0, 1)]),
+        ):
+            with self.assertRaises(axiscomp.Error) as raised:
+                axiscomp.Table(values, axes)
+            self.assertEqual(raised.exception.code, "InvalidArgument")
+        for values, axes in (([0, 1], [(0, 1), (0, 1)]), ([0, 1], [(0,)]), (numpy.zeros((2, 2, 2, 2)), [(0, 1)] * 4)):
+            with self.assertRaises(ValueError):
+                axiscomp.Table(values, axes)
+
+    def test_what_is_written_reads_back(self):
+        for name in ("plane.csv", "plane.TAMtbl"):
+            file = self.folder / name
+            document = axiscomp.write(plane(), file)
+            self.assertEqual(document["output"], str(file))
+            read = axiscomp.read(file, **({"dims": 2} if name.endswith("csv") else {}))
+            numpy.testing.assert_array_equal(read.values, plane().values)
+            self.assertEqual([axis[:2] for axis in read.axes], [(0.0, 5.0), (-30.0, 20.0)])
+            if name.endswith("csv"):
+                self.assertEqual(read, plane())
+
+    def test_several_tables_stand_in_one_file(self):
+        other = axiscomp.Table(-plane().values, [axis[:4] for axis in plane().axes], name="Y error", unit="mm")
+        file = self.folder / "both.csv"
+        axiscomp.write([plane(), other], file)
+        self.assertEqual(axiscomp.read_all(file, dims=2), [plane(), other])
+        self.assertEqual(axiscomp.read(file, dims=2, table="Y error"), other)
+        with self.assertRaises(axiscomp.Error):
+            axiscomp.read(file, dims=2)
+
+    def test_a_large_correction_is_refused_until_it_is_accepted(self):
+        table = axiscomp.Table([0, 1, 0], [(0, 10, "mm")], unit="mm")
+        file = self.folder / "x.TAMtbl"
+        with self.assertRaises(axiscomp.RequestError) as raised:
+            axiscomp.write(table, file)
+        self.assertEqual(raised.exception.code, "LargeCorrection")
+        self.assertIn("reason", raised.exception.context)
+        self.assertFalse(file.exists())
+        document = axiscomp.write(table, file, accept_large=True)
+        self.assertTrue(any("10 %" in note or "5 %" in note for note in document.notes), document.notes)
+
+    def test_tables_of_other_controllers_are_converted(self):
+        # LinuxCNC subtracts what its file says from the command: nominal, forward, reverse.
+        file = self.folder / "x.comp"
+        table = axiscomp.Table([0, 0.002, -0.001], [(0, 10, "mm", "X")], name="X error", unit="mm", target="X")
+        axiscomp.write(table, file, to="linuxcnc")
+        back = axiscomp.read(file, from_="linuxcnc", target="#1")
+        numpy.testing.assert_allclose(back.lookup([0, 10, 20]), table.lookup([0, 10, 20]), atol=2e-5)
+
+    def test_a_table_is_resampled(self):
+        table = axiscomp.Table([0, 0.002, -0.001], [(0, 10, "mm", "X")], name="X error", unit="mm")
+        dense = axiscomp.resample(table, points=5)
+        numpy.testing.assert_allclose(dense.values, [0, 0.001, 0.002, 0.0005, -0.001], atol=1e-9)
+        with self.assertRaises(axiscomp.Error):
+            axiscomp.resample(table, points=5, distance=2)
+
+    def test_missing_points_are_filled_only_on_demand(self):
+        file = self.folder / "gap.csv"
+        file.write_text("X [mm],E [mm]\n0,0.001\n10,\n20,0.003\n")
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.read(file, dims=1)
+        self.assertEqual(raised.exception.code, "InvalidCalibration")
+        self.assertEqual(raised.exception.diagnostics[0]["line"], 3)
+        table = axiscomp.read(file, dims=1, fill="plane")
+        self.assertEqual(table.filled, [1])
+        self.assertAlmostEqual(float(table.values[1]), 0.002, places=6)
+
+    def test_a_table_goes_through_pickle(self):
+        table = plane()
+        self.assertEqual(pickle.loads(pickle.dumps(table)), table)
+        self.assertEqual(table.crc, pickle.loads(pickle.dumps(table)).crc)
+
+
+if __name__ == "__main__":
+    unittest.main()
