@@ -54,8 +54,7 @@ def parameter(name):
 def positional_type(option):
     source = option["name"] in ("FILE", "IN")
     if option["several"]:
-        one = "Source" if source else "Value"
-        return f"{one} | Sequence[{one}]"
+        return "Source | Sequence[Source]" if source else "Value | Sequence[Value]"
     return "Source" if source else "Value"
 
 
@@ -80,9 +79,13 @@ def function(command):
     positionals = [o for o in command["options"] if o["positional"]]
     lines = [f"def {parameter(command['name'])}("]
     for option in positionals:
+        if option["several"]:
+            lines.append(f"    *{parameter(option['name'])}: {positional_type(option)},")
+            continue
         end = "" if option["required"] else " | None = None" if "None" not in positional_type(option) else " = None"
         lines.append(f"    {parameter(option['name'])}: {positional_type(option)}{end},")
-    lines.append("    *,")
+    if not any(option["several"] for option in positionals):
+        lines.append("    *,")
     for option in options:
         default = "None" if option["takes_value"] else "False"
         lines.append(f"    {parameter(option['names'][0])}: {option_type(option)} = {default},")

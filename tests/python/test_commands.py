@@ -76,9 +76,11 @@ class Commands(unittest.TestCase):
         done = threading.Event()
 
         def work():
-            for _ in range(3):
-                axiscomp.judge(RUNS)
-            done.set()
+            try:
+                for _ in range(3):
+                    axiscomp.judge(RUNS)
+            finally:
+                done.set()
 
         thread = threading.Thread(target=work)
         thread.start()

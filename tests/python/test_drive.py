@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A drive, against a virtual drive on loopback."""
+
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy
+
+import axiscomp
+from virtual_drive import VirtualDrive
+
+SOURCE = "Axes[0]/Signals/PathPlanner/Position"
+
+
+def table(largest=0.01, unit="mm"):
+    return axiscomp.Table(
+        [0, largest, 0, -largest, 0], [(-100, 50, "mm", "X")], name="X error", unit=unit, target="X"
+    )
+
+
+class Drives(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        # What this computer remembers of drives must not outlive the test.
+        os.environ["XDG_DATA_HOME"] = os.environ["XDG_STATE_HOME"] = folder.name
+
+    def setUp(self):
+        virtual = VirtualDrive()
+        self.drive = axiscomp.Drive(virtual.__enter__())
+        self.addCleanup(virtual.__exit__)
+
+    def test_a_table_is_planned_written_activated_watched_and_read(self):
+        drive = self.drive
+        plan = drive.plan(table(), axis="X", source1=SOURCE)
+        self.assertIsNone(plan["report"])
+        self.assertIsNone(drive.status("X")["table"])
+        written = drive.write(table(), axis="X", source1=SOURCE)
+        self.assertEqual(written["plan"], plan["plan"])
+        self.assertIn("CRC", written.text)
+        status = drive.status("X")
+        self.assertEqual(status["table"]["crc"], table().crc)
+        read = drive.read("X")
+        numpy.testing.assert_array_equal(read.values, table().values)
+        activated = drive.activate("X")
+        self.assertEqual(activated["status"]["state"], "Active")
+        with drive.monitor("X", rate=50, count=3) as readings:
+            seen = list(readings)
+        self.assertEqual(len(seen), 3)
+        for reading in seen:
+            self.assertAlmostEqual(reading["output"], float(read.lookup(reading["source1"])), places=6)
+        self.assertNotEqual(drive.deactivate("X")["status"]["state"], "Active")
+
+    def test_nothing_is_written_that_is_not_stated(self):
+        with self.assertRaises(axiscomp.Error) as raised:
+            self.drive.write(table(), axis="X")
+        self.assertEqual(raised.exception.code, "SourceMissing")
+        self.assertTrue(any("source1" in note for note in raised.exception.notes), raised.exception.notes)
+        with self.assertRaises(axiscomp.Error) as raised:
+            self.drive.write(table(unit="deg"), axis="X", source1=SOURCE)
+        self.assertEqual(raised.exception.code, "UnitMismatch")
+        other = axiscomp.Table([0, 0.01], [(0, 10, "mm", "Y")], name="E", unit="mm", target="Y")
+        with self.assertRaises(axiscomp.Error) as raised:
+            self.drive.write(other, axis="X", source1=SOURCE)
+        self.assertEqual(raised.exception.code, "TargetMismatch")
+        self.assertIsNone(self.drive.status("X")["table"])
+
+    def test_a_large_correction_needs_a_word(self):
+        with self.assertRaises(axiscomp.RequestError) as raised:
+            self.drive.write(table(10), axis="X", source1=SOURCE)
+        self.assertEqual(raised.exception.code, "LargeCorrection")
+        self.assertIsNone(self.drive.status("X")["table"])
+        self.drive.write(table(10), axis="X", source1=SOURCE, accept_large=True)
+        self.assertEqual(self.drive.status("X")["table"]["crc"], table(10).crc)
+
+    def test_a_drive_that_is_not_there_is_an_error_of_connection(self):
+        with self.assertRaises(axiscomp.NotConnectedError) as raised:
+            axiscomp.Drive("http://127.0.0.1:9", timeout=2).status()
+        self.assertIsInstance(raised.exception, ConnectionError)
+        self.assertEqual(raised.exception.context["endpoint"], "http://127.0.0.1:9")
+        with self.assertRaises(axiscomp.AddressError):
+            axiscomp.Drive("nonsense:1:2").status()
+
+    def test_the_lock_is_released_while_a_drive_is_waited_for(self):
+        longest = 0.0
+        done = threading.Event()
+
+        def work():
+            try:
+                self.drive.write(table(), axis="X", source1=SOURCE)
+            finally:
+                done.set()
+
+        thread = threading.Thread(target=work)
+        began = last = time.monotonic()
+        thread.start()
+        while not done.is_set():
+            time.sleep(0.0005)
+            longest, last = max(longest, time.monotonic() - last), time.monotonic()
+        thread.join()
+        self.assertLess(longest, (last - began) / 2)
+
+    def test_a_monitor_ends_with_its_block_and_is_dropped_without(self):
+        with self.drive.monitor("X", rate=100) as readings:
+            self.assertIn("time", next(readings))
+        self.assertLess(len(list(readings)), 1000)
+        forgotten = self.drive.monitor("X", rate=100)
+        next(forgotten)
+        del forgotten
+
+    def test_an_error_ends_a_monitor(self):
+        with self.assertRaises(axiscomp.Error) as raised:
+            list(self.drive.monitor("Z"))
+        self.assertEqual(raised.exception.code, "AxisNotFound")
+
+    def test_two_drives_are_used_at_the_same_time(self):
+        virtual = VirtualDrive("--name", "Other")
+        other = axiscomp.Drive(virtual.__enter__())
+        self.addCleanup(virtual.__exit__)
+        with self.drive.monitor("X", rate=50) as first, other.monitor("X", rate=50) as second:
+            for _ in range(5):
+                self.assertEqual(next(first).keys(), next(second).keys())
+
+    def test_ctrl_c_stops_and_is_raised(self):
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            for _ in self.drive.monitor("X", rate=10):
+                pass
+        timer.join()
+
+
+if __name__ == "__main__":
+    unittest.main()

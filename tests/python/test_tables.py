@@ -30,7 +30,6 @@ class Tables(unittest.TestCase):
         table = plane()
         self.assertEqual(table.values.shape, (3, 4))
         self.assertEqual(table.values.dtype, numpy.float32)
-        self.assertTrue(numpy.shares_memory(table.values, table.values))
         self.assertEqual(table.values.__array_interface__["data"][0], table.values.__array_interface__["data"][0])
         self.assertFalse(table.values.flags.owndata)
         numpy.testing.assert_array_equal(table.values[2], numpy.float32([0.002, 0.012, 0.022, 0.032]))
@@ -90,7 +89,7 @@ class Tables(unittest.TestCase):
                 self.assertEqual(read, plane())
 
     def test_several_tables_stand_in_one_file(self):
-        other = axiscomp.Table(-plane().values, [axis[:4] for axis in plane().axes], name="Y error", unit="mm")
+        other = axiscomp.Table(-plane().values, [axis[:4] for axis in plane().axes], name="Y error", unit="mm", target="Y")
         file = self.folder / "both.csv"
         axiscomp.write([plane(), other], file)
         self.assertEqual(axiscomp.read_all(file, dims=2), [plane(), other])

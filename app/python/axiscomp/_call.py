@@ -11,7 +11,7 @@ from typing import Any, Callable
 
 from . import _axiscomp
 from ._axiscomp import Table
-from .errors import RequestError
+from .errors import Error, RequestError
 
 Echo = Callable[[str], None]
 
@@ -50,7 +50,7 @@ class _Files:
     def __init__(self) -> None:
         self._stack = ExitStack()
         self._folder: Path | None = None
-        self._count = 0
+        self._names: dict[str, str] = {}
 
     def __enter__(self) -> "_Files":
         return self
@@ -61,12 +61,23 @@ class _Files:
     def put(self, content: bytes, name: str) -> str:
         if self._folder is None:
             self._folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="axiscomp-")))
-        self._count += 1
-        place = self._folder / str(self._count)
+        place = self._folder / str(len(self._names) + 1)
         place.mkdir()
         file = place / name
         file.write_bytes(content)
+        self._names[str(file)] = name
         return str(file)
+
+    def named(self, said: Any) -> Any:
+        """What was said of these files, without the folder that nobody knows."""
+        if isinstance(said, str):
+            for file, name in self._names.items():
+                said = said.replace(file, name)
+        elif isinstance(said, list):
+            return [self.named(element) for element in said]
+        elif isinstance(said, dict):
+            return {key: self.named(value) for key, value in said.items()}
+        return said
 
 
 def option_name(parameter: str) -> str:
@@ -161,9 +172,14 @@ def call(
         for parameter, value in options.items():
             words += _words(parameter, value, files)
         words += [_positional(place, files) for place in positionals if place is not None]
-        outcome, document, output, notes = _axiscomp.run(words, echo)
-    text = "" if raw else output.decode("utf-8", "replace")
-    result = Document(document, outcome, text, notes)
+        try:
+            outcome, document, output, notes = _axiscomp.run(words, echo)
+        except Error as error:
+            raise type(error)(*map(files.named, error.args)).with_traceback(error.__traceback__) from None
+        document, notes = files.named(document), files.named(notes)
+        if not raw:
+            output = files.named(output.decode("utf-8", "replace"))
+    result = Document(document, outcome, "" if raw else output, notes)
     return (result, output) if raw else result
 
 
@@ -182,10 +198,8 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
 
 
 def flat(values: Any) -> list[Any]:
-    """One thing, or a list of them."""
-    if isinstance(values, (list, tuple)):
-        return list(values)
-    return [values]
+    """Things, and lists of them, one after the other."""
+    return [element for value in values for element in (value if isinstance(value, (list, tuple)) else [value])]
 
 
 def one(values: list[Any], what: str) -> Any:

@@ -210,8 +210,7 @@ def convert(
 
 def lookup(
     file: Source,
-    position: Value | Sequence[Value] | None = None,
-    *,
+    *position: Value | Sequence[Value],
     dims: Value = None,
     table: Value = None,
     points: Value = None,
@@ -454,8 +453,7 @@ def capture(
 
 
 def runs(
-    file: Source | Sequence[Source],
-    *,
+    *file: Source | Sequence[Source],
     from_: Value = None,
     exclude: Value = None,
     swap_directions: bool = False,
@@ -511,8 +509,7 @@ def runs(
 
 
 def judge(
-    file: Source | Sequence[Source],
-    *,
+    *file: Source | Sequence[Source],
     from_: Value = None,
     exclude: Value = None,
     swap_directions: bool = False,
@@ -602,8 +599,7 @@ def judge(
 
 
 def fit(
-    file: Source | Sequence[Source],
-    *,
+    *file: Source | Sequence[Source],
     from_: Value = None,
     exclude: Value = None,
     swap_directions: bool = False,
@@ -802,8 +798,7 @@ def fit(
 
 
 def compare(
-    file: Source | Sequence[Source],
-    *,
+    *file: Source | Sequence[Source],
     from_: Value = None,
     swap_directions: bool = False,
     columns: Values = None,

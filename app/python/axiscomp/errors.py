@@ -24,7 +24,8 @@ class Error(Exception):
         diagnostics: list[dict[str, Any]] | None = None,
         notes: list[str] | None = None,
     ) -> None:
-        super().__init__(code, message, context or {}, diagnostics or [], notes or [])
+        # Not that of OSError, which would make an errno and a file name of it.
+        Exception.__init__(self, code, message, context or {}, diagnostics or [], notes or [])
         self.code = code
         self.message = message
         self.context = context or {}
@@ -48,10 +49,6 @@ class InputFileError(Error, ValueError):
 class LocalError(Error, OSError):
     """Something on this computer failed, such as a full disk."""
 
-    # OSError would make an errno and a file name of the arguments.
-    def __new__(cls, *arguments: Any) -> "LocalError":
-        return Exception.__new__(cls, *arguments)
-
 
 class StoppedError(Error):
     """The work was stopped before its end; what was changed was put back."""
@@ -72,15 +69,9 @@ class AddressError(DriveError, ValueError):
 class NotConnectedError(DriveError, ConnectionError):
     """The drive cannot be reached; nothing was sent."""
 
-    def __new__(cls, *arguments: Any) -> "NotConnectedError":
-        return Exception.__new__(cls, *arguments)
-
 
 class LostError(DriveError, ConnectionError):
     """There was no answer that can be read: the drive may have acted."""
-
-    def __new__(cls, *arguments: Any) -> "LostError":
-        return Exception.__new__(cls, *arguments)
 
 
 class UnauthorizedError(DriveError):

@@ -79,5 +79,5 @@ def read_measurement(files: Any, **options: Any) -> Measurement:
     options: those of `axiscomp runs`, such as from_="renishaw", unit="mm", exclude="down:1:1". Values that
     are left out are NaN. Raises Error.
     """
-    _, output = call("runs", flat(files), {**options, "output": "-"}, raw=True)
+    _, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
     return Measurement.of_file(output)

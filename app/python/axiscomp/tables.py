@@ -31,7 +31,20 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     file needs dims. Raises Error.
     """
     document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
-    return _axiscomp.tables_of_csv(output, document["dimensions"])
+    tables = _axiscomp.tables_of_csv(output, document["dimensions"])
+    return [_with_filled(*pair) for pair in zip(tables, document["tables"])]
+
+
+def _with_filled(table: Table, said: dict[str, Any]) -> Table:
+    """A CSV file does not say which values were made up; the document does."""
+    if not said.get("filled"):
+        return table
+    strides = [1]
+    for axis in table.axes[:-1]:
+        strides.append(strides[-1] * axis.size)
+    filled = [sum(i * stride for i, stride in zip(index, strides)) for index in said["filled"]]
+    axes = [axis[:4] for axis in table.axes]
+    return Table(table.values, axes, table.name, table.unit, table.target, filled)
 
 
 def read(file: Any, **options: Any) -> Table:
