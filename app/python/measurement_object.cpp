@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/measurement_object.h"
 
+#include "app/cli/output/judgement_output.h"
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
+#include "app/python/table_object.h"
+#include "core/compensator/known_tables.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/formats/measurement_format.h"
+#include "drivecomm/profile/profile_loader.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -100,8 +105,15 @@ py::array_t<double> runsOf(const Measurement& measurement, Approach direction)
     return values;
 }
 
+template <typename T> T valueOf(Result<T> result)
+{
+    if (!result)
+        raiseError(result.error());
+    return *std::move(result);
+}
+
 /// Of a file that axiscomp has written itself.
-py::dict runsOfCsv(const py::bytes& file)
+Measurement measurementOf(const py::bytes& file)
 {
     const auto format = measurementFormatNamed("runs");
     if (!format)
@@ -114,7 +126,11 @@ py::dict runsOfCsv(const py::bytes& file)
     }
     if (!reading.measurement)
         raiseError(measurementError("measurement", reading));
-    const Measurement& measurement = *reading.measurement;
+    return *std::move(reading.measurement);
+}
+
+py::dict arraysOf(const Measurement& measurement)
+{
     py::dict parts;
     parts["targets"] =
         py::array_t<double>(static_cast<py::ssize_t>(measurement.targets.size()),
@@ -125,6 +141,52 @@ py::dict runsOfCsv(const py::bytes& file)
     return parts;
 }
 
+py::dict runsOfCsv(const py::bytes& file)
+{
+    return arraysOf(measurementOf(file));
+}
+
+/// In the unit of the measurement.
+KnownTables knownTable(const char* name, const TablePointer& table, const Measurement& measurement)
+{
+    return valueOf(tablesOfFile(name, {table->table}, std::string(positionUnit(measurement)),
+                       drivecomm::genericProfile().layout))
+        .tables;
+}
+
+LookupAt lookupNamed(const std::string& name)
+{
+    if (name == "encoder")
+        return LookupAt::Encoder;
+    if (name == "set")
+        return LookupAt::Set;
+    throw py::value_error("lookup_at is encoder or set, not " + name);
+}
+
+/// active: the table with which it was measured, as a person says it; isOff: with none.
+py::dict predict(const py::bytes& file, const TablePointer& table, const std::string& lookupAt,
+    const TablePointer& active, bool isOff, std::optional<double> turn)
+{
+    const Measurement measurement = measurementOf(file);
+    const LookupAt side = lookupNamed(lookupAt);
+    const KnownTables wanted = knownTable("the table", table, measurement);
+    std::optional<KnownTables> onto;
+    StateRequest request{measurement.header.compensation, {}, hasRawReadings(measurement)};
+    if (active) {
+        onto = knownTable("the active table", active, measurement);
+        request.stated = MeasuredState{MeasuredState::Kind::On, onto->crcs.front()};
+        request.onto = &*onto;
+    } else if (isOff) {
+        request.stated = MeasuredState{MeasuredState::Kind::Off, {}};
+    }
+    const FoundState state = valueOf(findState(request));
+    const Measurement predicted =
+        valueOf(predictMeasurement(measurement, wanted.tables.front(), side, state, turn));
+    py::dict parts = arraysOf(predicted);
+    parts["figures"] = pythonObject(axisFiguresJson(iso230Figures(predicted)));
+    return parts;
+}
+
 } // namespace
 
 void addMeasurements(py::module_& module)
@@ -132,6 +194,8 @@ void addMeasurements(py::module_& module)
     module.def("csv_of_runs", &csvOfRuns, py::arg("targets"), py::arg("up"), py::arg("down"),
         py::arg("is_angular"), py::arg("statements"));
     module.def("runs_of_csv", &runsOfCsv, py::arg("file"));
+    module.def("predict", &predict, py::arg("file"), py::arg("table"), py::arg("lookup_at"),
+        py::arg("active"), py::arg("is_off"), py::arg("turn"));
 }
 
 } // namespace axiscomp::app

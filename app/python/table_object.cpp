@@ -24,12 +24,6 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Dimension 1 fastest, as a table has its values.
 using Values = py::array_t<float, py::array::f_style | py::array::forcecast>;
 
-/// Arrays that show its values keep it alive; nothing changes it.
-struct TableObject {
-    CompensationTable table;
-};
-using TablePointer = std::shared_ptr<TableObject>;
-
 template <typename T> T valueOf(Result<T> result)
 {
     if (!result)

@@ -51,6 +51,38 @@ class Measurements(unittest.TestCase):
         self.assertIsNone(fit["output"])
         self.assertNotIn("/tmp/", fit.text)
 
+    def test_a_prediction_takes_what_the_table_adds(self):
+        # Twice the error: half of it is left. Looked up at the encoder, which is 1e-4 beside the target.
+        table = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
+        foretold = axiscomp.predict(made(), table, lookup_at="encoder")
+        numpy.testing.assert_allclose(foretold.up[0], 0.5e-4 * made().targets, atol=1e-6)
+        self.assertAlmostEqual(foretold.figures["E"], 0.002, places=6)
+        with self.assertRaises(TypeError):
+            axiscomp.judge(foretold)
+
+    def test_a_prediction_agrees_with_that_of_the_fit(self):
+        measurement = axiscomp.read_measurement(RUNS)
+        fit = axiscomp.fit(measurement, lookup_at="encoder", measured_with="off")
+        foretold = axiscomp.predict(measurement, fit.tables[0], lookup_at="encoder", measured_with="off")
+        self.assertEqual(foretold.figures, {**foretold.figures, **fit["predicted"]})
+
+    def test_a_prediction_without_the_table_is_the_measurement(self):
+        # Measured with a table and foretold with the same one.
+        table = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
+        measurement = axiscomp.Measurement(made().targets, made().up, made().down)
+        foretold = axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=table)
+        numpy.testing.assert_allclose(foretold.up, measurement.up, atol=1e-12)
+
+    def test_a_prediction_does_not_guess(self):
+        table = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
+        unstated = axiscomp.Measurement(made().targets, made().up, made().down)
+        with self.assertRaises(axiscomp.Error) as raised:
+            axiscomp.predict(unstated, table, lookup_at="encoder")
+        self.assertEqual(raised.exception.code, "MeasurementState")
+        with self.assertRaises(axiscomp.Error) as raised:
+            axiscomp.predict(made(), axiscomp.Table([0, 1], [(0, 1, "deg")], unit="deg"), lookup_at="encoder")
+        self.assertEqual(raised.exception.code, "UnitMismatch")
+
     def test_a_fit_does_not_guess(self):
         with self.assertRaises(axiscomp.RequestError):
             axiscomp.fit(made())  # where the table is looked up is not said

@@ -10,7 +10,7 @@ from ._axiscomp import Table, __version__
 from ._call import Document
 from .drives import Drive, Monitor
 from .errors import *  # noqa: F401,F403
-from .measurements import Measurement, read_measurement
+from .measurements import Measurement, Prediction, predict, read_measurement
 from .tables import Axis, read, read_all, resample, write
 from .commands import (
     compare,

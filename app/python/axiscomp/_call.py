@@ -120,6 +120,8 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
 def _positional(place: Any, files: _Files) -> str:
     if hasattr(place, "as_file"):
         return place.as_file(files)
+    if not isinstance(place, (str, int, float, os.PathLike)) and not hasattr(place, "dtype"):
+        raise TypeError(f"a {type(place).__name__} stands for no file")
     text = _text(place)
     is_file_like_an_option = isinstance(place, (str, os.PathLike)) and text.startswith("-") and text != "-"
     return "./" + text if is_file_like_an_option else text

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _axiscomp
+from ._axiscomp import Table
 from ._call import _Files, call, flat
 
 if TYPE_CHECKING:
@@ -81,3 +82,42 @@ def read_measurement(files: Any, **options: Any) -> Measurement:
     """
     _, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
     return Measurement.of_file(output)
+
+
+class Prediction:
+    """The runs of a measurement as they would be with a table active. It is no measurement, and is not taken for one.
+
+    targets, up, down, unit  as of Measurement
+    figures                  of ISO 230-2: {"B", "M", "E", "A", ...}, in `unit`; None: not defined
+    """
+
+    def __init__(self, parts: dict[str, Any]) -> None:
+        self.targets: numpy.ndarray = parts["targets"]
+        self.up: numpy.ndarray = parts["up"]
+        self.down: numpy.ndarray = parts["down"]
+        self.unit: str = parts["unit"]
+        self.figures: dict[str, float | None] = parts["figures"]
+
+
+def predict(
+    measurement: Measurement,
+    table: Table,
+    *,
+    lookup_at: str,
+    measured_with: Table | str | None = None,
+    turn: float | None = None,
+) -> Prediction:
+    """Foretells a measurement with a table active, as the drive applies it.
+
+    table          of one dimension; its units must be known (UnitMismatch)
+    lookup_at      "encoder" or "set": at which position the drive looks the table up
+    measured_with  the table that was active, or "off", where the measurement does not say it
+                   (MeasurementState)
+    turn           length of a turn of a modulo axis
+    """
+    if isinstance(measured_with, str) and measured_with != "off":
+        raise ValueError(f'measured_with is a table or "off", not {measured_with}')
+    active = None if isinstance(measured_with, str) else measured_with
+    return Prediction(
+        _axiscomp.predict(measurement.file, table, lookup_at, active, measured_with == "off", turn)
+    )

@@ -146,6 +146,16 @@ struct FitReport {
 [[nodiscard]] Result<FitReport> fitMeasurement(const Measurement& measurement,
     const FitSettings& settings, const FoundState& state, std::stop_token stop = {});
 
+/// The same runs with a table active as the drive applies it, in place of what was active: only the
+/// deviations of the values in use are of it, and raw positions and outputs are left out. table: of
+/// one dimension, in the unit of the measurement. The state must have been found for the
+/// measurement (findState); what was measured with a table is foretold with that one taken away.
+/// turn: of a modulo axis. Errors: InvalidArgument for a measurement without targets, a table of
+/// more dimensions, and what cannot be looked up.
+[[nodiscard]] Result<Measurement> predictMeasurement(const Measurement& measurement,
+    const CompensationTable& table, LookupAt lookupAt, const FoundState& state,
+    std::optional<double> turn = {});
+
 /// Whether the values are fitted on the grid itself, without a curve through them: points, and
 /// tracks unless a curve is asked for.
 [[nodiscard]] bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings);

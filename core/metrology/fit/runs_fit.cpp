@@ -413,6 +413,34 @@ Result<void> predictBetween(
 
 } // namespace
 
+Result<Measurement> predictMeasurement(const Measurement& measurement,
+    const CompensationTable& table, LookupAt lookupAt, const FoundState& state,
+    std::optional<double> turn)
+{
+    if (!measurement.hasTargets())
+        return badFit(AXISCOMP_TEXT("Error", "a prediction needs a measurement of targets"));
+    if (table.grid.axes.size() != 1)
+        return badFit(AXISCOMP_TEXT("Error", "a prediction needs a table of one dimension"));
+    FitSettings settings;
+    settings.turn = turn;
+    const FitInput input{measurement, settings, state, lookupAt, {}};
+    TableFitRequest request;
+    request.lookupAt = lookupAt;
+    request.turn = turn;
+    if (state.kind == FoundState::Kind::On)
+        request.active = {activeTable(input), 1.0, input.outside()};
+    const FitValues values = fitValues(measurement, input);
+    AXISCOMP_TRY(const auto predicted, predictRuns(values.values, table, request));
+    Measurement result = measurement;
+    for (std::size_t i = 0; i < predicted.size(); ++i)
+        result.values[values.indices[i]].deviation = predicted[i].deviation;
+    for (RunValue& value : result.values) {
+        value.encoder.reset();
+        value.output.reset();
+    }
+    return result;
+}
+
 Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTable& table)
 {
     const bool isAngular = input.measurement.isAngular;
