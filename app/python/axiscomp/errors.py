@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The errors of axiscomp, with the codes of the command line (docs/cli.md, "Errors")."""
+"""The errors of axiscomp, with the codes of the command line ("Exit codes" of docs/cli.md)."""
 
 from __future__ import annotations
 

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""docs/python.ipynb does what it says."""
+
+import os
+import unittest
+from pathlib import Path
+
+import notebook
+
+SOURCE = Path(os.environ["AXISCOMP_SOURCE"])
+
+
+class Notebook(unittest.TestCase):
+    def test_it_measures_fits_writes_and_plots(self):
+        os.environ["MPLBACKEND"] = "Agg"
+        state = os.environ.pop("XDG_STATE_HOME", None)
+        try:
+            ends = notebook.run(SOURCE / "docs/python.ipynb")
+        finally:
+            os.environ.pop("XDG_STATE_HOME", None)
+            if state is not None:
+                os.environ["XDG_STATE_HOME"] = state
+        before, after = ends["compared"]["before"], ends["compared"]["after"]
+        self.assertLess(after["E"], before["E"] / 2)
+        self.assertEqual(ends["activated"]["proof"]["proved"], True)
+
+
+if __name__ == "__main__":
+    unittest.main()
