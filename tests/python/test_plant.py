@@ -15,7 +15,7 @@ from pathlib import Path
 import notebook
 
 PLANT = Path(os.environ["AXISCOMP_SOURCE"]) / "docs/plant.ipynb"
-MEASUREMENTS = "400"
+MEASUREMENTS = "200"
 
 
 def start(*words):
