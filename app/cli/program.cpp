@@ -54,8 +54,8 @@ ExitCode run(int argc, char** argv, Console& console)
 
 } // namespace
 
-EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments, Interrupt& interrupt,
-    const EmbeddedTakers& takers)
+EmbeddedEnd runEmbedded(
+    const std::vector<std::string>& arguments, Interrupt& interrupt, const EmbeddedTakers& takers)
 {
     Console console(takers.output, takers.notes);
     Environment environment(console, interrupt, takers.documents, takers.readings);

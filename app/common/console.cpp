@@ -93,9 +93,7 @@ Console::Console()
         m_width = size.ws_col;
 }
 
-Console::Console(Taker output, Taker notes)
-    : m_output(std::move(output))
-    , m_notes(std::move(notes))
+Console::Console(Taker output, Taker notes) : m_output(std::move(output)), m_notes(std::move(notes))
 {
 }
 

@@ -138,8 +138,7 @@ std::string_view exitCodeName(ExitCode code)
     return "OtherFailure";
 }
 
-void raiseError(
-    const Error& error, const Json& diagnostics, const std::vector<std::string>& notes)
+void raiseError(const Error& error, const Json& diagnostics, const std::vector<std::string>& notes)
 {
     const Json json = toJson(error, diagnostics.is_null() ? Json::array() : diagnostics);
     py::dict context;
@@ -260,8 +259,8 @@ py::tuple CommandRun::end(const py::object& echo)
     }
     raiseFailure();
     const py::object document = m_document ? pythonObject(*m_document) : py::none();
-    return py::make_tuple(pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output),
-        textList(m_notes));
+    return py::make_tuple(
+        pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output), textList(m_notes));
 }
 
 py::object CommandRun::nextReading()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/program.h"
+#include "core/base/result.h"
 
 #include <pybind11/pybind11.h>
 
@@ -62,6 +63,14 @@ private:
 /// Raises axiscomp.Error, of the class that suits the error.
 [[noreturn]] void raiseError(
     const Error& error, const Json& diagnostics = {}, const std::vector<std::string>& notes = {});
+
+/// The value, or its error raised.
+template <typename T> [[nodiscard]] T valueOf(Result<T> result)
+{
+    if (!result)
+        raiseError(result.error());
+    return *std::move(result);
+}
 
 /// "Done", "ToleranceNotMet", ...
 [[nodiscard]] std::string_view exitCodeName(ExitCode code);

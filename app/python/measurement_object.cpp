@@ -56,8 +56,7 @@ void takeTargets(Measurement& measurement, const Numbers& targets)
             throw py::value_error("the targets are finite and ascend");
 }
 
-void takeStatements(
-    MeasurementHeader& header, const std::map<std::string, std::string>& statements)
+void takeStatements(MeasurementHeader& header, const std::map<std::string, std::string>& statements)
 {
     const std::map<std::string, std::string MeasurementHeader::*> fields{
         {"machine", &MeasurementHeader::machine}, {"axis", &MeasurementHeader::axis},
@@ -96,20 +95,14 @@ py::bytes csvOfRuns(const Numbers& targets, const Numbers& up, const Numbers& do
 py::array_t<double> runsOf(const Measurement& measurement, Approach direction)
 {
     const auto targets = static_cast<py::ssize_t>(measurement.targets.size());
-    py::array_t<double> values({static_cast<py::ssize_t>(measurement.runCount(direction)), targets});
+    py::array_t<double> values(
+        {static_cast<py::ssize_t>(measurement.runCount(direction)), targets});
     std::fill_n(values.mutable_data(), values.size(), std::numeric_limits<double>::quiet_NaN());
     for (const RunValue& value : measurement.values)
         if (value.direction == direction && value.isUsed)
             values.mutable_at(value.run - 1, static_cast<py::ssize_t>(value.target)) =
                 value.deviation;
     return values;
-}
-
-template <typename T> T valueOf(Result<T> result)
-{
-    if (!result)
-        raiseError(result.error());
-    return *std::move(result);
 }
 
 /// Of a file that axiscomp has written itself.
@@ -132,9 +125,8 @@ Measurement measurementOf(const py::bytes& file)
 py::dict arraysOf(const Measurement& measurement)
 {
     py::dict parts;
-    parts["targets"] =
-        py::array_t<double>(static_cast<py::ssize_t>(measurement.targets.size()),
-            measurement.targets.data());
+    parts["targets"] = py::array_t<double>(
+        static_cast<py::ssize_t>(measurement.targets.size()), measurement.targets.data());
     parts["up"] = runsOf(measurement, Approach::Up);
     parts["down"] = runsOf(measurement, Approach::Down);
     parts["unit"] = measurement.isAngular ? "deg" : "mm";

@@ -28,7 +28,8 @@ py::dict optionFacts(const CLI::Option& option)
     facts["required"] = option.get_required();
     facts["takes_value"] = option.get_items_expected_max() > 0;
     facts["several"] = option.get_expected_max() > 1;
-    facts["delimiter"] = option.get_delimiter() == '\0' ? "" : std::string(1, option.get_delimiter());
+    facts["delimiter"] =
+        option.get_delimiter() == '\0' ? "" : std::string(1, option.get_delimiter());
     return facts;
 }
 

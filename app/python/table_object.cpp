@@ -24,13 +24,6 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Dimension 1 fastest, as a table has its values.
 using Values = py::array_t<float, py::array::f_style | py::array::forcecast>;
 
-template <typename T> T valueOf(Result<T> result)
-{
-    if (!result)
-        raiseError(result.error());
-    return *std::move(result);
-}
-
 std::uint32_t crcOf(const CompensationTable& table)
 {
     return valueOf(elementCrc(table, drivecomm::genericProfile().layout));
@@ -162,8 +155,8 @@ py::list axesOf(const TableObject& object)
     const py::object type = py::module_::import("axiscomp.tables").attr("Axis");
     py::list list;
     for (const GridAxis& axis : object.table.grid.axes)
-        list.append(type(axis.start, axis.distance, pythonText(axis.unit), pythonText(axis.name),
-            axis.size));
+        list.append(type(
+            axis.start, axis.distance, pythonText(axis.unit), pythonText(axis.name), axis.size));
     return list;
 }
 
@@ -231,9 +224,9 @@ std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
     if (!reading.data) {
         Json diagnostics = Json::array();
         for (const Diagnostic& diagnostic : reading.diagnostics)
-            diagnostics.push_back({{"code", diagnosticName(diagnostic.code)},
-                {"line", diagnostic.line}, {"column", diagnostic.column},
-                {"message", message(diagnostic)}});
+            diagnostics.push_back(
+                {{"code", diagnosticName(diagnostic.code)}, {"line", diagnostic.line},
+                    {"column", diagnostic.column}, {"message", message(diagnostic)}});
         raiseError({ErrorCode::InvalidCalibration,
                        {{"file", Verbatim{"table"}}, {"count", reading.diagnostics.size()}}, {}},
             diagnostics);
@@ -265,14 +258,12 @@ void addTables(py::module_& module)
             "target", [](const TableObject& self) { return pythonText(self.table.target); })
         .def_property_readonly(
             "dimensions", [](const TableObject& self) { return self.table.grid.dimensions(); })
-        .def_property_readonly(
-            "filled", [](const TableObject& self) { return self.table.filled; })
+        .def_property_readonly("filled", [](const TableObject& self) { return self.table.filled; })
         .def_property_readonly("crc", [](const TableObject& self) { return crcOf(self.table); })
         .def("positions", &positionsOf, py::arg("dimension") = 1)
         .def("lookup", &lookedUp, py::arg("positions"), py::arg("outside") = "hold")
         .def("__repr__", &described)
-        .def(
-            "__eq__",
+        .def("__eq__",
             [](const TableObject& self, const py::object& other) -> py::object {
                 if (!py::isinstance<TableObject>(other))
                     return py::reinterpret_borrow<py::object>(Py_NotImplemented);
