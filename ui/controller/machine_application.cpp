@@ -67,9 +67,7 @@ public:
         const QString& file, const std::vector<MachineApplication::Written>& drives)
     {
         const Totals totals = totalsOf(drives);
-        const auto listed = [](const QStringList& axes) {
-            return axes.join(QStringLiteral(", "));
-        };
+        const auto listed = [](const QStringList& axes) { return axes.join(QStringLiteral(", ")); };
         if (!totals.first)
             return {totals.written.isEmpty()
                     ? tr("All drives already had what %1 says; nothing was written.").arg(file)
@@ -242,8 +240,7 @@ void MachineApplication::note(const Written& written)
             return tr("%1: %2", "drive and problem").arg(name, errorText(error));
         });
     for (std::size_t n = 0; n < written.outcomes.size(); ++n)
-        m_log.add(
-            written.outcomes[n].problem ? LogLine::Kind::Error : LogLine::Kind::Information,
+        m_log.add(written.outcomes[n].problem ? LogLine::Kind::Error : LogLine::Kind::Information,
             [planned, n, outcome = written.outcomes[n]] {
                 return ApplicationOutcome::ofAxis(
                     planned.name, planned.look->plan->axes[n], outcome);
@@ -255,9 +252,8 @@ void MachineApplication::endWhenDone()
     if (m_isEnded || isRunning() || m_runner.task())
         return;
     m_isEnded = true;
-    m_outcome.show([file = m_fileName, drives = m_written] {
-        return ApplicationOutcome::of(file, drives);
-    });
+    m_outcome.show(
+        [file = m_fileName, drives = m_written] { return ApplicationOutcome::of(file, drives); });
     Q_EMIT ended();
 }
 

@@ -46,8 +46,7 @@ public:
     [[nodiscard]] bool isRunning() const;
     /// Nothing runs; no plan has a problem. context: of the machine file, its store is that of each
     /// drive. fileName: for what is said.
-    void start(
-        const QString& fileName, std::vector<Planned> drives, const MachineContext& context);
+    void start(const QString& fileName, std::vector<Planned> drives, const MachineContext& context);
     /// Each drive ends where it is safe: the write that is under way is put back.
     void stop();
     [[nodiscard]] bool isStopping() const { return isRunning() && m_stop.stop_requested(); }

@@ -57,8 +57,7 @@ MachineController::MachineController(const DriveProfile& profile, DriveList& dri
         connect(&drives, changed, this, &MachineController::follow);
     connect(&overview, &AxisOverview::rowChanged, this, &MachineController::followRow);
     connect(&m_application, &MachineApplication::ended, this, &MachineController::askAll);
-    connect(
-        &runner, &OperationRunner::busyChanged, this, &MachineController::followOperation);
+    connect(&runner, &OperationRunner::busyChanged, this, &MachineController::followOperation);
 }
 
 MachineController::~MachineController()
@@ -87,9 +86,8 @@ void MachineController::planAgain()
 void MachineController::read(const QString& path)
 {
     m_reading = path;
-    m_job.start([path, &layout = m_profile.layout](const std::stop_token& stop) {
-        return openMachine(path, layout, stop);
-    });
+    m_job.start([path, &layout = m_profile.layout](
+                    const std::stop_token& stop) { return openMachine(path, layout, stop); });
     Q_EMIT fileChanged();
 }
 
@@ -176,8 +174,8 @@ void MachineController::follow()
             continue;
         }
         if (const auto& problem = connection->problem(); problem && !connection->isConnected()) {
-            const bool isKnown = drive.look && drive.look->problem
-                && saysTheSame(*drive.look->problem, *problem);
+            const bool isKnown =
+                drive.look && drive.look->problem && saysTheSame(*drive.look->problem, *problem);
             if (!isKnown)
                 put(n, std::make_shared<const DriveLook>(DriveLook{{}, problem}));
             isNews = isNews || !isKnown;
@@ -217,8 +215,7 @@ void MachineController::followRow(int row)
     if (!now.axis || !now.status || m_machine.empty())
         return;
     const auto seen = std::pair(now.status->setup, now.status->isOn());
-    const auto [known, isFirst] =
-        m_seen.try_emplace(std::pair(now.endpoint, *now.axis), seen);
+    const auto [known, isFirst] = m_seen.try_emplace(std::pair(now.endpoint, *now.axis), seen);
     if (isFirst || known->second == seen)
         return;
     known->second = seen;
@@ -394,8 +391,7 @@ void MachineController::apply()
     std::vector<MachineApplication::Planned> planned;
     for (const Drive& drive : m_machine)
         if (drive.isConnected && drive.look && drive.look->plan)
-            planned.push_back(
-                {drive.endpoint, qString(drive.look->plan->drive.name), drive.look});
+            planned.push_back({drive.endpoint, qString(drive.look->plan->drive.name), drive.look});
     m_application.start(QFileInfo(m_file->path).fileName(), std::move(planned),
         {m_file->folder(), {}, m_activates});
 }

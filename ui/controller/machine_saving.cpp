@@ -72,12 +72,12 @@ void MachineSaving::save(const QStringList& endpoints, const QString& name, cons
         const auto found = std::ranges::find(all, endpoint, &DriveConnection::endpoint);
         if (found == all.end() || !(*found)->isConnected()) {
             const bool isKnown = found != all.end() && (*found)->problem();
-            return giveUp(isKnown ? *(*found)->problem()
-                                : Error{ErrorCode::NotConnected,
-                                      {{"endpoint", endpoint.toStdString()},
-                                          {"reason",
-                                              AXISCOMP_TEXT("Error", "the connection was ended")}},
-                                      {}},
+            return giveUp(isKnown
+                    ? *(*found)->problem()
+                    : Error{ErrorCode::NotConnected,
+                        {{"endpoint", endpoint.toStdString()},
+                            {"reason", AXISCOMP_TEXT("Error", "the connection was ended")}},
+                        {}},
                 endpoint);
         }
         const auto read = [&profile = m_profile, place = endpoint.toStdString()](
@@ -97,8 +97,7 @@ void MachineSaving::save(const QStringList& endpoints, const QString& name, cons
 }
 
 /// All of them, or none: a machine file without one of its drives would be another machine.
-void MachineSaving::take(
-    std::size_t index, const Result<std::shared_ptr<DriveSnapshot>>& snapshot)
+void MachineSaving::take(std::size_t index, const Result<std::shared_ptr<DriveSnapshot>>& snapshot)
 {
     if (!snapshot)
         return giveUp(snapshot.error(), m_endpoints.at(static_cast<qsizetype>(index)));

@@ -2,7 +2,7 @@
 #include "ui/controller/multi_axis_controller.h"
 
 #include "ui/async/background_job.h"
-#include "ui/controller/multi_axis_outcome.h"
+#include "ui/outcome/multi_axis_outcome.h"
 #include "ui/session/axis_list.h"
 
 #include <algorithm>

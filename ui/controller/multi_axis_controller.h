@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/compensator/configuration_transfer.h"
-#include "ui/controller/column_mapping.h"
 #include "ui/controller/operation_runner.h"
+#include "ui/data/column_mapping.h"
 
 #include <QObject>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/csv/calibration_csv.h"
-#include "ui/controller/column_mapping.h"
+#include "ui/data/column_mapping.h"
 
 #include <QTableWidget>
 

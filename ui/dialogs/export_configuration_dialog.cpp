@@ -2,11 +2,11 @@
 #include "ui/dialogs/export_configuration_dialog.h"
 
 #include "core/drive/drive_profile.h"
-#include "ui/controller/multi_axis_outcome.h"
 #include "ui/dialogs/multi_axis_plan_view.h"
 #include "ui/dialogs/row_list.h"
 #include "ui/dialogs/several_writes_dialog.h"
 #include "ui/dialogs/station_choice.h"
+#include "ui/outcome/multi_axis_outcome.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"

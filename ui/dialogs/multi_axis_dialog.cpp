@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/multi_axis_dialog.h"
 
-#include "ui/controller/column_mapping.h"
+#include "ui/data/column_mapping.h"
 #include "ui/dialogs/column_mapping_table.h"
 #include "ui/dialogs/multi_axis_plan_view.h"
 #include "ui/style/plain_label.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/multi_axis_plan_view.h"
 
-#include "ui/controller/column_mapping.h"
+#include "ui/data/column_mapping.h"
 #include "ui/dialogs/row_list.h"
 #include "ui/session/axis_list.h"
 #include "ui/style/plain_label.h"

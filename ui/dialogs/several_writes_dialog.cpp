@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/several_writes_dialog.h"
 
-#include "ui/controller/multi_axis_outcome.h"
 #include "ui/dialogs/multi_axis_plan_view.h"
+#include "ui/outcome/multi_axis_outcome.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/contrast.h"
 #include "ui/style/plain_label.h"

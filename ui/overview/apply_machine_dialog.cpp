@@ -170,8 +170,8 @@ void ApplyMachineDialog::refresh()
     });
     m_allowsMissing->setVisible(isMissing || m_allowsMissing->isChecked());
     m_allowsMissing->setEnabled(isPlanning);
-    m_busy->setBusy(isPlanning ? m_machine.isReading() || m_machine.isAsking()
-                               : m_state == State::Writing);
+    m_busy->setBusy(
+        isPlanning ? m_machine.isReading() || m_machine.isAsking() : m_state == State::Writing);
     m_progress->setVisible(m_state == State::Writing);
     m_progress->setValue(qRound(m_machine.application().fraction() * applyingSteps));
     showReason();
@@ -188,10 +188,10 @@ void ApplyMachineDialog::fillPlans()
         addPlans(drive);
         for (const AxisPlan& plan : drive.look->plan->axes)
             for (const QString& remark : driftRemarks(plan))
-                remarks += tr("%1: %2", "axis and remark")
-                               .arg(axisOfDriveText(qString(drive.look->plan->drive.name),
-                                        plan.name),
-                                   remark);
+                remarks +=
+                    tr("%1: %2", "axis and remark")
+                        .arg(axisOfDriveText(qString(drive.look->plan->drive.name), plan.name),
+                            remark);
     }
     if (const QStringList now = warnings(); now != m_warnings->warnings())
         m_warnings->setWarnings(now);

@@ -58,11 +58,11 @@ void DriftDetails::clear()
     hide();
 }
 
-void DriftDetails::showDrift(const QString& name, const AxisDrift& drift,
-    const MachineTable* table, std::span<const AxisEntry> axes)
+void DriftDetails::showDrift(const QString& name, const AxisDrift& drift, const MachineTable* table,
+    std::span<const AxisEntry> axes)
 {
-    m_title->setText(tr("%1: %2", "axis, and how it stands to the machine file")
-                         .arg(name, driftText(drift)));
+    m_title->setText(
+        tr("%1: %2", "axis, and how it stands to the machine file").arg(name, driftText(drift)));
     m_rows->setRowCount(0);
     QStringList warnings;
     QStringList remarks;

@@ -105,11 +105,11 @@ DriftLine tableLine(const AxisPlan& plan, const MachineAxis& wanted)
     DriftLine line{{}, noTableText(), noTableText()};
     const CompensationSetup& before = plan.plan.before;
     if (plan.before.table)
-        line.before = DriftText::table(QString::fromStdString(before.slot),
-            plan.before.table->grid, plan.before.table->crc);
+        line.before = DriftText::table(
+            QString::fromStdString(before.slot), plan.before.table->grid, plan.before.table->crc);
     if (plan.plan.table)
-        line.after = DriftText::table(QString::fromStdString(wanted.file), plan.plan.table->grid,
-            plan.plan.after.tableCrc);
+        line.after = DriftText::table(
+            QString::fromStdString(wanted.file), plan.plan.table->grid, plan.plan.after.tableCrc);
     return line;
 }
 
@@ -126,8 +126,7 @@ DriftLine lineOf(const PlannedChange& change, const AxisPlan& plan, const Machin
         line = {{}, DriftText::dimensions(before.dimensionality),
             DriftText::dimensions(after.dimensionality)};
     else if (change.field == "Persistency")
-        line = {{},
-            plan.before.table ? DriftText::persistency(before.persistency) : noTableText(),
+        line = {{}, plan.before.table ? DriftText::persistency(before.persistency) : noTableText(),
             DriftText::persistency(after.persistency)};
     else
         for (std::size_t n = 0; n < after.sources.size(); ++n)

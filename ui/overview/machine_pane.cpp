@@ -99,9 +99,8 @@ void MachinePane::refresh()
     const bool isOpen = !m_machine.path().isEmpty();
     const auto& file = m_machine.file();
     m_summary->setText(isOpen ? summary() : QString());
-    m_summary->setTone(file && file->refusal && !m_machine.isReading()
-            ? std::optional(Tone::Error)
-            : std::nullopt);
+    m_summary->setTone(file && file->refusal && !m_machine.isReading() ? std::optional(Tone::Error)
+                                                                       : std::nullopt);
     m_busy->setBusy(m_machine.isReading() || m_machine.isAsking());
     m_apply->setEnabled(file && !file->refusal);
     m_planAgain->setEnabled(!m_machine.isReading() && !m_machine.isAsking());
@@ -150,8 +149,8 @@ QString MachinePane::summary() const
     const QString name = qString(file->reading.machine->name);
     const QString title =
         name.isEmpty() ? fileName : tr("%1 (%2)", "file and machine").arg(fileName, name);
-    const QString said =
-        tr("%1: axes %2.", "machine file and numbers of axes").arg(title, parts.join(QStringLiteral(", ")));
+    const QString said = tr("%1: axes %2.", "machine file and numbers of axes")
+                             .arg(title, parts.join(QStringLiteral(", ")));
     const QDateTime looked = m_machine.oldestLook();
     return looked.isValid() ? said + u' ' + tr("Compared at %1.").arg(momentText(looked)) : said;
 }

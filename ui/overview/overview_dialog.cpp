@@ -280,8 +280,8 @@ void OverviewDialog::showDrift()
         table = &m_machine.file()->tables.at(place).at(*drift.axis);
     }
     const int axis = axisOf(row);
-    const QString name = axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label
-                                   : chosen.endpoint;
+    const QString name =
+        axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : chosen.endpoint;
     m_drift->showDrift(name, drift, table, axes);
 }
 

@@ -153,8 +153,8 @@ QVariant OverviewModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     if (role == Qt::DisplayRole) {
         const std::array<QString, ColumnCount> titles{tr("Drive"), tr("Axis"), tr("State"),
-            tr("Machine file"), tr("Table"), tr("Persistency"), tr("Flash left"), tr("Measured"), tr("Last proof"),
-            tr("Last write")};
+            tr("Machine file"), tr("Table"), tr("Persistency"), tr("Flash left"), tr("Measured"),
+            tr("Last proof"), tr("Last write")};
         return titles.at(static_cast<std::size_t>(section));
     }
     if (role == Qt::TextAlignmentRole)

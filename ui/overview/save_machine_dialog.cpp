@@ -187,8 +187,8 @@ void SaveMachineDialog::refresh()
     m_name->setEnabled(!isBusy);
     m_drives->setEnabled(!isBusy);
     m_save->setEnabled(!isBusy && reason.isEmpty());
-    m_save->setToolTip(reason.isEmpty() ? tr("Files that are there are not replaced unasked")
-                                        : reason);
+    m_save->setToolTip(
+        reason.isEmpty() ? tr("Files that are there are not replaced unasked") : reason);
     m_save->setAccessibleDescription(m_save->toolTip());
     m_replace->setVisible(stage == Stage::Asking);
     QStringList warnings;
@@ -224,8 +224,8 @@ void SaveMachineDialog::refresh()
 
 void SaveMachineDialog::askForFolder()
 {
-    m_picker(*this, {FileQuestion::Purpose::SaveMachine, tr("Folder for the Machine File"), {},
-                        m_startFolder},
+    m_picker(*this,
+        {FileQuestion::Purpose::SaveMachine, tr("Folder for the Machine File"), {}, m_startFolder},
         [dialog = QPointer(this)](const QString& folder) {
             if (dialog)
                 dialog->save(folder);

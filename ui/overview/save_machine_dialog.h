@@ -25,8 +25,8 @@ class SaveMachineDialog : public QDialog {
 
 public:
     /// folder: in which a person begins to look for one.
-    SaveMachineDialog(WizardController& controller, FilePicker picker, QString folder,
-        QWidget* parent = nullptr);
+    SaveMachineDialog(
+        WizardController& controller, FilePicker picker, QString folder, QWidget* parent = nullptr);
     ~SaveMachineDialog() override;
 
 protected:

@@ -77,11 +77,11 @@ Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& op
     Json files = Json::array();
     for (std::size_t n = 0; n < snapshot.tables(); ++n)
         files.push_back(snapshot.files[n].name);
-    environment.document({{"output", (folder / machineFileName).string()}, {"drives", count},
-        {"tables", files}});
+    environment.document(
+        {{"output", (folder / machineFileName).string()}, {"drives", count}, {"tables", files}});
     environment.print("Wrote " + (folder / machineFileName).string() + ": "
-        + plural(count, "drive", "drives") + ", "
-        + plural(snapshot.tables(), "table", "tables") + ".\n");
+        + plural(count, "drive", "drives") + ", " + plural(snapshot.tables(), "table", "tables")
+        + ".\n");
     return ExitCode::Done;
 }
 

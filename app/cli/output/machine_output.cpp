@@ -24,8 +24,7 @@ Json switchJson(const std::optional<Switch>& switches)
 Json toJson(const AxisPlan& axis)
 {
     return {{"name", axis.name}, {"axis", axis.axis < 0 ? Json(nullptr) : Json(axis.axis)},
-        {"differs", axis.differs()},
-        {"plan", axis.problem ? Json(nullptr) : toJson(axis.plan)},
+        {"differs", axis.differs()}, {"plan", axis.problem ? Json(nullptr) : toJson(axis.plan)},
         {"switch", switchJson(axis.switches)}, {"unfinished", axis.isUnfinished},
         {"obstacle", problemJson(axis.obstacle)}, {"problem", problemJson(axis.problem)}};
 }

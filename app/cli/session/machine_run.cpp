@@ -107,9 +107,8 @@ Result<MachineRun> beginMachineRun(Environment& environment, const MachineOption
         return fail(machineError(options.file, reading));
     MachineFile& machine = *reading.machine;
     AXISCOMP_CHECK(select(machine, options));
-    auto tables = readMachineTables(machine,
-        std::filesystem::path(options.file).parent_path(), profile.layout,
-        environment.stopToken());
+    auto tables = readMachineTables(machine, std::filesystem::path(options.file).parent_path(),
+        profile.layout, environment.stopToken());
     MachineRun run{machine.name, {}};
     for (std::size_t n = 0; n < machine.drives.size(); ++n) {
         MachineDriveRun& drive = run.drives.emplace_back();

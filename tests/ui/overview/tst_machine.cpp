@@ -144,8 +144,8 @@ private Q_SLOTS:
         const QString said = model.index(0, Column::Machine).data().toString();
         QVERIFY2(said.startsWith(QStringLiteral("differs: Table, Dim1Source, Persistency · ")),
             qPrintable(said));
-        QCOMPARE(model.index(1, Column::Machine).data().toString(),
-            QStringLiteral("not in the file"));
+        QCOMPARE(
+            model.index(1, Column::Machine).data().toString(), QStringLiteral("not in the file"));
         QCOMPARE(model.index(0, Column::Machine).data(OverviewModel::DriftToneRole).toInt(),
             static_cast<int>(Tone::Warning));
     }
@@ -166,8 +166,8 @@ private Q_SLOTS:
     {
         Machine all;
         QVERIFY(all.bench.connect());
-        QVERIFY(all.open(all.write(
-            driveSection(QStringLiteral("http://x"), 4711) + axisSection("Z"))));
+        QVERIFY(
+            all.open(all.write(driveSection(QStringLiteral("http://x"), 4711) + axisSection("Z"))));
         QCOMPARE(all.drift("http://x", 0).state, State::NotInFile);
         const MachineDriveState& drive = all.machine().drives().front();
         QCOMPARE(MachineController::driftOf(drive, 0).state, State::Problem);
@@ -273,8 +273,11 @@ private Q_SLOTS:
         QTRY_VERIFY(user.sees("overview"));
         auto& table = user.the<QTableView>("overview");
         QTRY_VERIFY(!table.isColumnHidden(Column::Machine));
-        QTRY_VERIFY(table.model()->index(0, Column::Machine).data().toString().startsWith(
-            QStringLiteral("differs: ")));
+        QTRY_VERIFY(table.model()
+                        ->index(0, Column::Machine)
+                        .data()
+                        .toString()
+                        .startsWith(QStringLiteral("differs: ")));
         QTRY_VERIFY2(user.the<QLabel>("machineSummary")
                          .text()
                          .startsWith(QStringLiteral(
@@ -368,13 +371,13 @@ private Q_SLOTS:
     {
         Machine all;
         QVERIFY(all.bench.connect());
-        static_cast<void>(all.bench.file(
-            QStringLiteral("first.csv"), "X [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
+        static_cast<void>(
+            all.bench.file(QStringLiteral("first.csv"), "X [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
         const QByteArray drive = driveSection(QStringLiteral("http://x"), 4711);
         QVERIFY(all.open(all.write(drive + axisSection("X"))));
         QVERIFY(!all.machine().applyObstacle(false).isEmpty());
-        QCOMPARE(all.machine().obstacles(false).at(0).problem.error.code,
-            ErrorCode::LargeCorrection);
+        QCOMPARE(
+            all.machine().obstacles(false).at(0).problem.error.code, ErrorCode::LargeCorrection);
         QVERIFY(all.open(all.write(drive + axisSection("X", "accept-large = true\n"))));
         QCOMPARE(all.machine().applyObstacle(false), QString());
         QVERIFY(!all.drift("http://x", 0).plan->plan.largeCorrections.empty());
@@ -488,14 +491,17 @@ private Q_SLOTS:
         QTRY_VERIFY(user.sees("applyMachineDialog"));
         QTRY_COMPARE(user.the<QTableWidget>("applyRows").rowCount(), 1);
         QTRY_VERIFY(user.the("applyButton").isEnabled());
-        QVERIFY(user.the<QTableWidget>("applyRows").item(0, 2)->text().contains(
-            QStringLiteral("first.csv: 3 points")));
+        QVERIFY(user.the<QTableWidget>("applyRows")
+                    .item(0, 2)
+                    ->text()
+                    .contains(QStringLiteral("first.csv: 3 points")));
         QVERIFY(bench.state() == before);
         user.the<QPushButton>("applyButton").click();
         QTRY_VERIFY(!user.sees("applyButton")); // it has ended
         QCOMPARE(user.the<QTableWidget>("applyRows").item(0, 1)->text(), QStringLiteral("written"));
-        QVERIFY(user.the<QLabel>("applyReason").text().startsWith(
-            QStringLiteral("mill.toml is applied.")));
+        QVERIFY(user.the<QLabel>("applyReason")
+                    .text()
+                    .startsWith(QStringLiteral("mill.toml is applied.")));
         QVERIFY(!(bench.state() == before));
         user.the<QPushButton>("closeApplyButton").click();
         QTRY_VERIFY(!user.find("applyMachineDialog"));
@@ -524,7 +530,8 @@ private Q_SLOTS:
         auto& user = bench.user;
         QVERIFY(bench.open());
         bench.picked = bench.file(QStringLiteral("mill.toml"),
-            "version = 1\n" + driveSection(bench.served.url(), 1559) + "[[drive.axis]]\nfyle = 1\n");
+            "version = 1\n" + driveSection(bench.served.url(), 1559)
+                + "[[drive.axis]]\nfyle = 1\n");
         user.the<QAction>("openMachineAction").trigger();
         QTRY_VERIFY(user.sees("machineProblems"));
         const QAbstractItemModel& problems = *user.the<QTreeView>("machineProblems").model();

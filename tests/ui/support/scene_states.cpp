@@ -110,9 +110,10 @@ void overview(PageScene& scene)
 /// Of two axes and a drive that does not answer; one axis is as the file says.
 QString machineFile(PageScene& scene, bool hasMissing)
 {
-    static_cast<void>(scene.stage().file(
-        QStringLiteral("y.csv"), "X [mm],Y error [um]\n0,0\n20,2.1\n40,-1\n"));
-    const QByteArray source = "[\"" + QByteArray::fromStdString(PageStage::masterPosition(0)) + "\"]\n";
+    static_cast<void>(
+        scene.stage().file(QStringLiteral("y.csv"), "X [mm],Y error [um]\n0,0\n20,2.1\n40,-1\n"));
+    const QByteArray source =
+        "[\"" + QByteArray::fromStdString(PageStage::masterPosition(0)) + "\"]\n";
     QByteArray text = "version = 1\nname = \"Milling machine 7\"\n[[drive]]\nendpoint = \""
         + PageStage::endpoint().toUtf8()
         + "\"\nserial = 1559\n[[drive.axis]]\naxis = \"X\"\nno-table = true\n"
@@ -156,10 +157,10 @@ void machineMistakes(PageScene& scene)
     const QString file = scene.stage().file(QStringLiteral("machine.toml"),
         "version = 1\n[[drive]]\nendpoint = \"http://192.168.1.20\"\nserial = 1559\n"
         "[[drive.axis]]\naxis = \"X\"\nfyle = \"x.csv\"\npersistant = true\n");
-    scene.page().setFilePicker([file](QWidget&, const FileQuestion&,
-                                   const std::function<void(const QString&)>& answer) {
-        answer(file);
-    });
+    scene.page().setFilePicker(
+        [file](QWidget&, const FileQuestion&, const std::function<void(const QString&)>& answer) {
+            answer(file);
+        });
     showDialog(scene, "openMachineAction", "overviewDialog");
     QTest::qWait(300);
 }
@@ -201,11 +202,9 @@ void saveMachine(PageScene& scene)
 {
     openMachineFile(scene, false);
     scene.page().findChild<QDialog*>(QStringLiteral("overviewDialog"))->close();
-    scene.page().setFilePicker([folder = scene.stage().path(QString())](QWidget&,
-                                   const FileQuestion&,
-                                   const std::function<void(const QString&)>& answer) {
-        answer(folder);
-    });
+    scene.page().setFilePicker(
+        [folder = scene.stage().path(QString())](QWidget&, const FileQuestion&,
+            const std::function<void(const QString&)>& answer) { answer(folder); });
     showDialog(scene, "saveMachineAction", "saveMachineDialog");
     scene.page().findChild<QPushButton*>(QStringLiteral("saveMachineButton"))->click();
     wait(

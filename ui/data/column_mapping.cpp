@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/column_mapping.h"
+#include "ui/data/column_mapping.h"
 
 #include "ui/session/axis_list.h"
 

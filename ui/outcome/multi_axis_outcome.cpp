@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/controller/multi_axis_outcome.h"
+#include "ui/outcome/multi_axis_outcome.h"
 
-#include "ui/controller/column_mapping.h"
+#include "ui/data/column_mapping.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/message_text.h"
 
