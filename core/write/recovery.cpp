@@ -43,18 +43,14 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     const RegisterAccess access = m_access.withoutStop();
     access.report("putting back", 0.3);
     auto undone = undo(access);
-    // Half-way the axis may be switched off: what went wrong once is tried again.
-    if (!undone && !isUnreachable(undone.error().code))
-        undone = undo(access);
     accountForUndo(access, undone);
     if (!undone && !hasOldState(access))
         return fail(undone.error());
+    AXISCOMP_TRY(auto now, confirmOldState(access));
     WritePlan& plan = m_write.plan;
     plan.before = status.setup;
-    AXISCOMP_TRY(auto now, readStatus(access, plan.drive, plan.axis, m_sources));
     plan.after = now.setup;
     plan.flashOperations = m_flash.recorded();
-    AXISCOMP_CHECK(compareRegisters(access, m_backup.registers));
     AXISCOMP_CHECK(m_store.closeJournal(plan.drive.serialNumber, plan.axis));
     access.report("done", 1.0);
     return WriteReport{plan, std::move(now), m_backupFile};

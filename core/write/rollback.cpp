@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
+#include "core/base/bytes.h"
 #include "core/table/tam_table.h"
+#include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
 
 #include <algorithm>
@@ -56,8 +59,43 @@ void WriteProcedure::accountForUndo(const RegisterAccess& access, const Result<v
 }
 
 /// Brings the drive back to the backup, whatever it holds now: it may have restarted in between and
-/// have lost what this write never touched.
+/// have lost what this write never touched, or what was put back a moment ago. Half-way the axis
+/// may be switched off: what went wrong once is tried again.
 Result<void> WriteProcedure::undo(const RegisterAccess& access)
+{
+    const auto attempt = [&]() -> Result<void> {
+        AXISCOMP_CHECK(putBack(access));
+        AXISCOMP_CHECK(confirmOldState(access));
+        return {};
+    };
+    auto undone = attempt();
+    if (!undone && !isUnreachable(undone.error().code))
+        undone = attempt();
+    return undone;
+}
+
+/// Every step was read back, but only all of it together is the old state.
+Result<AxisStatus> WriteProcedure::confirmOldState(const RegisterAccess& access) const
+{
+    const WritePlan& plan = m_write.plan;
+    AXISCOMP_CHECK(compareRegisters(access, m_backup.registers));
+    AXISCOMP_TRY(auto now, readStatus(access, plan.drive, plan.axis, m_sources));
+    const AxisBackup::File* old = backupOf(plan.before.slot);
+    if (!old || old->bytes.empty())
+        return now;
+    const auto table = decodeTamTable(old->bytes, access.profile().layout);
+    if (!table)
+        return now; // it was no table before either
+    const std::uint32_t crc =
+        crc32(ByteView(old->bytes).last(table->table.values.size() * sizeof(float)));
+    if (now.table && now.table->crc == crc)
+        return now;
+    return fail(ErrorCode::VerifyMismatch,
+        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", old->slot)},
+            {"found", setupText(now.setup)}, {"expected", setupText(plan.before)}});
+}
+
+Result<void> WriteProcedure::putBack(const RegisterAccess& access)
 {
     if (overwritesOwn() && m_slotTouched) {
         // While its file is put back the axis must not be able to start, not even after a reboot.

@@ -50,6 +50,8 @@ private:
     // Putting back, in reverse order.
     [[nodiscard]] Error rollBack(const Error& reason);
     [[nodiscard]] Result<void> undo(const RegisterAccess& access);
+    [[nodiscard]] Result<void> putBack(const RegisterAccess& access);
+    [[nodiscard]] Result<AxisStatus> confirmOldState(const RegisterAccess& access) const;
     void accountForUndo(const RegisterAccess& access, const Result<void>& undone);
     [[nodiscard]] Result<void> rollBackTable(const RegisterAccess& access);
     [[nodiscard]] Result<void> undoRegisters(const RegisterAccess& access);

@@ -200,6 +200,53 @@ private Q_SLOTS:
         QVERIFY2(unfinished > 0, "no interruption left anything to do");
     }
 
+    void whatIsSaidToBeUndoneIsThereAlsoWhenTheDriveRestartsMeanwhile_data()
+    {
+        QTest::addColumn<int>("scenario");
+        for (const int s : {2, 5})
+            QTest::addRow("%s", scenarios[static_cast<std::size_t>(s)].name) << s;
+    }
+
+    /// The old table is volatile: a restart takes it away again that has just been put back.
+    void whatIsSaidToBeUndoneIsThereAlsoWhenTheDriveRestartsMeanwhile()
+    {
+        QFETCH(int, scenario);
+        const Scenario& chosen = scenarios[static_cast<std::size_t>(scenario)];
+        Begun whole(chosen);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.write());
+        const int exchanges = whole.link.exchanges() - begin;
+        int undone = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchanges - 2, LinkFault::DriveGoneAfter);
+            (void)c.write();
+            c.link.heal();
+            const auto status = c.compensator.status(0);
+            VERIFY_RESULT(status);
+            QVERIFY(status->unfinishedWrite.has_value());
+            const JournalEntry entry = *status->unfinishedWrite;
+            const int before = c.link.exchanges();
+            c.link.failAt(exchange, LinkFault::Reboot);
+            const auto report = c.compensator.undoUnfinished(entry);
+            isOver = c.link.exchanges() - before < exchange;
+            c.link.heal();
+            const QByteArray where = "restart at exchange " + QByteArray::number(exchange);
+            if (report) {
+                ++undone;
+                QVERIFY2(
+                    c.state() == c.old, where + ": Table is " + c.state().registers[0].c_str());
+                continue;
+            }
+            const auto again = c.compensator.undoUnfinished(entry);
+            QVERIFY2(again.has_value(),
+                where + ": " + (again ? "" : test::describe(again.error()).c_str()));
+            QVERIFY2(c.state() == c.old, where + ": not the old state at the second try");
+        }
+        QVERIFY2(undone > 1, "no undoing ended well");
+    }
+
     void anotherDriveIsLeftAlone()
     {
         Interrupted c;
