@@ -6907,13 +6907,6 @@
         <translation>kein Wert {number}</translation>
     </message>
     <message>
-        <source>{count} values</source>
-        <translation>
-            <numerusform>1 Wert</numerusform>
-            <numerusform>{count} Werte</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>a table of several sources</source>
         <translation>eine Tabelle mit mehreren Quellen</translation>
     </message>
@@ -7056,6 +7049,14 @@
     <message>
         <source>structured text for MC_TableBasedPositionCompensation</source>
         <translation>strukturierter Text für MC_TableBasedPositionCompensation</translation>
+    </message>
+    <message>
+        <source>a prediction needs a measurement of targets</source>
+        <translation>eine Vorhersage braucht eine Messung mit Zielpositionen</translation>
+    </message>
+    <message>
+        <source>a prediction needs a table of one dimension</source>
+        <translation>eine Vorhersage braucht eine Tabelle mit einer Dimension</translation>
     </message>
 </context>
 <context>

@@ -319,7 +319,8 @@ std::vector<double> Reader::values(const Definition& definition, long count)
                 .with("key", Verbatim{"Nx[0] + 1"}));
     else if (static_cast<long>(definition.data.size()) > count)
         m_diagnostics.error(DiagnosticCode::Contradiction, definition.data.rbegin()->second.line, 0,
-            AXISCOMP_TEXT("Error", "{count} values").with("count", definition.data.size()),
+            AXISCOMP_COUNTED("Error", "{count} values", "1 value")
+                .with("count", definition.data.size()),
             AXISCOMP_TEXT("Error", "{value}, as {key} says")
                 .with("value", count)
                 .with("key", Verbatim{"Nx[0] + 1"}));
