@@ -108,6 +108,4 @@ AXISCOMP_WINDOW_TEST(TestToneLabel)
 
 } // namespace tst_tonelabel
 
-Q_DECLARE_METATYPE(axiscomp::ui::Tone)
-
 #include "tst_tonelabel.moc"
