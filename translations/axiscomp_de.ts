@@ -6895,10 +6895,6 @@
         <translation>1; angenommen wird, dass er die Werte multipliziert</translation>
     </message>
     <message>
-        <source>{key} = {value}</source>
-        <translation>{key} = {value}</translation>
-    </message>
-    <message>
         <source>{value}; what other bits do is not known</source>
         <translation>{value}; was andere Bits bewirken, ist nicht bekannt</translation>
     </message>
@@ -8763,6 +8759,42 @@
     <message>
         <source>inch</source>
         <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>source axis 1</source>
+        <translation>Quellachse 1</translation>
+    </message>
+    <message>
+        <source>source axis 2</source>
+        <translation>Quellachse 2</translation>
+    </message>
+    <message>
+        <source>target axis</source>
+        <translation>Zielachse</translation>
+    </message>
+    <message>
+        <source>zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>declare</source>
+        <translation>Deklaration</translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>errormap</source>
+        <translation>ERRORMAP</translation>
+    </message>
+    <message>
+        <source>connect</source>
+        <translation>CONNECT</translation>
+    </message>
+    <message>
+        <source>any distance</source>
+        <translation>beliebiger Abstand</translation>
     </message>
 </context>
 <context>

@@ -151,7 +151,7 @@ def convert(
     target: AXIS[,AXIS]. Axis that the values correct, for each column or for all: its name, #1 for the first
         source, or other for an axis that is no source; by default as the file says
     sign: SIDE. Convention of the input: feedback (added to the encoder position) or command (added to the
-        commanded position); by default that of its format
+        commanded position); by default that of its format, needed where that is assumed
     direction: CHOICE. Which values to use if the file has both directions of motion: mean, positive or
         negative
     scale: FACTOR. Multiply the values by this number, before anything else
@@ -166,7 +166,8 @@ def convert(
     speed: SPEED. Speed of the axis in positions per second: says the steps of the velocity that are left with
         spline and smooth
     hold: Let the even grid extend beyond the data, where the end values are held
-    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format
+    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
+        that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
     profile: FILE. Drive profile (JSON) in place of the built-in one, generic
     """
@@ -254,14 +255,15 @@ def lookup(
     target: AXIS[,AXIS]. Axis that the values correct, for each column or for all: its name, #1 for the first
         source, or other for an axis that is no source; by default as the file says
     sign: SIDE. Convention of the input: feedback (added to the encoder position) or command (added to the
-        commanded position); by default that of its format
+        commanded position); by default that of its format, needed where that is assumed
     direction: CHOICE. Which values to use if the file has both directions of motion: mean, positive or
         negative
     scale: FACTOR. Multiply the values by this number, before anything else
     offset: VALUE. Add this to the values, in their unit
     zero: P[,P[,P]]. Shift the values so that they are 0 at this position
     no_wrap: Treat a modulo axis as a linear one
-    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format
+    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
+        that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
     profile: FILE. Drive profile (JSON) in place of the built-in one, generic
     """
@@ -684,7 +686,8 @@ def fit(
     accept_large: Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl
     target: AXIS[,AXIS]. Axis that the values correct, for each column or for all: its name, #1 for the first
         source, or other for an axis that is no source; by default as the file says
-    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format
+    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
+        that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
     tolerance: FIGURE=LIMIT,.... Limits, such as A=10um,R=4um; exit code 8 when one is not met
     uncertainty: U. Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms
@@ -1032,7 +1035,7 @@ def write(
     target: AXIS[,AXIS]. Axis that the values correct, for each column or for all: its name, #1 for the first
         source, or other for an axis that is no source; by default as the file says
     sign: SIDE. Convention of the input: feedback (added to the encoder position) or command (added to the
-        commanded position); by default that of its format
+        commanded position); by default that of its format, needed where that is assumed
     direction: CHOICE. Which values to use if the file has both directions of motion: mean, positive or
         negative
     scale: FACTOR. Multiply the values by this number, before anything else
@@ -1354,7 +1357,8 @@ def read(
     speed: SPEED. Speed of the axis in positions per second: says the steps of the velocity that are left with
         spline and smooth
     hold: Let the even grid extend beyond the data, where the end values are held
-    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format
+    to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
+        that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
     """
     return call(

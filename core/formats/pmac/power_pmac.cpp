@@ -293,9 +293,7 @@ void Reader::checkControl(const Definition& definition)
         const auto found = definition.elements.find(key);
         if (found != definition.elements.end() && found->second.text != value)
             m_diagnostics.warning(DiagnosticCode::Assumption, found->second.line, 0,
-                AXISCOMP_TEXT("Error", "{key} = {value}")
-                    .with("key", key)
-                    .with("value", quoted(found->second)),
+                Verbatim{std::string(key) + '=' + excerpt(found->second.text, Encoding::Utf8)},
                 AXISCOMP_TEXT("Error", "{value}; what other bits do is not known")
                     .with("value", value));
     }

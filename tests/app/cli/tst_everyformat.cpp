@@ -95,7 +95,8 @@ void tst_EveryFormat::everyCommandTakesIt()
     const QStringList position = isPlane ? QStringList{"5", "5"} : QStringList{"15"};
     const QStringList table{isPlane ? "plane.csv" : "line.csv", "--dims", isPlane ? "2" : "1"};
     const bool isKmotion = name == QStringLiteral("kmotion-geo"); // X, Y and Z have their places
-    const QString target = isKmotion ? "other" : isPlane ? "3" : "#1";
+    const bool isOfOwnAxis = !isPlane && name != QStringLiteral("klipper-twist");
+    const QString target = isKmotion ? "other" : isOfOwnAxis ? "#1" : "3";
     const QString side = QString::fromStdString(std::string(signName(format.facts.sign)));
     const QStringList toSide =
         format.facts.needsSign() ? QStringList{"--to-sign", side} : QStringList{};
@@ -126,8 +127,8 @@ void tst_EveryFormat::everyCommandTakesIt()
     const QStringList linear{"--no-wrap"};
     const QStringList first{"--table", isKmotion ? "#3" : "#1"};
     const test::VirtualDriveProcess drive(box, {"--axes", "3"});
-    QStringList write{"write", "--drive", drive.url(), "--dry-run", "--axis", isPlane ? "2" : "0",
-        "--source1", test::positionSource(0), "--data", "file"};
+    QStringList write{"write", "--drive", drive.url(), "--dry-run", "--axis",
+        isOfOwnAxis ? "0" : "2", "--source1", test::positionSource(0), "--data", "file"};
     if (isPlane)
         write += {"--source2", test::positionSource(1)};
     const std::vector<QStringList> reading{QStringList{"inspect", "file"} + from,

@@ -51,8 +51,9 @@ QString withoutData(QString text)
 /// Without the names of controllers, tables and states of a drive, quotations, and Qt's own words.
 QString withoutNames(QString text)
 {
-    static const QRegularExpression name(QStringLiteral(
-        "\"[^\"]*\"|Table \\d|the disk is full|PMAC|RSI RapidCode|softMC|Active\\.|^Cancel$"));
+    static const QRegularExpression name(
+        QStringLiteral("\"[^\"]*\"|Table \\d|the disk is full|PMAC|KFLOP, KMotion|RSI "
+                       "RapidCode|softMC|Active\\.|^Cancel$"));
     text.remove(name);
     for (const TableFormat* format : tableFormats())
         text.remove(QString::fromStdString(std::string(format->facts.controller)));

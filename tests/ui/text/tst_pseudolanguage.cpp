@@ -232,7 +232,7 @@ private Q_SLOTS:
                     text(setting.choices).split(QStringLiteral(", "), Qt::SkipEmptyParts);
                 words += text(setting.key).replace(u'-', u' ');
                 for (const QString& word : words)
-                    if (word[0].isLetter() && word != QStringLiteral("mm")
+                    if (word.size() > 1 && word[0].isLetter() && word != QStringLiteral("mm")
                         && QCoreApplication::translate("Setting", word.toUtf8().constData())
                             == word)
                         untranslated += word;
