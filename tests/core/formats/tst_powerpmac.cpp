@@ -62,7 +62,7 @@ void describe(test::FormatSample& sample)
         {"6:0 Assumption a scale factor Sf[0] of 2|1; it is taken to multiply"});
     sample.applies({{{0}, -6}}, with("Sf[0] = 1", "Sf[0] = 2"));
     sample.warning(
-        "another way of working", with("Ctrl = 7", "Ctrl = 3"), {"6:0 Assumption ctrl = 3|7;"});
+        "another way of working", with("Ctrl = 7", "Ctrl = 3"), {"6:0 Assumption ctrl=3|7;"});
     sample.warning("a value twice", with("Sys.", "CompTable[0].Data[4] = 8;\nSys."),
         {"8:24 DuplicateValue value 4 again|each value once"});
     sample.warning("units that nobody says", file,

@@ -211,6 +211,7 @@ private Q_SLOTS:
             if (isOld)
                 continue;
             ++failed;
+            f.link.beginning = {};
             f.link.heal();
             VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
             QVERIFY2(f.state() == f.old, place.c_str());

@@ -198,7 +198,7 @@ private Q_SLOTS:
         PageFixture bench;
         QVERIFY(open1D(bench));
         QVERIFY(openExport(bench, QStringLiteral("leadscrew compensation of one source")));
-        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("nobody has published")),
+        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("obody has published")),
             qPrintable(reason(bench)));
         QVERIFY(!mayAccept(bench));
         QCOMPARE(bench.user.the<QComboBox>("signField").currentText(),
@@ -208,6 +208,8 @@ private Q_SLOTS:
             reason(bench).contains(QStringLiteral("counts-per-unit")), qPrintable(reason(bench)));
         QVERIFY(bench.user.click("setting_counts-per-unit"));
         bench.user.type(QStringLiteral("10000"));
+        QVERIFY(bench.user.click("setting_source-motor"));
+        bench.user.type(QStringLiteral("1"));
         QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
         QVERIFY(report(bench).contains(QStringLiteral("pmac-1d holds command values, as you say")));
     }
