@@ -18,17 +18,17 @@ namespace {
 constexpr std::string_view blanks = " \t";
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
-
 char lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
 }
 
 } // namespace
+
+Verbatim quoted(const Token& token)
+{
+    return {excerpt(token.text, Encoding::Utf8)};
+}
 
 TextLines::TextLines(std::string_view text)
     : m_lines(text.starts_with(byteOrderMark) ? text.substr(byteOrderMark.size()) : text)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/text.h"
 #include "core/text/diagnostic.h"
 #include "core/text/line_reader.h"
 
@@ -20,6 +21,9 @@ struct Token {
 
     explicit operator bool() const { return !text.empty(); }
 };
+
+/// A token as a diagnostic shows it: an excerpt, and never a sentence of ours.
+[[nodiscard]] Verbatim quoted(const Token& token);
 
 /// The lines of a text, ended by LF, CRLF or CR, with their numbers. A byte-order mark is left out.
 class TextLines {

@@ -11,11 +11,6 @@ namespace axiscomp::acs {
 
 namespace {
 
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
-
 std::string capitals(std::string_view name)
 {
     std::string text(name);

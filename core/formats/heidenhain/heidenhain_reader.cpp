@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/heidenhain/heidenhain_file.h"
 #include "core/text/number_text.h"
-#include "core/text/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +25,6 @@ std::string capitals(std::string_view name)
 bool contains(std::string_view text, std::string_view part)
 {
     return capitals(text).find(part) != std::string::npos;
-}
-
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
 }
 
 bool isFirstLine(std::string_view line)

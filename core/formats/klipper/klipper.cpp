@@ -57,11 +57,6 @@ bool isKnownKey(std::string_view key)
 
 constexpr TextPattern noEntry = AXISCOMP_TEXT("Error", "an entry such as min_x = 10");
 
-Verbatim quotedText(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
-
 /// Reads the sections of a configuration, and looks into those of profiles only.
 class Sections {
 public:
@@ -104,12 +99,12 @@ void Sections::takeEntry(const Token& line)
     m_isInPoints = key.text == "points";
     if (equals == std::string_view::npos) {
         m_source.diagnostics.error(
-            DiagnosticCode::Syntax, key.line, key.column, quotedText(key), noEntry);
+            DiagnosticCode::Syntax, key.line, key.column, quoted(key), noEntry);
         return;
     }
     if (!isKnownKey(key.text)) {
         m_source.diagnostics.warning(
-            DiagnosticCode::UnknownKey, key.line, key.column, quotedText(key), {});
+            DiagnosticCode::UnknownKey, key.line, key.column, quoted(key), {});
         return;
     }
     const Token value =
@@ -141,7 +136,7 @@ void Sections::take(const Token& line)
         m_profiles.back().rows.push_back(content);
     else
         m_source.diagnostics.error(
-            DiagnosticCode::Syntax, content.line, content.column, quotedText(content), noEntry);
+            DiagnosticCode::Syntax, content.line, content.column, quoted(content), noEntry);
 }
 
 /// The numbers of one profile.
@@ -183,8 +178,7 @@ void ProfileReader::checkVersion()
     if (version != m_profile.entries.end() && version->second.text != "1")
         m_source.diagnostics.error(DiagnosticCode::Contradiction, version->second.line,
             version->second.column,
-            AXISCOMP_TEXT("Error", "version {version}")
-                .with("version", quotedText(version->second)),
+            AXISCOMP_TEXT("Error", "version {version}").with("version", quoted(version->second)),
             AXISCOMP_TEXT("Error", "1; the firmware does not use other versions"));
 }
 

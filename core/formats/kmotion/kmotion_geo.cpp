@@ -4,7 +4,6 @@
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
 #include "core/text/number_text.h"
-#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -145,11 +144,6 @@ private:
     std::vector<Point> m_points; ///< as they stand in the file
     std::size_t m_lastLine = 0;
 };
-
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
 
 bool Reader::group(std::span<Token> tokens, std::string_view fault)
 {

@@ -77,11 +77,6 @@ std::string inSmallLetters(std::string_view text)
     return small;
 }
 
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
-
 bool startsWith(std::string_view text, std::string_view begin)
 {
     return text.size() >= begin.size() && sameLetters(text.substr(0, begin.size()), begin);

@@ -4,7 +4,6 @@
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
 #include "core/text/number_text.h"
-#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -114,11 +113,6 @@ private:
     Token m_rest;
     bool m_isInComment = false;
 };
-
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
 
 struct Element {
     Token position;

@@ -62,11 +62,6 @@ struct Section {
     std::vector<Entry> entries;
 };
 
-Verbatim quoted(const Token& token)
-{
-    return {excerpt(token.text, Encoding::Utf8)};
-}
-
 /// "unit = mm": the unit; nothing: another line.
 std::optional<Token> unitOf(const Token& line)
 {
