@@ -117,6 +117,14 @@ std::optional<long> readWholeNumber(const Token& token, Text expected, Diagnosti
     return number;
 }
 
+std::string capitals(std::string_view text)
+{
+    std::string large(text);
+    for (char& c : large)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    return large;
+}
+
 bool sameLetters(std::string_view a, std::string_view b)
 {
     return std::ranges::equal(a, b, {}, lower, lower);

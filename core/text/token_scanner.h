@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,6 +57,8 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells);
 
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
+/// In upper case (ASCII).
+[[nodiscard]] std::string capitals(std::string_view text);
 
 /// Refuses what is no text (binary files, UTF-16), or larger than the format's limit, before
 /// anything is read.

@@ -11,14 +11,6 @@ namespace axiscomp::acs {
 
 namespace {
 
-std::string capitals(std::string_view name)
-{
-    std::string text(name);
-    for (char& c : text)
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    return text;
-}
-
 bool isLetter(char c)
 {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';

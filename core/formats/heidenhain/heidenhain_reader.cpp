@@ -14,14 +14,6 @@ constexpr std::string_view datumWord = "DATUM:";
 constexpr std::string_view distanceWord = "DISTANCE:";
 constexpr double positionAllowance = 0.00005; // half of the last decimal
 
-std::string capitals(std::string_view name)
-{
-    std::string text(name);
-    for (char& c : text)
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    return text;
-}
-
 bool contains(std::string_view text, std::string_view part)
 {
     return capitals(text).find(part) != std::string::npos;

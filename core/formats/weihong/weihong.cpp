@@ -80,11 +80,10 @@ std::optional<std::string> axisOf(std::string_view line)
     const std::string_view inner = trimmed(line.substr(1, line.size() - 2));
     if (inner.size() != 1)
         return std::nullopt;
-    const char c = inner.front();
-    const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    if (letter < 'A' || letter > 'Z')
+    std::string letter = capitals(inner);
+    if (letter.front() < 'A' || letter.front() > 'Z')
         return std::nullopt;
-    return std::string(1, letter);
+    return letter;
 }
 
 /// The lines of a file, section by section.
