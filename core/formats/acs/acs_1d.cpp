@@ -99,7 +99,6 @@ private:
     [[nodiscard]] std::optional<Map> mapOf(const Call& call);
     [[nodiscard]] std::optional<Map> connectOf(const Call& call, Map map);
     [[nodiscard]] std::optional<NeutralTable> tableOf(const Map& map);
-    void refuseForm(const Call& call, const TextPattern& form);
     void takeMaps();
     void checkSwitchedOn();
     void warnOfOthers();
@@ -110,18 +109,12 @@ private:
     std::vector<Map> m_maps;
 };
 
-void MapReader::refuseForm(const Call& call, const TextPattern& form)
-{
-    m_diagnostics.error(DiagnosticCode::Syntax, call.statement.line, call.statement.column,
-        Verbatim{excerpt(call.statement.text, Encoding::Utf8)}, form);
-}
-
 std::optional<Map> MapReader::connectOf(const Call& call, Map map)
 {
     const std::vector<Token>& arguments = call.arguments;
     const Token position = arguments.size() == 6 ? acs::axisOfPosition(arguments[2]) : Token{};
     if (!position) {
-        refuseForm(call, connectWords);
+        acs::refuseForm(call, connectWords, m_diagnostics);
         return std::nullopt;
     }
     const auto target = m_program.index(call, arguments[0], m_diagnostics);
@@ -132,7 +125,7 @@ std::optional<Map> MapReader::connectOf(const Call& call, Map map)
     if (!target || !added || !source || !base || !step)
         return std::nullopt;
     if (*target != *added || *target != *source) {
-        refuseForm(call, connectWords);
+        acs::refuseForm(call, connectWords, m_diagnostics);
         return std::nullopt;
     }
     map.axis = *target;
@@ -150,7 +143,7 @@ std::optional<Map> MapReader::mapOf(const Call& call)
     if (call.kind == Call::Kind::Map)
         return connectOf(call, map);
     if (call.arguments.empty()) {
-        refuseForm(call, commandWords);
+        acs::refuseForm(call, commandWords, m_diagnostics);
         return std::nullopt;
     }
     const auto axis = m_program.index(call, call.arguments[0], m_diagnostics);
@@ -227,17 +220,9 @@ void MapReader::checkSwitchedOn()
 void MapReader::warnOfOthers()
 {
     const auto other = std::ranges::find(m_program.calls(), Call::Kind::Map2, &Call::kind);
-    if (other == m_program.calls().end())
-        return;
-    const Text found = AXISCOMP_TEXT("Error", "a map over two axes (MAP2)");
-    const Text expected = AXISCOMP_TEXT("Error", "the format {format} to read it")
-                              .with("format", acs_2d::format().facts.name);
-    if (m_maps.empty())
-        m_diagnostics.error(
-            DiagnosticCode::Syntax, other->name.line, other->name.column, found, expected);
-    else
-        m_diagnostics.warning(
-            DiagnosticCode::LeftOut, other->name.line, other->name.column, found, expected);
+    if (other != m_program.calls().end())
+        acs::pointTo(acs_2d::format().facts, *other,
+            AXISCOMP_TEXT("Error", "a map over two axes (MAP2)"), !m_maps.empty(), m_diagnostics);
 }
 
 std::optional<NeutralTable> MapReader::tableOf(const Map& map)

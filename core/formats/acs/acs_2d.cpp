@@ -100,19 +100,12 @@ private:
     [[nodiscard]] std::optional<NeutralTable> tableOf(const Call& call);
     [[nodiscard]] std::optional<Side> sideOf(
         const Call& call, const Token& position, const Token& base, const Token& step);
-    void refuseForm(const Call& call);
     void warnOfOthers(bool hasOwn);
 
     acs::Program m_program;
     DiagnosticList& m_diagnostics;
     TextReading& m_source;
 };
-
-void MapReader::refuseForm(const Call& call)
-{
-    m_diagnostics.error(DiagnosticCode::Syntax, call.statement.line, call.statement.column,
-        Verbatim{excerpt(call.statement.text, Encoding::Utf8)}, connectWords);
-}
 
 std::optional<Side> MapReader::sideOf(
     const Call& call, const Token& position, const Token& base, const Token& step)
@@ -137,7 +130,7 @@ std::optional<NeutralTable> MapReader::tableOf(const Call& call)
     for (std::size_t n = 0; n < positions.size(); ++n)
         positions[n] = said.size() == 9 ? acs::axisOfPosition(said[2 + n]) : Token{};
     if (!positions[0] || !positions[1]) {
-        refuseForm(call);
+        acs::refuseForm(call, connectWords, m_diagnostics);
         return std::nullopt;
     }
     const auto target = m_program.index(call, said[0], m_diagnostics);
@@ -147,7 +140,7 @@ std::optional<NeutralTable> MapReader::tableOf(const Call& call)
     if (!target || !added || !sides[0] || !sides[1])
         return std::nullopt;
     if (*target != *added || sides[0]->axis == sides[1]->axis) {
-        refuseForm(call);
+        acs::refuseForm(call, connectWords, m_diagnostics);
         return std::nullopt;
     }
     auto elements = m_program.elements(call, said[4], 2, m_diagnostics);
@@ -177,18 +170,10 @@ void MapReader::warnOfOthers(bool hasOwn)
         return call.kind == Call::Kind::ErrorMap || call.kind == Call::Kind::Map;
     };
     const auto other = std::ranges::find_if(m_program.calls(), isOther);
-    if (other == m_program.calls().end())
-        return;
-    const Text found =
-        AXISCOMP_TEXT("Error", "a map of one axis ({name})").with("name", other->name.text);
-    const Text expected = AXISCOMP_TEXT("Error", "the format {format} to read it")
-                              .with("format", acs_1d::format().facts.name);
-    if (hasOwn)
-        m_diagnostics.warning(
-            DiagnosticCode::LeftOut, other->name.line, other->name.column, found, expected);
-    else
-        m_diagnostics.error(
-            DiagnosticCode::Syntax, other->name.line, other->name.column, found, expected);
+    if (other != m_program.calls().end())
+        acs::pointTo(acs_1d::format().facts, *other,
+            AXISCOMP_TEXT("Error", "a map of one axis ({name})").with("name", other->name.text),
+            hasOwn, m_diagnostics);
 }
 
 std::vector<NeutralTable> MapReader::tables()

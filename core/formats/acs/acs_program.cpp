@@ -615,6 +615,25 @@ void refuseCommand(const Call& call, DiagnosticList& diagnostics)
         AXISCOMP_TEXT("Error", "ERRORMAP1D, or CONNECT with MAP or MAP2"));
 }
 
+void refuseForm(const Call& call, const TextPattern& form, DiagnosticList& diagnostics)
+{
+    diagnostics.error(DiagnosticCode::Syntax, call.statement.line, call.statement.column,
+        quoted(call.statement), form);
+}
+
+void pointTo(const FormatFacts& other, const Call& call, Text found, bool hasOwn,
+    DiagnosticList& diagnostics)
+{
+    Text expected =
+        AXISCOMP_TEXT("Error", "the format {format} to read it").with("format", other.name);
+    if (hasOwn)
+        diagnostics.warning(DiagnosticCode::LeftOut, call.name.line, call.name.column,
+            std::move(found), std::move(expected));
+    else
+        diagnostics.error(DiagnosticCode::Syntax, call.name.line, call.name.column,
+            std::move(found), std::move(expected));
+}
+
 Recognition recogniseProgram(
     std::string_view text, const std::vector<Call::Kind>& own, const std::vector<Call::Kind>& other)
 {

@@ -119,6 +119,11 @@ private:
 
 /// Adds an error for a command that is not supported.
 void refuseCommand(const Call& call, DiagnosticList& diagnostics);
+/// Adds an error for a statement of another form than this one.
+void refuseForm(const Call& call, const TextPattern& form, DiagnosticList& diagnostics);
+/// Adds that the other format reads a map: a warning beside maps of the own, otherwise an error.
+void pointTo(const FormatFacts& other, const Call& call, Text found, bool hasOwn,
+    DiagnosticList& diagnostics);
 
 /// Certain when a program maps arrays in the ways of a format, and in none of the other's.
 [[nodiscard]] Recognition recogniseProgram(std::string_view text,
