@@ -178,7 +178,9 @@ void MapReader::takeMaps()
                 AXISCOMP_TEXT("Error", "a step above 0"));
             continue;
         }
-        const auto isSame = [&](const Map& other) { return other.isSame(*map); };
+        const auto isSame = [&](const Map& other) {
+            return other.isSame(*map) && m_program.isOneArray(call, *other.call, map->array);
+        };
         if (std::ranges::any_of(m_maps, isSame))
             continue;
         const auto other = std::ranges::find(m_maps, map->axis, &Map::axis);

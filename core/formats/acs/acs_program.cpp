@@ -450,6 +450,11 @@ std::string Program::axisName(long axis) const
     return std::to_string(axis);
 }
 
+bool Program::isOneArray(const Call& call, const Call& other, const Token& array) const
+{
+    return variableOf(array.text).isSeen(call.buffer, other.buffer);
+}
+
 /// What is assigned to an array; nothing: an error.
 std::optional<Program::Extent> Program::extentOf(
     const Call& call, const Token& array, std::size_t indices, DiagnosticList& diagnostics) const

@@ -54,6 +54,9 @@ public:
     /// "0", or the name that AXISDEF gives the axis.
     [[nodiscard]] std::string axisName(long axis) const;
 
+    /// Whether the name of an array is the same array at both calls, not one in each of two
+    /// buffers.
+    [[nodiscard]] bool isOneArray(const Call& call, const Call& other, const Token& array) const;
     /// indices: 1 or 2. Nothing: an error, such as a point that is missing.
     [[nodiscard]] std::optional<Elements> elements(const Call& call, const Token& array,
         std::size_t indices, DiagnosticList& diagnostics) const;

@@ -242,6 +242,19 @@ private Q_SLOTS:
         QCOMPARE(readIt(connected + program).tables.size(), std::size_t(1));
     }
 
+    /// Each of two buffers may have an array of its own by the same name.
+    void localArraysOfOneNameAreTwoMaps()
+    {
+        const TableReading reading = readIt("#1\nLOCAL REAL M(2)\nM(0)=0;M(1)=1\n"
+                                            "ERRORMAP1D 0,0,0,5,M;ERRORMAPON 0,0\n"
+                                            "#2\nLOCAL REAL M(2)\nM(0)=0;M(1)=-1\n"
+                                            "ERRORMAP1D 0,0,0,5,M;ERRORMAPON 0,0\n");
+        QVERIFY2(hasProblem(reading, DiagnosticCode::Assumption, 8), problemLines(reading).c_str());
+        QCOMPARE(reading.tables.size(), std::size_t(2));
+        QCOMPARE(reading.tables[0].columns[0].values, (std::vector<double>{0, 1}));
+        QCOMPARE(reading.tables[1].columns[0].values, (std::vector<double>{0, -1}));
+    }
+
     void blanksSmallLettersAndSeveralStatementsInALineAreAccepted()
     {
         const std::string text = "base=- 66;step = +20 ; xmap ( 4 ) = - .0042;XMAP(1)=21e-4\n"
