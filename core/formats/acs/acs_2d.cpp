@@ -293,8 +293,9 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         + ", " + acs::gridArguments(table.axes[1]) + ")\nDEPENDS " + target + ", (" + axes[0] + ","
         + axes[1] + ")\nSTOP\n";
     FormatSettings reading;
-    if (!table.axes[0].unit.empty())
-        reading["position-unit"] = table.axes[0].unit;
+    const std::string& positionUnit = table.axes[own.value_or(0)].unit;
+    if (!positionUnit.empty())
+        reading["position-unit"] = positionUnit;
     if (!table.columns[0].unit.empty())
         reading["value-unit"] = table.columns[0].unit;
     AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));

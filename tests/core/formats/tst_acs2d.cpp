@@ -175,6 +175,18 @@ private Q_SLOTS:
         QVERIFY(!ownAxis(table, table.columns[0]));
     }
 
+    /// The unit of the values is that of the source that is corrected, not of the first one.
+    void sourcesMayHaveUnitsOfTheirOwn()
+    {
+        const NeutralTable table = test::commandTable(
+            {test::evenAxis("0", "mm", 0, 5, 2), test::evenAxis("1", "deg", 0, 90, 3)},
+            {test::columnOf("1", "deg", {0, 0.01, 0.02, -0.03, 0, 0.05})});
+        WRITE_TABLE(written, format, table,
+            test::writingWith({{"source-axis-1", "0"}, {"source-axis-2", "1"}}));
+        QCOMPARE(written->held.size(), std::size_t(1));
+        COMPARE_TABLES(written->held.front(), table, 0.0);
+    }
+
     void twoConnectionsOverTheSameSourcesAreTwoTables()
     {
         const auto reading = format.read(program
