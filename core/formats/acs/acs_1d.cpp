@@ -185,13 +185,8 @@ void MapReader::takeMaps()
             continue;
         const auto other = std::ranges::find(m_maps, map->axis, &Map::axis);
         if (other != m_maps.end())
-            m_diagnostics.warning(DiagnosticCode::Assumption, call.statement.line,
-                call.statement.column,
-                AXISCOMP_TEXT("Error", "another map of axis {axis}, besides that of line {line}")
-                    .with("axis", m_program.axisName(map->axis))
-                    .with("line", other->call->statement.line),
-                AXISCOMP_TEXT("Error",
-                    "one map of an axis; both are read, and the program decides which one counts"));
+            acs::warnOfSecond(
+                call, m_program.axisName(map->axis), other->call->statement.line, m_diagnostics);
         m_maps.push_back(*map);
     }
 }

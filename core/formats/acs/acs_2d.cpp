@@ -7,6 +7,7 @@
 #include "core/text/text_file.h"
 
 #include <algorithm>
+#include <map>
 
 namespace axiscomp::acs_2d {
 
@@ -182,6 +183,7 @@ std::vector<NeutralTable> MapReader::tables()
     if (!m_program.read(m_source, notes))
         return {};
     std::vector<NeutralTable> tables;
+    std::map<std::string, std::size_t> firstLines; // of each target
     bool hasOwn = false;
     for (const Call& call : m_program.calls()) {
         if (call.kind == Call::Kind::Unsupported)
@@ -190,8 +192,13 @@ std::vector<NeutralTable> MapReader::tables()
             continue;
         hasOwn = true;
         auto table = tableOf(call);
-        if (table && std::ranges::find(tables, *table) == tables.end())
-            tables.push_back(std::move(*table));
+        if (!table || std::ranges::find(tables, *table) != tables.end())
+            continue;
+        const std::string& target = table->columns.front().target;
+        const auto [first, isFirst] = firstLines.emplace(target, call.statement.line);
+        if (!isFirst)
+            acs::warnOfSecond(call, target, first->second, m_diagnostics);
+        tables.push_back(std::move(*table));
     }
     warnOfOthers(hasOwn);
     if (!hasOwn && !m_diagnostics.hasErrors())

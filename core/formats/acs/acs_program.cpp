@@ -639,6 +639,17 @@ void pointTo(const FormatFacts& other, const Call& call, Text found, bool hasOwn
             std::move(found), std::move(expected));
 }
 
+void warnOfSecond(
+    const Call& call, const std::string& axis, std::size_t line, DiagnosticList& diagnostics)
+{
+    diagnostics.warning(DiagnosticCode::Assumption, call.statement.line, call.statement.column,
+        AXISCOMP_TEXT("Error", "another map of axis {axis}, besides that of line {line}")
+            .with("axis", axis)
+            .with("line", line),
+        AXISCOMP_TEXT("Error",
+            "one map of an axis; both are read, and the program decides which one counts"));
+}
+
 Recognition recogniseProgram(
     std::string_view text, const std::vector<Call::Kind>& own, const std::vector<Call::Kind>& other)
 {

@@ -128,6 +128,10 @@ void refuseForm(const Call& call, const TextPattern& form, DiagnosticList& diagn
 void pointTo(const FormatFacts& other, const Call& call, Text found, bool hasOwn,
     DiagnosticList& diagnostics);
 
+/// Warns of a second map of an axis; line: of the first one.
+void warnOfSecond(
+    const Call& call, const std::string& axis, std::size_t line, DiagnosticList& diagnostics);
+
 /// Certain when a program maps arrays in the ways of a format, and in none of the other's.
 [[nodiscard]] Recognition recogniseProgram(std::string_view text,
     const std::vector<Call::Kind>& own, const std::vector<Call::Kind>& other);

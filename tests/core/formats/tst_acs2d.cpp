@@ -113,6 +113,11 @@ void describe(test::FormatSample& sample)
         {"2:13 Assumption M0(53)(64) with elements for M0(2)(3)|"});
     sample.warning("a map of one axis besides", program + "ERRORMAP1D 0, 0, 0, 1, A\n",
         {"14:1 LeftOut a map of one axis (ERRORMAP1D)|the format acs-1d to read it"});
+    sample.warning("another map of the axis",
+        program
+            + "M1(0)(0)=1;M1(0)(1)=2;M1(1)(0)=3;M1(1)(1)=4\n"
+              "CONNECT RPOS(0) = APOS(0) + MAP2(APOS(0), APOS(1), M1, 0, 5, 0, 7)\n",
+        {"15:1 Assumption another map of axis 0, besides that of line 12|one map"});
     sample.warning("an element twice", with("MFLAGS", "M0(1)(2) = 0.01\nMFLAGS"),
         {"11:12 DuplicatePoint M0(1)(2) a second time|"});
     sample.warning("no units", program,
