@@ -474,12 +474,12 @@ std::optional<Program::Extent> Program::extentOf(
         if (assigned.indices != indices)
             refuse(DiagnosticCode::Syntax,
                 indices == 1
-                    ? AXISCOMP_TEXT("Error", "one index of {name}").with("name", array.text)
-                    : AXISCOMP_TEXT("Error", "two indices of {name}").with("name", array.text));
+                    ? AXISCOMP_TEXT("Error", "one index of {name}").with("name", quoted(array))
+                    : AXISCOMP_TEXT("Error", "two indices of {name}").with("name", quoted(array)));
         else if (!assigned.index[0] || (indices == 2 && !assigned.index[1]))
             refuse(DiagnosticCode::NotANumber,
                 AXISCOMP_TEXT("Error", "an index of {name}: a whole number from 0")
-                    .with("name", array.text));
+                    .with("name", quoted(array)));
         else if (!assigned.value)
             refuse(DiagnosticCode::NotANumber,
                 AXISCOMP_TEXT(
@@ -487,7 +487,7 @@ std::optional<Program::Extent> Program::extentOf(
         else if (isWhole && *assigned.value != std::floor(*assigned.value))
             refuse(DiagnosticCode::Contradiction,
                 AXISCOMP_TEXT("Error", "a whole number, since {name} is declared INT")
-                    .with("name", array.text));
+                    .with("name", quoted(array)));
         else
             extent.assigned.push_back(&assigned);
         for (std::size_t n = 0; isGood && n < indices; ++n)
@@ -507,7 +507,7 @@ bool Program::fitsDeclaration(const Call& call, const Token& array, const Extent
     std::size_t indices, DiagnosticList& diagnostics) const
 {
     const auto sizesText = [&](const auto& sizeOf) {
-        std::string text(array.text);
+        std::string text = quoted(array).text;
         for (std::size_t n = 0; n < indices; ++n)
             text += '(' + std::to_string(static_cast<long long>(sizeOf(n))) + ')';
         return text;
@@ -534,7 +534,7 @@ bool Program::fitsDeclaration(const Call& call, const Token& array, const Extent
             diagnostics.error(DiagnosticCode::Contradiction, said.name.line, said.name.column,
                 isKnown ? Text(Verbatim{sizesText(size)})
                         : AXISCOMP_TEXT("Error", "{name} with another number of indices")
-                              .with("name", array.text),
+                              .with("name", quoted(array)),
                 AXISCOMP_TEXT("Error", "{sizes}, which its elements need")
                     .with("sizes", sizesText(count)));
             return false;
@@ -566,7 +566,7 @@ std::optional<Elements> Program::elements(
     std::vector<bool> seen(size, false);
     elements.values.resize(size);
     const auto textOf = [&](std::size_t place) {
-        std::string text(array.text);
+        std::string text = quoted(array).text;
         if (indices == 2)
             text += '(' + std::to_string(place / elements.counts[1]) + ')';
         return text + '(' + std::to_string(indices == 2 ? place % elements.counts[1] : place) + ')';
@@ -616,7 +616,7 @@ void refuseCommand(const Call& call, DiagnosticList& diagnostics)
 {
     diagnostics.error(DiagnosticCode::Syntax, call.name.line, call.name.column,
         AXISCOMP_TEXT("Error", "{name}, which is not supported")
-            .with("name", capitals(call.name.text)),
+            .with("name", capitals(quoted(call.name).text)),
         AXISCOMP_TEXT("Error", "ERRORMAP1D, or CONNECT with MAP or MAP2"));
 }
 

@@ -107,6 +107,10 @@ void describeProblems(test::FormatSample& sample)
     row("declared too small", with("XMAP(5)", "XMAP(4)"), "2:20 Contradiction XMAP(4)|XMAP(5)");
     row("declared with two indices", with("XMAP(5)", "XMAP(5)(2)"),
         "2:20 Contradiction XMAP with another number of indices|XMAP(5)");
+    row("a long name of an array",
+        "A" + std::string(1000, 'B') + "(1)=1\nERRORMAP1D 0,0,0,1,A" + std::string(1000, 'B')
+            + "\nERRORMAPON 0,0\n",
+        "2:20 MissingPoint no A" + std::string(39, 'B') + "…(0)|");
     row("an expression", with("=0.0035", "=0.0007*5"), "7:9 NotANumber 0.0007*5|a number with");
     row("half a number", with("=0.0035", "=0.0035mm"), "7:9 NotANumber 0.0035mm|");
     row("a decimal comma", with("=0.0035", "=0,0035"),
