@@ -29,9 +29,6 @@ bool isOfAnything(std::string_view fileName)
     });
 }
 
-/// What tells one format from another stands within this.
-constexpr std::size_t longestBeginning = std::size_t{64} * 1024;
-
 } // namespace
 
 std::string_view evidenceName(Evidence evidence)
@@ -189,7 +186,8 @@ Result<FormatChoice> chooseFormat(
         || hasExtension(choice.format->facts, fileName);
     const bool isCalibrationName = named == &calibration_csv::format();
     const bool isSure = isTriamec(*choice.format)
-        || (isDecided && choice.format->recognise(text) == Recognition::Certain);
+        || (isDecided
+            && choice.format->recognise(text.substr(0, longestBeginning)) == Recognition::Certain);
     if (isSure || (!isCalibrationName && named == choice.format && guess.formats.size() == 1))
         return choice;
     std::vector<const TableFormat*> candidates = guess.formats;

@@ -7,6 +7,7 @@
 #include "core/table/missing_points.h"
 #include "core/text/diagnostic.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -140,6 +141,8 @@ struct TableFormat {
 /// By name, upper or lower case. Errors: UnknownFormat.
 [[nodiscard]] Result<const TableFormat*> formatNamed(std::string_view name);
 
+/// What tells one format from another stands within this; `recognise` is given no more.
+inline constexpr std::size_t longestBeginning = std::size_t{64} * 1024;
 /// The bytes at the beginning of a file that tell its format; fewer of a shorter file, and none of
 /// one that cannot be read, which its reader says.
 [[nodiscard]] std::string beginningOf(const std::filesystem::path& file);

@@ -192,7 +192,6 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
 /// Three lines of one number, and then as many lines "index,position" as the first one says.
 Recognition recognise(std::string_view text)
 {
-    constexpr std::size_t longestBeginning = std::size_t{64} * 1024;
     Lines lines(text);
     std::array<std::optional<Token>, 3> header;
     for (auto& token : header) {
