@@ -63,6 +63,7 @@ public:
     explicit Sections(TextReading& source) : m_source(source) { }
 
     void take(const Token& line);
+    void leave() { m_isInProfile = m_isInPoints = false; }
     [[nodiscard]] std::vector<Profile> profiles() && { return std::move(m_profiles); }
 
 private:
@@ -289,10 +290,13 @@ NeutralTable ProfileReader::table()
 std::vector<NeutralTable> parse(TextReading& source)
 {
     Sections sections(source);
+    AutosavedPart autosaved;
     TextLines lines(source.text);
     while (const auto line = lines.next()) {
         if (source.isStopped())
             return {};
+        if (autosaved.beginsAt(*line))
+            sections.leave();
         sections.take(configLine(*line));
     }
     const std::vector<Profile> profiles = std::move(sections).profiles();

@@ -5,6 +5,21 @@
 
 namespace axiscomp::klipper {
 
+namespace {
+
+/// How each line of the part begins that SAVE_CONFIG writes.
+constexpr std::string_view autosavePrefix = "#*#";
+
+} // namespace
+
+bool AutosavedPart::beginsAt(const Token& line)
+{
+    if (m_hasBegun || !line.text.starts_with(autosavePrefix))
+        return false;
+    m_hasBegun = true;
+    return true;
+}
+
 Token configLine(const Token& line)
 {
     if (!line.text.starts_with(autosavePrefix))

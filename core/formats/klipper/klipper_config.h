@@ -8,8 +8,16 @@ namespace axiscomp::klipper {
 // What printer.cfg is made of: sections with entries, some of them behind #*# as SAVE_CONFIG writes
 // them.
 
-/// How each line of the part begins that SAVE_CONFIG writes.
-inline constexpr std::string_view autosavePrefix = "#*#";
+/// Finds the part that SAVE_CONFIG writes. It is a configuration of its own, with words above its
+/// first section: no section goes on into it.
+class AutosavedPart {
+public:
+    /// line: as it stands in the file. True once, at the first line of the part.
+    [[nodiscard]] bool beginsAt(const Token& line);
+
+private:
+    bool m_hasBegun = false;
+};
 
 /// The line as the firmware sees it: without #*# in front, or without comments.
 [[nodiscard]] Token configLine(const Token& line);

@@ -14,7 +14,7 @@ namespace axiscomp::klipper_twist {
 
 namespace {
 
-using klipper::autosavePrefix;
+using klipper::AutosavedPart;
 using klipper::configLine;
 using klipper::sectionOf;
 
@@ -61,14 +61,12 @@ Section sectionIn(TextReading& reading)
     bool isInside = false;
     Entry* last = nullptr;
     TextLines lines(reading.text);
-    bool isAutosaved = false;
+    AutosavedPart autosaved;
     while (const auto whole = lines.next()) {
         if (reading.isStopped())
             return {};
-        if (!isAutosaved && whole->text.starts_with(autosavePrefix)) {
-            isAutosaved = true; // a configuration of its own, with words above its first section
+        if (autosaved.beginsAt(*whole))
             isInside = false;
-        }
         const Token line = configLine(*whole);
         const Token content = trimmedToken(line);
         if (!content)

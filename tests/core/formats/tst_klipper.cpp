@@ -150,6 +150,18 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].values, (std::vector<double>{1, 2, 3, 4}));
     }
 
+    void aPlainProfileEndsWhereSaveConfigBegins()
+    {
+        const auto reading =
+            format.read(section({}, "plain") + autosaved.substr(autosaved.find("#*#")), {});
+        VERIFY_RESULT(reading);
+        QCOMPARE(problemLines(*reading), std::string());
+        QCOMPARE(reading->tables.size(), std::size_t(2));
+        QCOMPARE(reading->tables[0].name, std::string("plain"));
+        QCOMPARE(reading->tables[0].columns[0].values, (std::vector<double>{1, 2, 3, 4}));
+        QCOMPARE(reading->tables[1].name, std::string("default"));
+    }
+
     void olderFilesAddAnOffset()
     {
         READ_TABLE(table, format, section({{"x_offset", "5"}, {"y_offset", "-1"}}), {});
