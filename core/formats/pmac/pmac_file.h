@@ -6,6 +6,9 @@
 #include "core/text/token_scanner.h"
 
 #include <array>
+#include <optional>
+#include <span>
+#include <string_view>
 
 namespace axiscomp::pmac {
 
@@ -28,6 +31,15 @@ struct Keys {
     const NeutralTable& source, const FormatSettings& settings);
 /// Errors: InvalidArgument for counts per unit that are not above 0.
 [[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
+
+/// Reading: the counts for one unit that the setting of one motor says, or the one of all motors;
+/// nothing where neither is given, and the numbers stay in counts.
+[[nodiscard]] std::optional<double> countsPerUnit(
+    const SettingValues& settings, std::string_view key);
+/// The units of a table of one column: those of the settings, but counts where no counts per unit
+/// are given, which is said with `inCounts`. sourceKeys: of countsPerUnit, for each source.
+void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourceKeys,
+    const TextReading& reading, std::size_t line, const TextPattern& inCounts);
 
 inline constexpr std::array<std::string_view, 4> assumptions{
     "The correction is added to the commanded position; the documentation gives no sign.",
@@ -63,8 +75,9 @@ inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
         .meaning = meaning,
         .forWriting = true};
 }
+inline constexpr std::string_view targetCountsKey = "target-counts-per-unit";
 inline constexpr FormatSetting targetCounts = countsSetting(
-    "target-counts-per-unit", AXISCOMP_TEXT("Error", "encoder counts for one unit of the values"));
+    targetCountsKey, AXISCOMP_TEXT("Error", "encoder counts for one unit of the values"));
 inline constexpr FormatSetting targetMotor = motorSetting(
     "target-motor", AXISCOMP_TEXT("Error", "number of the motor that is compensated, 1 to 32"));
 inline constexpr FormatSetting usesActual{.key = "position",

@@ -312,13 +312,6 @@ std::vector<Definition> Reader::read()
     return std::move(m_definitions);
 }
 
-double countsOf(const SettingValues& settings, std::string_view key)
-{
-    if (settings.has(key))
-        return settings.number(key);
-    return settings.has("counts-per-unit") ? settings.number("counts-per-unit") : 1.0;
-}
-
 NeutralTable tableOf(Definition& definition, const TextReading& reading, std::size_t dimensions)
 {
     NeutralTable table;
@@ -328,7 +321,7 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
     for (std::size_t n = 0; n < dimensions; ++n) {
         SourceAxis& axis = table.axes.emplace_back();
         axis.name = definition.sources[n];
-        const double counts = countsOf(settings, sourceCounts[n]);
+        const double counts = countsPerUnit(settings, sourceCounts[n]).value_or(1.0);
         const auto span = static_cast<double>(definition.spans[n]);
         const auto size = static_cast<double>(definition.sizes[n]);
         for (std::size_t i = 0; i <= definition.sizes[n]; ++i)
@@ -338,21 +331,12 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
     CompensationColumn& column = table.columns.emplace_back();
     column.target = definition.target;
     const FileNumbers numbers{
-        entriesPerCount * countsOf(settings, "target-counts-per-unit"), false};
+        entriesPerCount * countsPerUnit(settings, targetCountsKey).value_or(1.0), false};
     column.values.push_back(0.0); // the entry that is left out
     for (const double entry : definition.entries)
         column.values.push_back(numbers.fromFile(entry));
-    if (settings.has("counts-per-unit")) {
-        takeUnits(table, settings, reading.diagnostics);
-    } else {
-        for (SourceAxis& axis : table.axes)
-            axis.unit = "counts";
-        column.unit = "counts";
-        reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, definition.place.line, 0,
-            AXISCOMP_TEXT("Error", "a table in counts"),
-            AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
-                .with("key", Verbatim{"counts-per-unit"}));
-    }
+    takeMotorUnits(table, std::span(sourceCounts).first(dimensions), reading, definition.place.line,
+        AXISCOMP_TEXT("Error", "a table in counts"));
     for (std::size_t n = 0; n < dimensions; ++n) {
         const std::size_t line = definition.place.line;
         const Text motor =
@@ -406,6 +390,35 @@ Recognition recogniseFile(std::string_view text, std::size_t dimensions)
     if (!hasOwn)
         return Recognition::No;
     return hasOther ? Recognition::Possible : Recognition::Certain;
+}
+
+std::optional<double> countsPerUnit(const SettingValues& settings, std::string_view key)
+{
+    for (const std::string_view given : {key, countsForReading.key})
+        if (settings.has(given))
+            return settings.number(given);
+    return std::nullopt;
+}
+
+void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourceKeys,
+    const TextReading& reading, std::size_t line, const TextPattern& inCounts)
+{
+    std::vector<std::string*> unstated;
+    const auto look = [&](std::string_view key, std::string& unit) {
+        if (!countsPerUnit(reading.settings, key))
+            unstated.push_back(&unit);
+    };
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        look(sourceKeys[n], table.axes[n].unit);
+    look(targetCountsKey, table.columns.front().unit);
+    if (unstated.size() <= table.axes.size())
+        takeUnits(table, reading.settings, reading.diagnostics);
+    for (std::string* const unit : unstated)
+        *unit = "counts";
+    if (!unstated.empty())
+        reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, line, 0, inCounts,
+            AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
+                .with("key", Verbatim{"counts-per-unit"}));
 }
 
 Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)

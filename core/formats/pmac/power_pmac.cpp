@@ -16,11 +16,12 @@ namespace {
 constexpr long mostValues = 1'000'000;
 constexpr long mostNumber = 255; ///< of a table, and of a motor
 constexpr std::string_view prefix = "CompTable[";
+constexpr std::string_view sourceCountsKey = "source-counts-per-unit";
 
 constexpr std::array<std::string_view, 2> extensions{".cfg", ".txt"};
 constexpr std::array settings{pmac::countsForWriting, pmac::countsForReading,
-    pmac::countsSetting("source-counts-per-unit",
-        AXISCOMP_TEXT("Error", "motor units for one unit of the positions")),
+    pmac::countsSetting(
+        sourceCountsKey, AXISCOMP_TEXT("Error", "motor units for one unit of the positions")),
     pmac::targetCounts,
     FormatSetting{.key = "table",
         .kind = FormatSetting::Kind::WholeNumber,
@@ -126,10 +127,7 @@ private:
     [[nodiscard]] std::vector<double> values(const Definition& definition, long count);
     [[nodiscard]] double counts(std::string_view key) const
     {
-        const SettingValues& settings = m_reading.settings;
-        if (settings.has(key))
-            return settings.number(key);
-        return settings.has("counts-per-unit") ? settings.number("counts-per-unit") : 1.0;
+        return pmac::countsPerUnit(m_reading.settings, key).value_or(1.0);
     }
 
     TextReading& m_reading;
@@ -357,7 +355,7 @@ std::optional<NeutralTable> Reader::table(long tableNumber, const Definition& de
     table.sign = SignConvention::Feedback;
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = std::to_string(*source);
-    const double perUnit = counts("source-counts-per-unit");
+    const double perUnit = counts(sourceCountsKey);
     for (long i = 0; i <= *segments; ++i)
         axis.knots.push_back(
             (*start + *span * static_cast<double>(i) / static_cast<double>(*segments)) / perUnit);
@@ -365,7 +363,7 @@ std::optional<NeutralTable> Reader::table(long tableNumber, const Definition& de
     column.target = *target;
     column.values = values(definition, *segments + 1);
     for (double& value : column.values)
-        value = value * factor / counts("target-counts-per-unit");
+        value = value * factor / counts(pmac::targetCountsKey);
     return table;
 }
 
@@ -387,15 +385,8 @@ std::vector<NeutralTable> Reader::read()
         auto one = table(number, definition);
         if (!one)
             continue;
-        if (m_reading.settings.has("counts-per-unit")) {
-            takeUnits(*one, m_reading.settings, m_diagnostics);
-        } else {
-            one->axes[0].unit = one->columns[0].unit = "counts";
-            m_diagnostics.warning(DiagnosticCode::UnitNotGiven, definition.line, 0,
-                AXISCOMP_TEXT("Error", "a table in motor units"),
-                AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
-                    .with("key", Verbatim{"counts-per-unit"}));
-        }
+        pmac::takeMotorUnits(*one, std::span(&sourceCountsKey, 1), m_reading, definition.line,
+            AXISCOMP_TEXT("Error", "a table in motor units"));
         tables.push_back(*std::move(one));
     }
     return tables;

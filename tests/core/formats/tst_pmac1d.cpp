@@ -195,6 +195,18 @@ private Q_SLOTS:
         QCOMPARE(other.columns[0].values[1], 0.005);
     }
 
+    void countsThatAreStatedForTheTargetAloneLeaveThePositionsInCounts()
+    {
+        TableReadOptions options = test::readingWith(
+            {{"target-counts-per-unit", "1000"}, {"position-unit", "mm"}, {"value-unit", "mm"}});
+        READ_TABLE(table, format, file, options);
+        QCOMPARE(table.axes[0].knots[1], 1000.0);
+        QCOMPARE(table.axes[0].unit, std::string("counts"));
+        QCOMPARE(table.columns[0].values[1], 0.01);
+        QCOMPARE(table.columns[0].unit, std::string("mm"));
+        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::UnitNotGiven, 5));
+    }
+
     void motorsThatAreNotNamedAreTheAddressedOne()
     {
         READ_TABLE(own, format, with("4,#1D,#2,4000", "4,4000"), {});

@@ -139,6 +139,20 @@ private Q_SLOTS:
         QCOMPARE(table.sign, SignConvention::Feedback);
     }
 
+    void countsThatAreStatedForTheSourceAloneLeaveTheValuesInCounts()
+    {
+        READ_TABLE(table, format, file,
+            test::readingWith({{"source-counts-per-unit", "1000"}, {"position-unit", "mm"},
+                {"value-unit", "mm"}}));
+        QCOMPARE(table.axes[0].knots, (std::vector<double>{-100, -50, 0, 50, 100}));
+        QCOMPARE(table.axes[0].unit, std::string("mm"));
+        QCOMPARE(table.columns[0].values, (std::vector<double>{0, 12.5, -3, 4, 8}));
+        QCOMPARE(table.columns[0].unit, std::string("counts"));
+        QCOMPARE(problemLines(*reading_table),
+            std::string("warning 2:0 UnitNotGiven a table in motor units|the setting "
+                        "counts-per-unit, where a unit matters\n"));
+    }
+
     void eachTableOfAFileIsRead()
     {
         const auto reading = format.read(
