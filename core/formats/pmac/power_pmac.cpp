@@ -135,12 +135,15 @@ private:
     std::map<long, Definition> m_definitions;
 };
 
+/// What is looked at; the second and the third source do not count where Nx of theirs is 0.
 bool isKnown(std::string_view element)
 {
-    constexpr std::array<std::string_view, 8> known{
-        "source[", "nx[", "x0[", "dx[", "target[", "sf[", "ctrl", "outctrl"};
-    return std::ranges::any_of(
-        known, [element](std::string_view name) { return element.starts_with(name); });
+    constexpr std::array<std::string_view, 4> ofSources{"source[", "nx[", "x0[", "dx["};
+    constexpr std::array<std::string_view, 5> others{
+        "target[0]", "target[1]", "sf[0]", "ctrl", "outctrl"};
+    return std::ranges::any_of(ofSources, [element](std::string_view name) {
+        return element.starts_with(name);
+    }) || std::ranges::find(others, element) != others.end();
 }
 
 void Reader::takeData(Definition& definition, long first, const Token& list)

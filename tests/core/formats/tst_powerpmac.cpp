@@ -58,6 +58,10 @@ void describe(test::FormatSample& sample)
     sample.applies({{{60000}, 4.8}}, continued);
     sample.warning("an unknown element", file + "CompTable[0].Wrap = 3;\n",
         {"9:1 UnknownKey CompTable[0].Wrap = 3|"});
+    sample.warning("a third target", file + "CompTable[0].Target[2]=Motor[3].CompPos;\n",
+        {"9:1 UnknownKey CompTable[0].Target[2]=Motor[3].CompPos|"});
+    sample.warning("another scale factor", file + "CompTable[0].Sf[1] = -1;\n",
+        {"9:1 UnknownKey CompTable[0].Sf[1] = -1|"});
     sample.warning("a scale factor", with("Sf[0] = 1", "Sf[0] = 2"),
         {"6:0 Assumption a scale factor Sf[0] of 2|1; it is taken to multiply"});
     sample.applies({{{0}, -6}}, with("Sf[0] = 1", "Sf[0] = 2"));
