@@ -141,6 +141,7 @@ private:
     void assign(const Token& name, const Token& value);
     void assignParameter(const Token& name, const Token& value);
     void assignElement(const Token& name, const Token& value);
+    void checkEndOfValue(const Token& value, const Token& word);
     void scan();
     [[nodiscard]] NeutralTable table(const Definition& definition);
     [[nodiscard]] bool checkRange(const Definition& definition, const NeutralTable& table);
@@ -228,12 +229,25 @@ void Reader::assign(const Token& name, const Token& value)
         assignElement(name, value);
 }
 
+/// Behind a value: of "2*UM" the 2 alone would be another number.
+void Reader::checkEndOfValue(const Token& value, const Token& word)
+{
+    if (!isOneOf(word, {",", ")", "]", ";"}))
+        m_diagnostics.error(DiagnosticCode::Syntax, word.line, word.column, quoted(word),
+            AXISCOMP_TEXT("Error", "a comma, a bracket or a semicolon behind the value \"{value}\"")
+                .with("value", quoted(value)));
+}
+
 void Reader::scan()
 {
     Token last;
+    Token value; ///< directly before the word
     while (const auto word = m_words.next()) {
         if (m_reading.isStopped())
             return;
+        if (value)
+            checkEndOfValue(value, *word);
+        value = {};
         if (sameLetters(word->text, parameterType)) {
             begin(Inside::Parameters, *word);
         } else if (sameLetters(word->text, elementType)) {
@@ -245,8 +259,8 @@ void Reader::scan()
             m_inside = Inside::Nothing;
         } else if (word->text == ":=" && m_inside != Inside::Nothing && last
             && isWordCharacter(last.text.front()) && !isOneOf(last, {parameterType, elementType})) {
-            const auto value = m_words.next();
-            assign(last, value.value_or(Token{{}, last.line, last.column}));
+            value = m_words.next().value_or(Token{{}, last.line, last.column});
+            assign(last, value);
             last = {};
             continue;
         }

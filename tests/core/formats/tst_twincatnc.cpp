@@ -77,6 +77,8 @@ void describe(test::FormatSample& sample)
     row("uneven", with("n := 10.0", "n := 11.0"), "5:0 UnevenSpacing positions from 0 to 30|equal");
     row("not increasing", with("n := 10.0", "n := 0.0"), "5:0 NotMonotonic 0 after 0|");
     row("a position that is none", with("n := 10.0", "n := ten"), "5:54 NotANumber ten|a position");
+    row("an expression", with("n := 0.1)", "n := 0.1*UM)"),
+        "5:79 Syntax *|a comma, a bracket or a semicolon behind the value \"0.1\"");
     row("a compensation is missing", with(", Compensation := 0.1)", ")"),
         "5:0 Syntax an element of one number|a position and a compensation");
     row("ends that differ", with("FALSE", "TRUE"),
