@@ -121,6 +121,9 @@ void ConversionForm::build()
 void ConversionForm::connectFields()
 {
     connect(m_format, &QComboBox::currentIndexChanged, this, &ConversionForm::chooseFormat);
+    // A sign is stated of files of one format.
+    connect(
+        m_format, &QComboBox::currentIndexChanged, this, [this] { m_sign->setCurrentIndex(0); });
     connect(m_grid, &QComboBox::currentIndexChanged, this, &ConversionForm::showGridRows);
     for (QComboBox* box : {m_format, m_target, m_sign, m_direction, m_missing, m_grid, m_method})
         connect(box, &QComboBox::currentIndexChanged, this, &ConversionForm::changed);

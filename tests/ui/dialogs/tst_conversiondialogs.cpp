@@ -214,6 +214,18 @@ private Q_SLOTS:
         QVERIFY(report(bench).contains(QStringLiteral("pmac-1d holds command values, as you say")));
     }
 
+    void aSignThatWasStatedIsNotOfAnotherFormat()
+    {
+        PageFixture bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("leadscrew compensation of one source")));
+        QVERIFY(chooseAt(bench, "signField", 1));
+        QVERIFY(bench.user.choose("conversionFormat", QStringLiteral("text table of positions")));
+        QTRY_VERIFY(mayAccept(bench));
+        QCOMPARE(bench.user.the<QComboBox>("signField").currentIndex(), 0);
+        QVERIFY(!report(bench).contains(QStringLiteral("as you say")));
+    }
+
     void anExportedFileIsReadByCore()
     {
         PageFixture bench;
