@@ -17,6 +17,8 @@ namespace axiscomp::pmac {
 
 /// An entry of a table is a whole number of this part of a count.
 inline constexpr double entriesPerCount = 16.0;
+/// The unit of numbers that were read without counts per unit.
+inline constexpr std::string_view countsUnit = "counts";
 
 /// The tables of one or of two dimensions in a file.
 [[nodiscard]] std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions);
@@ -40,6 +42,11 @@ struct Keys {
 /// are given, which is said with `inCounts`. sourceKeys: of countsPerUnit, for each source.
 void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourceKeys,
     const TextReading& reading, std::size_t line, const TextPattern& inCounts);
+
+/// Writing: numbers that are in counts already are not multiplied once more. sourceKeys: of
+/// countsPerUnit, for each source. Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkNotCounted(const FormatFacts& facts, const NeutralTable& table,
+    std::span<const std::string_view> sourceKeys, const SettingValues& settings);
 
 inline constexpr std::array<std::string_view, 4> assumptions{
     "The correction is added to the commanded position; the documentation gives no sign.",

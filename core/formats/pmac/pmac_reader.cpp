@@ -414,7 +414,7 @@ void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourc
     if (unstated.size() <= table.axes.size())
         takeUnits(table, reading.settings, reading.diagnostics);
     for (std::string* const unit : unstated)
-        *unit = "counts";
+        *unit = countsUnit;
     if (!unstated.empty())
         reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, line, 0, inCounts,
             AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")

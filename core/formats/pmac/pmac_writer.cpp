@@ -149,6 +149,25 @@ std::string header(const std::vector<std::string>& motors, const std::vector<Cir
 
 } // namespace
 
+Result<void> checkNotCounted(const FormatFacts& facts, const NeutralTable& table,
+    std::span<const std::string_view> sourceKeys, const SettingValues& settings)
+{
+    const auto isCountedTwice = [&](std::string_view key, const std::string& unit) {
+        return unit == countsUnit && countsPerUnit(settings, key) != 1.0;
+    };
+    bool isTwice = isCountedTwice(targetCountsKey, table.columns.front().unit);
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        isTwice = isTwice || isCountedTwice(sourceKeys[n], table.axes[n].unit);
+    if (!isTwice)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the table is in counts already, and the format {format} would multiply it by the "
+                "counts per unit once more: set them to 1, or read the source with its own")
+                .with("format", facts.name)}});
+}
+
 Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     const NeutralTable& source, const FormatSettings& settings)
 {
@@ -157,6 +176,7 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, settings, true));
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(source, given, written.remarks));
+    AXISCOMP_CHECK(checkNotCounted(facts, table, keys.counts, given));
     AXISCOMP_TRY(const auto motors, motorsOf(facts, keys, table, given));
     const FileNumbers numbers{entriesPerCount * countsFor(given, "target-counts-per-unit"), false};
     std::vector<Circle> circles;

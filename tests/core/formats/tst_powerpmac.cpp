@@ -114,6 +114,11 @@ void describe(test::FormatSample& sample)
             "CompTable[2].Ctrl = 7;\nCompTable[2].OutCtrl = 0;\n"
             "CompTable[2].Data[0] = 0,128,-256,512,1024;\nSys.CompEnable = 3;\n")
         .remarking({"Sys.CompEnable must be at least 3"});
+    sample.refuses("counts of counts",
+        {changed(manual,
+            [](NeutralTable& table) { table.axes[0].unit = table.columns[0].unit = "counts"; })},
+        ErrorCode::InvalidArgument, "in counts already",
+        FormatSettings{{"counts-per-unit", "1024"}});
     NeutralTable letters = changed(manual, [](NeutralTable& table) {
         table.axes[0].name = "X";
         table.columns[0].target = "Z";
