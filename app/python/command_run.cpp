@@ -85,14 +85,6 @@ std::string_view className(ErrorClass errorClass)
     return "Error";
 }
 
-py::list textList(const std::vector<std::string>& lines)
-{
-    py::list list;
-    for (const std::string& line : lines)
-        list.append(pythonText(line));
-    return list;
-}
-
 /// Nothing that is done with a drive ends because a line cannot be shown.
 void tell(const py::object& echo, const std::vector<std::string>& said)
 {
@@ -149,7 +141,7 @@ void raiseError(const Error& error, const Json& diagnostics, const std::vector<s
     const py::module_ errors = py::module_::import("axiscomp.errors");
     const py::object type = errors.attr(std::string(className(errorClass(error.code))).c_str());
     const py::object exception = type(pythonObject(json["code"]), pythonObject(json["message"]),
-        context, pythonObject(json["diagnostics"]), textList(notes));
+        context, pythonObject(json["diagnostics"]), pythonTexts(notes));
     PyErr_SetObject(type.ptr(), exception.ptr());
     throw py::error_already_set();
 }
@@ -260,7 +252,7 @@ py::tuple CommandRun::end(const py::object& echo)
     raiseFailure();
     const py::object document = m_document ? pythonObject(*m_document) : py::none();
     return py::make_tuple(
-        pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output), textList(m_notes));
+        pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output), pythonTexts(m_notes));
 }
 
 py::object CommandRun::nextReading()

@@ -16,6 +16,14 @@ py::str pythonText(std::string_view text)
     return py::reinterpret_steal<py::str>(decoded);
 }
 
+py::list pythonTexts(const std::vector<std::string>& texts)
+{
+    py::list list;
+    for (const std::string& text : texts)
+        list.append(pythonText(text));
+    return list;
+}
+
 py::object pythonObject(const Json& json)
 {
     switch (json.type()) {

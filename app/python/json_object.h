@@ -5,6 +5,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace axiscomp::app {
 
 /// Dictionaries, lists, text, numbers, True, False and None; a number that is not finite is None,
@@ -13,5 +17,6 @@ namespace axiscomp::app {
 
 /// Text of a file or a drive; bytes that are not UTF-8 are replaced.
 [[nodiscard]] pybind11::str pythonText(std::string_view text);
+[[nodiscard]] pybind11::list pythonTexts(const std::vector<std::string>& texts);
 
 } // namespace axiscomp::app

@@ -124,7 +124,8 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
 }
 
 TablePointer makeTable(const Values& values, const py::sequence& axes, const std::string& name,
-    const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled)
+    const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled,
+    const std::vector<std::string>& notes)
 {
     if (values.ndim() < 1 || values.ndim() > 3)
         throw py::value_error("the values have 1, 2 or 3 dimensions");
@@ -132,6 +133,7 @@ TablePointer makeTable(const Values& values, const py::sequence& axes, const std
         throw py::value_error("the values have " + std::to_string(values.ndim())
             + " dimensions, but there are " + std::to_string(axes.size()) + " axes");
     auto object = std::make_shared<TableObject>();
+    object->notes = notes;
     CompensationTable& table = object->table;
     table.name = name;
     table.unit = unit;
@@ -183,7 +185,7 @@ py::tuple stateOf(const py::object& self)
         filled.append(point);
     // A view must not go into a file.
     return py::make_tuple(valuesView(self).attr("copy")("F"), axes, object.table.name,
-        object.table.unit, object.table.target, filled);
+        object.table.unit, object.table.target, filled, pythonTexts(object.notes));
 }
 
 CalibrationData dataOf(const std::vector<TablePointer>& tables)
@@ -195,6 +197,8 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
         if (object->table.grid != data.grid)
             throw py::value_error("the tables of one file have the same axes and units");
         data.tables.push_back(object->table);
+        if (object == tables.front() || object->notes != tables.front()->notes)
+            data.notes.insert(data.notes.end(), object->notes.begin(), object->notes.end());
     }
     return data;
 }
@@ -235,6 +239,7 @@ std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
     for (CompensationTable& table : reading.data->tables) {
         tables.push_back(std::make_shared<TableObject>());
         tables.back()->table = std::move(table);
+        tables.back()->notes = reading.data->notes;
     }
     return tables;
 }
@@ -247,7 +252,8 @@ void addTables(py::module_& module)
     table
         .def(py::init(&makeTable), py::arg("values"), py::arg("axes"), py::arg("name") = "Table",
             py::arg("unit") = "", py::arg("target") = "",
-            py::arg("filled") = std::vector<std::uint32_t>())
+            py::arg("filled") = std::vector<std::uint32_t>(),
+            py::arg("notes") = std::vector<std::string>())
         .def_property_readonly("values", &valuesView)
         .def_property_readonly("axes", &axesOf)
         .def_property_readonly(
@@ -259,6 +265,8 @@ void addTables(py::module_& module)
         .def_property_readonly(
             "dimensions", [](const TableObject& self) { return self.table.grid.dimensions(); })
         .def_property_readonly("filled", [](const TableObject& self) { return self.table.filled; })
+        .def_property_readonly(
+            "notes", [](const TableObject& self) { return pythonTexts(self.notes); })
         .def_property_readonly("crc", [](const TableObject& self) { return crcOf(self.table); })
         .def("positions", &positionsOf, py::arg("dimension") = 1)
         .def("lookup", &lookedUp, py::arg("positions"), py::arg("outside") = "hold")

@@ -6,12 +6,16 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace axiscomp::app {
 
 /// Arrays that show its values keep it alive; nothing changes it.
 struct TableObject {
     CompensationTable table;
+    /// Comments of the file, which say for which side of the compensation a fit made the table.
+    std::vector<std::string> notes;
 };
 using TablePointer = std::shared_ptr<TableObject>;
 

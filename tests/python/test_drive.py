@@ -2,6 +2,7 @@
 """A drive, against a virtual drive on loopback."""
 
 import os
+import pickle
 import signal
 import tempfile
 import threading
@@ -68,6 +69,18 @@ class Drives(unittest.TestCase):
         with self.assertRaises(axiscomp.Error) as raised:
             self.drive.write(other, axis="X", source1=SOURCE)
         self.assertEqual(raised.exception.code, "TargetMismatch")
+        self.assertIsNone(self.drive.status("X")["table"])
+
+    def test_a_table_is_not_written_for_the_other_side_of_the_compensation(self):
+        line = axiscomp.Measurement(
+            [0, 20, 40], up=[[0, 1e-3, 2e-3]] * 2, down=[[0, 1e-3, 2e-3]] * 2, axis="X", compensation="off"
+        )
+        (made,) = axiscomp.fit(line, lookup_at="set", zero="keep").tables
+        for given in (made, pickle.loads(pickle.dumps(made)), axiscomp.resample(made, points=9)):
+            self.assertIn("lookup: set", given.notes)
+            with self.assertRaises(axiscomp.RequestError) as raised:
+                self.drive.write(given, axis="X", source1="Axes[0]/Signals/PositionController/MasterPosition")
+            self.assertIn("made for a position after the compensation", raised.exception.message)
         self.assertIsNone(self.drive.status("X")["table"])
 
     def test_a_large_correction_needs_a_word(self):

@@ -44,7 +44,7 @@ def _with_filled(table: Table, said: dict[str, Any]) -> Table:
         strides.append(strides[-1] * axis.size)
     filled = [sum(i * stride for i, stride in zip(index, strides)) for index in said["filled"]]
     axes = [axis[:4] for axis in table.axes]
-    return Table(table.values, axes, table.name, table.unit, table.target, filled)
+    return Table(table.values, axes, table.name, table.unit, table.target, filled, table.notes)
 
 
 def read(file: Any, **options: Any) -> Table:
@@ -68,11 +68,13 @@ def resample(table: Table, **options: Any) -> Table:
 
 Table.__doc__ = """Compensation values on an even grid of 1 to 3 dimensions; it never changes.
 
-Table(values, axes, name="Table", unit="", target="", filled=[]) copies the values once, as float32:
+Table(values, axes, name="Table", unit="", target="", filled=[], notes=[]) copies the values once, as float32:
     values  shape (n1,), (n1, n2) or (n1, n2, n3), reference - encoder, in `unit`
     axes    one (start, distance[, unit[, name]]) per dimension, distance > 0
     target  the axis that is corrected, as in a file; empty: not said
     filled  indices, dimension 1 fastest, of values that were made up
+    notes   comments of the file: "lookup: encoder" or "lookup: set" says for which side a fit made the table, and
+            a write to a source on the other side is refused
 Raises Error (InvalidArgument) for a value that is not finite.
 """
 Table.values.__doc__ = "float32, shape (n1[, n2[, n3]]): the table's own memory, which nobody can write to."
