@@ -85,18 +85,25 @@ std::string_view className(ErrorClass errorClass)
     return "Error";
 }
 
-/// Nothing that is done with a drive ends because a line cannot be shown.
-void tell(const py::object& echo, const std::vector<std::string>& said)
+/// Nothing that is done with a drive ends because a line cannot be shown. Returns what is no error
+/// but asks for an end, such as Ctrl-C while a line is being shown.
+std::optional<py::error_already_set> tell(
+    const py::object& echo, const std::vector<std::string>& said)
 {
+    std::optional<py::error_already_set> stopped;
     if (echo.is_none())
-        return;
+        return stopped;
     for (const std::string& text : said) {
         try {
             echo(pythonText(text));
         } catch (py::error_already_set& error) {
-            error.discard_as_unraisable("axiscomp: echo");
+            if (error.matches(PyExc_Exception))
+                error.discard_as_unraisable("axiscomp: echo");
+            else
+                stopped.emplace(error);
         }
     }
+    return stopped;
 }
 
 } // namespace
@@ -227,19 +234,19 @@ void CommandRun::raiseFailure()
 
 py::tuple CommandRun::end(const py::object& echo)
 {
-    bool isStopped = false;
     std::optional<py::error_already_set> stopped;
     for (bool isDone = false; !isDone;) {
-        tell(echo, waitForNews(false));
-        if (PyErr_CheckSignals() != 0) {
-            stopped.emplace();
-            isStopped = true;
+        auto asked = tell(echo, waitForNews(false));
+        if (PyErr_CheckSignals() != 0)
+            asked.emplace();
+        if (asked) {
+            stopped.emplace(*asked);
             m_interrupt.request();
         }
         const std::lock_guard lock(m_mutex);
         isDone = m_isDone && m_said.empty();
     }
-    if (isStopped) {
+    if (stopped) {
         if (m_end && m_end->error && m_end->error->code != ErrorCode::Cancelled) {
             try {
                 raiseFailure();

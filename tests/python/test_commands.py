@@ -71,6 +71,13 @@ class Commands(unittest.TestCase):
         document = axiscomp.judge(RUNS, echo=said.append)
         self.assertTrue(document.text in "".join(said))
 
+    def test_ctrl_c_while_something_is_shown_is_raised(self):
+        def echo(text):
+            raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            axiscomp.judge(RUNS, echo=echo)
+
     def test_the_lock_is_released_while_it_works(self):
         count = 0
         done = threading.Event()
