@@ -268,13 +268,20 @@ py::object CommandRun::nextReading()
         static_cast<void>(waitForNews(true));
         if (PyErr_CheckSignals() != 0)
             throw py::error_already_set();
-        const std::lock_guard lock(m_mutex);
-        if (!m_readings.empty()) {
-            const Json reading = std::move(m_readings.front());
-            m_readings.pop_front();
-            return pythonObject(reading);
+        std::optional<Json> reading;
+        bool isDone = false;
+        {
+            // Only here: Python may hand its lock to another thread, which waits for this one.
+            const std::lock_guard lock(m_mutex);
+            isDone = m_isDone;
+            if (!m_readings.empty()) {
+                reading = std::move(m_readings.front());
+                m_readings.pop_front();
+            }
         }
-        if (m_isDone) {
+        if (reading)
+            return pythonObject(*reading);
+        if (isDone) {
             raiseFailure();
             return py::none();
         }
