@@ -11,6 +11,8 @@ import time
 import unittest
 from pathlib import Path
 
+import numpy
+
 import axiscomp
 from axiscomp import commands
 
@@ -57,6 +59,22 @@ class Commands(unittest.TestCase):
         with self.assertRaises(axiscomp.RequestError) as raised:
             axiscomp.judge(RUNS, outliers="all")
         self.assertEqual(raised.exception.code, "InvalidArgument")
+
+    def test_values_of_numpy_are_those_of_python(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "x.csv"
+            axiscomp.example(dims=numpy.int64(1), tables=numpy.float64(1), output=numpy.str_(file))
+            self.assertEqual(len(axiscomp.read_all(file, dims=1)), 1)
+        words = axiscomp._call._words
+        self.assertEqual(words("axis", numpy.str_("1e3"), None), ["--axis=1e3"])
+        self.assertEqual(words("accept_large", numpy.bool_(True), None), ["--accept-large"])
+        self.assertEqual(words("accept_large", numpy.bool_(False), None), [])
+        self.assertEqual(words("points", numpy.array([9, 5]), None), ["--points=9,5"])
+        for value in (b"x.csv", numpy.zeros((2, 2)), [[1, 2]]):
+            with self.assertRaises(TypeError, msg=repr(value)):
+                words("points", value, None)
+        with self.assertRaises(ValueError):
+            axiscomp.example(dims=1, output="x.csv\0.txt")
 
     def test_a_file_named_as_an_option_is_a_file(self):
         with tempfile.TemporaryDirectory() as folder:

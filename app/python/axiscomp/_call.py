@@ -85,13 +85,24 @@ def option_name(parameter: str) -> str:
     return "--" + parameter.rstrip("_").replace("_", "-")
 
 
+def _plain(value: Any) -> Any:
+    """A number, a text or a truth value of numpy as that of Python."""
+    return value.item() if hasattr(value, "dtype") and getattr(value, "ndim", 1) == 0 else value
+
+
 def _text(value: Any) -> str:
-    # repr() of a float is the shortest text that reads back to the same number.
+    value = _plain(value)
     if isinstance(value, bool):
         raise TypeError("True and False are for options without a value")
-    if isinstance(value, float) or hasattr(value, "dtype"):
-        return repr(float(value)) if float(value) != int(value) else str(int(value))
-    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+    if isinstance(value, (bytes, bytearray, list, tuple, dict, set)) or hasattr(value, "shape"):
+        raise TypeError(f"a {type(value).__name__} is no single value")
+    if isinstance(value, float):
+        # repr() of a float is the shortest text that reads back to the same number.
+        return repr(value) if value != int(value) else str(int(value))
+    text = os.fsdecode(value) if isinstance(value, os.PathLike) else str(value)
+    if "\0" in text:
+        raise ValueError("a text with a zero byte")  # a word of the command line would end there
+    return text
 
 
 def _is_list(value: Any) -> bool:
@@ -100,6 +111,7 @@ def _is_list(value: Any) -> bool:
 
 def _words(parameter: str, value: Any, files: _Files) -> list[str]:
     name = option_name(parameter)
+    value = _plain(value)
     if value is None or value is False:
         return []
     if value is True:
