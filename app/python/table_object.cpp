@@ -123,10 +123,20 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
     return axis;
 }
 
-TablePointer makeTable(const Values& values, const py::sequence& axes, const std::string& name,
+/// Errors: of numpy, and ValueError for masked values, whose numbers would be taken for values.
+Values valuesFrom(const py::object& given)
+{
+    const py::object isMasked = py::module_::import("numpy.ma").attr("is_masked");
+    if (isMasked(given).cast<bool>())
+        throw py::value_error("a value is masked: a table has a value at each point");
+    return Values(given);
+}
+
+TablePointer makeTable(const py::object& given, const py::sequence& axes, const std::string& name,
     const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled,
     const std::vector<std::string>& notes)
 {
+    const Values values = valuesFrom(given);
     if (values.ndim() < 1 || values.ndim() > 3)
         throw py::value_error("the values have 1, 2 or 3 dimensions");
     if (static_cast<py::ssize_t>(axes.size()) != values.ndim())

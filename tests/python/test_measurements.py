@@ -36,6 +36,13 @@ class Measurements(unittest.TestCase):
         again = axiscomp.Measurement(measurement.targets, measurement.up, measurement.down)
         self.assertEqual(numpy.count_nonzero(numpy.isnan(again.up)), 1)
 
+    def test_what_is_masked_was_not_measured(self):
+        up = numpy.ma.masked_equal([[0, 1, 999], [0, 1, 2]], 999)
+        measurement = axiscomp.Measurement([0, 10, 20], up=up)
+        numpy.testing.assert_array_equal(measurement.up, [[0, 1, numpy.nan], [0, 1, 2]])
+        with self.assertRaises(ValueError):
+            axiscomp.Measurement(numpy.ma.masked_equal([0, 10, 999], 999), up=[[0, 1, 2]])
+
     def test_a_measurement_is_judged_as_its_file(self):
         of_file, of_arrays = axiscomp.judge(RUNS), axiscomp.judge(axiscomp.read_measurement(RUNS))
         for document in (of_file, of_arrays):

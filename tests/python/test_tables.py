@@ -77,6 +77,20 @@ class Tables(unittest.TestCase):
             with self.assertRaises(ValueError):
                 axiscomp.Table(values, axes)
 
+    def test_values_of_any_layout_are_taken_as_they_stand(self):
+        values = numpy.arange(24.0).reshape(4, 6)
+        axes = [(0, 1, "mm"), (0, 1, "mm")]
+        for given in (values, numpy.asfortranarray(values), values.astype(">f8"), values.astype(int), values.tolist()):
+            numpy.testing.assert_array_equal(axiscomp.Table(given, axes).values, values)
+        numpy.testing.assert_array_equal(axiscomp.Table(values[::2, ::-3], axes).values, values[::2, ::-3])
+        with self.assertRaises(axiscomp.Error):
+            axiscomp.Table([0, 1e39], [(0, 1)])  # no float32
+        with self.assertRaises(ValueError):
+            axiscomp.Table(numpy.ma.masked_equal([0, 999], 999), [(0, 1)])
+        for given in (None, [], "x", [[0, 1], [2]]):
+            with self.assertRaises((ValueError, TypeError), msg=repr(given)):
+                axiscomp.Table(given, [(0, 1)])
+
     def test_what_is_written_reads_back(self):
         for name in ("plane.csv", "plane.TAMtbl"):
             file = self.folder / name

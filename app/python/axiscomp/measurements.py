@@ -18,7 +18,7 @@ class Measurement:
 
     targets  shape (n,), ascending, in mm or deg
     up       shape (runs, n): reference - target, in the unit of the targets, of runs in the positive direction;
-             NaN where nothing was measured
+             NaN or masked where nothing was measured
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
     statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
@@ -31,13 +31,18 @@ class Measurement:
 
         if unit not in ("mm", "deg"):
             raise ValueError(f"the unit is mm or deg, not {unit}")
-        targets = numpy.asarray(targets, dtype=float)
+
+        def floats(given: Any) -> numpy.ndarray:
+            # What is masked was not measured.
+            return numpy.ma.filled(numpy.ma.asarray(given, dtype=float), numpy.nan)
+
+        targets = floats(targets)
         none = numpy.empty((0, targets.size))
         self._take(
             _axiscomp.csv_of_runs(
                 targets,
-                none if up is None else numpy.atleast_2d(numpy.asarray(up, dtype=float)),
-                none if down is None else numpy.atleast_2d(numpy.asarray(down, dtype=float)),
+                none if up is None else numpy.atleast_2d(floats(up)),
+                none if down is None else numpy.atleast_2d(floats(down)),
                 unit == "deg",
                 statements,
             )
