@@ -2,6 +2,7 @@
 """docs/python.ipynb does what it says."""
 
 import os
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -13,6 +14,10 @@ SOURCE = Path(os.environ["AXISCOMP_SOURCE"])
 class Notebook(unittest.TestCase):
     def test_it_measures_fits_writes_and_plots(self):
         os.environ["MPLBACKEND"] = "Agg"
+        folder = tempfile.TemporaryDirectory()  # also for what a cell that fails leaves behind
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(setattr, tempfile, "tempdir", tempfile.tempdir)
+        tempfile.tempdir = folder.name
         state = os.environ.pop("XDG_STATE_HOME", None)
         try:
             ends = notebook.run(SOURCE / "docs/python.ipynb")
