@@ -80,6 +80,17 @@ class Measurements(unittest.TestCase):
         foretold = axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=table)
         numpy.testing.assert_allclose(foretold.up, measurement.up, atol=1e-12)
 
+    def test_a_turn_is_that_of_the_table(self):
+        runs = [[0, 0.001, 0, -0.001]] * 2
+        rotary = axiscomp.Measurement([0, 90, 180, 270], up=runs, down=runs, unit="deg", compensation="off")
+        table = axiscomp.Table([0, 0.001, 0, -0.001, 0], [(0, 90, "deg", "A")], unit="deg")
+        foretold = axiscomp.predict(rotary, table, lookup_at="encoder", turn=360)
+        numpy.testing.assert_allclose(foretold.up, 0 * foretold.up, atol=1e-6)
+        for turn in (180, 0, float("nan")):
+            with self.assertRaises(axiscomp.RequestError) as raised:
+                axiscomp.predict(rotary, table, lookup_at="encoder", turn=turn)
+            self.assertIn("a turn of the axis", raised.exception.message)
+
     def test_a_prediction_does_not_guess(self):
         table = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
         unstated = axiscomp.Measurement(made().targets, made().up, made().down)

@@ -118,7 +118,7 @@ def predict(
     lookup_at      "encoder" or "set": at which position the drive looks the table up
     measured_with  the table that was active, or "off", where the measurement does not say it
                    (MeasurementState)
-    turn           length of a turn of a modulo axis
+    turn           length of a turn of a modulo axis, which is that of the table
     """
     if isinstance(measured_with, str) and measured_with != "off":
         raise ValueError(f'measured_with is a table or "off", not {measured_with}')

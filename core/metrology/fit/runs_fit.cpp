@@ -3,9 +3,11 @@
 #include "core/metrology/fit/fit_parts.h"
 #include "core/table/even_spacing.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace axiscomp {
 
@@ -421,6 +423,16 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
         return badFit(AXISCOMP_TEXT("Error", "a prediction needs a measurement of targets"));
     if (table.grid.axes.size() != 1)
         return badFit(AXISCOMP_TEXT("Error", "a prediction needs a table of one dimension"));
+    const GridAxis& axis = table.grid.axes.front();
+    const double length = axis.last() - axis.start;
+    if (turn && !(std::abs(length - *turn) <= 1e-6 * length)) {
+        const std::string unit(positionUnit(measurement));
+        return badFit(AXISCOMP_TEXT("Error",
+            "the table is {length} long, but a turn of the axis is {turn}: a prediction needs a "
+            "table of one turn")
+                          .with("length", Quantity{roundedText(length), unit})
+                          .with("turn", Quantity{roundedText(*turn), unit}));
+    }
     FitSettings settings;
     settings.turn = turn;
     const FitInput input{measurement, settings, state, lookupAt, {}};
