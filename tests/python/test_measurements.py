@@ -120,6 +120,18 @@ class Measurements(unittest.TestCase):
             self.assertTrue(compared.ok, compared.text)
             self.assertIn("after", record.read_text())
 
+    def test_a_report_is_html(self):
+        with tempfile.TemporaryDirectory() as folder:
+            record, html, pdf = (Path(folder) / name for name in ("x.axcal", "x.html", "x.pdf"))
+            axiscomp.fit(made(), lookup_at="encoder", zero="keep", record=record, tolerance="A=5um")
+            axiscomp.report(record, output=html)
+            self.assertIn("<html", html.read_text())
+            # What draws PDF makes Qt's application object anew, under the hands of other threads.
+            with self.assertRaises(axiscomp.Error) as raised:
+                axiscomp.report(record, output=pdf)
+            self.assertIn("only the program axiscomp draws PDF", str(raised.exception.context))
+            self.assertFalse(pdf.exists())
+
     def test_the_arrays_are_checked(self):
         for arguments in (
             {"targets": [0, 0], "up": [[0, 0]]},

@@ -3,6 +3,7 @@
 
 #include "app/common/report_module.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QLibrary>
 #include <QLocale>
@@ -68,6 +69,14 @@ ReportDocument inLanguage(ReportDocument document, const std::string& language)
 
 Result<Bytes> drawnAsPdf(const ReportDocument& document)
 {
+    // The module makes the application object, of which a process has one: inside of another
+    // program there is one already, and others work with it.
+    if (QCoreApplication::instance() != nullptr)
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", std::string(reportModuleName) + ".so"},
+                {"reason",
+                    std::string("only the program axiscomp draws PDF; write the report as HTML "
+                                "and print that")}});
     QLibrary module;
     QFunctionPointer function = nullptr;
     for (const std::filesystem::path& folder : moduleFolders()) {
