@@ -54,11 +54,12 @@ ExitCode run(int argc, char** argv, Console& console)
 
 } // namespace
 
-EmbeddedEnd runEmbedded(
-    const std::vector<std::string>& arguments, Interrupt& interrupt, const EmbeddedTakers& takers)
+EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments, Interrupt& interrupt,
+    const EmbeddedTakers& takers, const Environment::Names& names)
 {
     Console console(takers.output, takers.notes);
     Environment environment(console, interrupt, takers.documents, takers.readings);
+    environment.callFiles(names);
     std::vector<std::string> words{"axiscomp"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;

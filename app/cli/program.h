@@ -30,9 +30,10 @@ struct EmbeddedEnd {
 };
 
 /// A command of axiscomp inside of another program, with the same rules. arguments: as on the
-/// command line, from the name of the command on, without --json. Blocks. interrupt: leaves signals
-/// alone, and is used for one command only. Throws what runs out, such as memory.
-[[nodiscard]] EmbeddedEnd runEmbedded(
-    const std::vector<std::string>& arguments, Interrupt& interrupt, const EmbeddedTakers& takers);
+/// command line, from the name of the command on, without --json. Blocks. names: of files.
+/// interrupt: leaves signals alone, and is used for one command only. Throws what runs out, such as
+/// memory.
+[[nodiscard]] EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments,
+    Interrupt& interrupt, const EmbeddedTakers& takers, const Environment::Names& names = {});
 
 } // namespace axiscomp::app

@@ -153,11 +153,13 @@ void raiseError(const Error& error, const Json& diagnostics, const std::vector<s
     throw py::error_already_set();
 }
 
-CommandRun::CommandRun(std::vector<std::string> arguments)
+CommandRun::CommandRun(std::vector<std::string> arguments, Environment::Names names)
     : m_interrupt(Interrupt::Signals::AreLeftAlone)
 {
     const py::gil_scoped_release released;
-    m_thread = std::thread([this, arguments = std::move(arguments)] { work(arguments); });
+    m_thread = std::thread([this, arguments = std::move(arguments), names = std::move(names)] {
+        work(arguments, names);
+    });
 }
 
 CommandRun::~CommandRun()
@@ -198,11 +200,11 @@ EmbeddedTakers CommandRun::takers()
         }};
 }
 
-void CommandRun::work(const std::vector<std::string>& arguments)
+void CommandRun::work(const std::vector<std::string>& arguments, const Environment::Names& names)
 {
     try {
         makeQtApplication();
-        EmbeddedEnd end = runEmbedded(arguments, m_interrupt, takers());
+        EmbeddedEnd end = runEmbedded(arguments, m_interrupt, takers(), names);
         const std::lock_guard lock(m_mutex);
         m_end = std::move(end);
     } catch (...) {

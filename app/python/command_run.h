@@ -21,7 +21,8 @@ namespace axiscomp::app {
 /// lock, which is released while they wait.
 class CommandRun {
 public:
-    explicit CommandRun(std::vector<std::string> arguments);
+    /// names: of files that stand for objects of Python.
+    explicit CommandRun(std::vector<std::string> arguments, Environment::Names names = {});
     CommandRun(const CommandRun&) = delete;
     CommandRun& operator=(const CommandRun&) = delete;
     ~CommandRun();
@@ -39,7 +40,7 @@ public:
     void stop();
 
 private:
-    void work(const std::vector<std::string>& arguments);
+    void work(const std::vector<std::string>& arguments, const Environment::Names& names);
     [[nodiscard]] EmbeddedTakers takers();
     /// Waits without the interpreter's lock until there is something new; takes what was said.
     [[nodiscard]] std::vector<std::string> waitForNews(bool forReading);

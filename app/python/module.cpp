@@ -53,9 +53,9 @@ py::list commandFacts()
     return list;
 }
 
-py::tuple run(std::vector<std::string> arguments, const py::object& echo)
+py::tuple run(std::vector<std::string> arguments, const py::object& echo, Environment::Names names)
 {
-    return CommandRun(std::move(arguments)).end(echo);
+    return CommandRun(std::move(arguments), std::move(names)).end(echo);
 }
 
 } // namespace
@@ -64,7 +64,8 @@ PYBIND11_MODULE(_axiscomp, module)
 {
     module.attr("__version__") = AXISCOMP_VERSION;
     module.def("commands", &commandFacts);
-    module.def("run", &run, py::arg("arguments"), py::arg("echo") = py::none());
+    module.def("run", &run, py::arg("arguments"), py::arg("echo") = py::none(),
+        py::arg("names") = Environment::Names());
     py::class_<CommandRun>(module, "Readings")
         .def(py::init<std::vector<std::string>>(), py::arg("arguments"))
         .def("next", &CommandRun::nextReading)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From a measurement to a table and a verdict."""
 
+import json
 import os
 import pickle
 import tempfile
@@ -52,6 +53,7 @@ class Measurements(unittest.TestCase):
     def test_a_fit_gives_the_table_that_takes_the_error(self):
         fit = axiscomp.fit(made(), lookup_at="encoder", zero="keep")
         (table,) = fit.tables
+        self.assertNotIn("/axiscomp-", "".join(table.notes))
         # What is added is reference - encoder where the encoder stands: 1e-4 of the position, the zero kept.
         numpy.testing.assert_allclose(table.lookup([0, 10, 40]), [0, 0.001, 0.004], atol=2e-6)
         self.assertLess(fit["predicted"]["E"], 1e-6)
@@ -112,7 +114,8 @@ class Measurements(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             record = Path(folder) / "x.axcal"
             axiscomp.fit(made(), lookup_at="encoder", zero="keep", record=record, tolerance="A=5um")
-            self.assertTrue(record.exists())
+            kept = json.loads(record.read_text())["before"]["files"]
+            self.assertEqual([file["file"] for file in kept], ["measurement.csv"])
             after = axiscomp.Measurement(
                 made().targets, up=[0 * made().targets] * 2, down=[0 * made().targets] * 2, axis="X"
             )

@@ -75,7 +75,8 @@ Result<Measurement> readOne(Environment& environment, const MeasurementInputOpti
         return fail(measurementError(shown, result));
     input.warnings.insert(
         input.warnings.end(), result.diagnostics.begin(), result.diagnostics.end());
-    input.sources.push_back({file, std::string(format->facts.name), sha256Of(text)});
+    input.sources.push_back(
+        {environment.nameOf(file), std::string(format->facts.name), sha256Of(text)});
     return std::move(*result.measurement);
 }
 

@@ -40,6 +40,12 @@ void Environment::print(std::string_view text)
         m_console.print(text);
 }
 
+std::string Environment::nameOf(const std::string& file) const
+{
+    const auto found = m_names.find(file);
+    return found == m_names.end() ? file : found->second;
+}
+
 void Environment::document(const Json& json)
 {
     if (m_documents)

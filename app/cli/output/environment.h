@@ -7,7 +7,9 @@
 #include "core/text/diagnostic.h"
 
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace axiscomp::app {
@@ -29,6 +31,11 @@ public:
     [[nodiscard]] bool json() const { return m_json; }
     /// Text for people on standard output.
     void print(std::string_view text);
+    /// How files are called that stand for something in memory: such a name is kept in records.
+    using Names = std::map<std::string, std::string>;
+    void callFiles(Names names) { m_names = std::move(names); }
+    [[nodiscard]] std::string nameOf(const std::string& file) const;
+
     /// The one JSON document of the command.
     void document(const Json& json);
     /// Whether somebody takes them.
@@ -51,6 +58,7 @@ private:
     bool m_json = false;
     Taker m_documents;
     Taker m_readings;
+    Names m_names;
     Json m_diagnostics = Json::array();
 };
 

@@ -10,7 +10,7 @@ __version__: str
 
 def commands() -> list[dict[str, Any]]: ...
 def run(
-    arguments: Sequence[str], echo: Callable[[str], None] | None = None
+    arguments: Sequence[str], echo: Callable[[str], None] | None = None, names: Mapping[str, str] = {}
 ) -> tuple[str, Any, bytes, list[str]]: ...
 
 class Readings:

@@ -50,7 +50,7 @@ class _Files:
     def __init__(self) -> None:
         self._stack = ExitStack()
         self._folder: Path | None = None
-        self._names: dict[str, str] = {}
+        self.names: dict[str, str] = {}
 
     def __enter__(self) -> "_Files":
         return self
@@ -61,17 +61,17 @@ class _Files:
     def put(self, content: bytes, name: str) -> str:
         if self._folder is None:
             self._folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="axiscomp-")))
-        place = self._folder / str(len(self._names) + 1)
+        place = self._folder / str(len(self.names) + 1)
         place.mkdir()
         file = place / name
         file.write_bytes(content)
-        self._names[str(file)] = name
+        self.names[str(file)] = name
         return str(file)
 
     def named(self, said: Any) -> Any:
         """What was said of these files, without the folder that nobody knows."""
         if isinstance(said, str):
-            for file, name in self._names.items():
+            for file, name in self.names.items():
                 said = said.replace(file, name)
         elif isinstance(said, list):
             return [self.named(element) for element in said]
@@ -187,7 +187,7 @@ def call(
             words += _words(parameter, value, files)
         words += [_positional(place, files) for place in positionals if place is not None]
         try:
-            outcome, document, output, notes = _axiscomp.run(words, echo)
+            outcome, document, output, notes = _axiscomp.run(words, echo, files.names)
         except Error as error:
             raise type(error)(*map(files.named, error.args)).with_traceback(error.__traceback__) from None
         document, notes = files.named(document), files.named(notes)
@@ -207,6 +207,7 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
         with open(file, "rb") as stream:
             document.tables = _axiscomp.tables_of_csv(stream.read(), len(document["table"]["axes"]))
     document["output"] = None
+    document.notes = files.named(document.notes)
     document.text = "".join(line for line in document.text.splitlines(True) if file not in line).rstrip("\n") + "\n"
     return document
 
