@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/output/environment.h"
 #include "app/cli/program.h"
 #include "core/base/result.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/output/environment.h"
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
 #include "app/python/measurement_object.h"
