@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace axiscomp {
 
@@ -17,6 +18,17 @@ namespace {
 bool endsPlan(const Error& error)
 {
     return isLinkFailure(error.code) || error.code == ErrorCode::Cancelled;
+}
+
+/// Errors: those of AxisCompensator::identify, OtherDrive.
+Result<DriveIdentity> identifyAs(
+    AxisCompensator& compensator, std::int32_t serialNumber, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto drive, compensator.identify(options));
+    if (drive.serialNumber != serialNumber)
+        return fail(
+            ErrorCode::OtherDrive, {{"expected", serialNumber}, {"found", drive.serialNumber}});
+    return drive;
 }
 
 /// Plans the axes of one drive.
@@ -57,10 +69,7 @@ Result<DrivePlan> DrivePlanner::plan(
     const MachineDrive& drive, std::span<const MachineTable> tables)
 {
     DrivePlan result;
-    AXISCOMP_TRY(result.drive, m_compensator.identify(m_options));
-    if (result.drive.serialNumber != drive.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", drive.serialNumber}, {"found", result.drive.serialNumber}});
+    AXISCOMP_TRY(result.drive, identifyAs(m_compensator, drive.serialNumber, m_options));
     for (std::size_t n = 0; n < drive.axes.size(); ++n) {
         AxisPlan& plan = result.axes.emplace_back();
         plan.name = drive.axes[n].axis;
@@ -346,9 +355,10 @@ Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& pr
     return DrivePlanner(compensator, profile, context, options).plan(drive, tables);
 }
 
-std::vector<AxisOutcome> applyPlan(AxisCompensator& compensator, const DrivePlan& plan,
+Result<std::vector<AxisOutcome>> applyPlan(AxisCompensator& compensator, const DrivePlan& plan,
     const MachineContext& context, const OperationOptions& options)
 {
+    AXISCOMP_CHECK(identifyAs(compensator, plan.drive.serialNumber, options));
     return DriveApplication(compensator, plan, context, options).run();
 }
 

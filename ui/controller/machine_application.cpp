@@ -160,6 +160,13 @@ void MachineApplication::start(
     endWhenDone();
 }
 
+Result<MachineApplication::Outcomes> MachineApplication::applied(AxisCompensator& compensator,
+    const DrivePlan& plan, const MachineContext& context, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto outcomes, applyPlan(compensator, plan, context, options));
+    return std::make_shared<const std::vector<AxisOutcome>>(std::move(outcomes));
+}
+
 void MachineApplication::begin(std::size_t index, const MachineContext& context)
 {
     DriveSession& session = connectionOf(m_written[index].planned.endpoint)->session();
@@ -167,8 +174,7 @@ void MachineApplication::begin(std::size_t index, const MachineContext& context)
     own.storeRoot = session.storeRoot();
     const auto apply = [look = m_written[index].planned.look, own](AxisCompensator& compensator,
                            const OperationOptions& options) -> Result<Outcomes> {
-        return Outcomes(std::make_shared<const std::vector<AxisOutcome>>(
-            applyPlan(compensator, *look->plan, own, options)));
+        return applied(compensator, *look->plan, own, options);
     };
     whenDone(session.run<Outcomes>(apply, m_stop.get_token()), this,
         [this, index, run = m_run](const Result<Outcomes>& outcomes) {
@@ -190,8 +196,7 @@ void MachineApplication::beginCurrent(std::size_t index, const MachineContext& c
             const std::filesystem::path& store, const OperationOptions& options) {
             MachineContext own = context;
             own.storeRoot = store;
-            Outcomes outcomes = std::make_shared<const std::vector<AxisOutcome>>(
-                applyPlan(compensator, *look->plan, own, options));
+            Result<Outcomes> outcomes = applied(compensator, *look->plan, own, options);
             OperationOptions quiet = options;
             quiet.stop = {};
             quiet.progress = {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/result.h"
 #include "core/machine/machine_plan.h"
 #include "ui/controller/operation_runner.h"
 
@@ -65,6 +66,8 @@ private:
     using Outcomes = std::shared_ptr<const std::vector<AxisOutcome>>;
 
     [[nodiscard]] DriveConnection* connectionOf(const QString& endpoint) const;
+    [[nodiscard]] static Result<Outcomes> applied(AxisCompensator& compensator,
+        const DrivePlan& plan, const MachineContext& context, const OperationOptions& options);
     void begin(std::size_t index, const MachineContext& context);
     void beginCurrent(std::size_t index, const MachineContext& context);
     void take(std::size_t index, const Result<Outcomes>& outcomes);

@@ -146,8 +146,9 @@ void applyMachine(Environment& environment, const MachineOptions& options, Machi
             drives.push_back(&drive);
     forEachDrive(environment, options, std::move(drives), "write",
         [&](MachineDriveRun& drive, CommandSession& session) -> Result<void> {
-            drive.outcomes = applyPlan(session.compensator(), *drive.plan,
-                contextOf(options, session), session.quietOperation());
+            AXISCOMP_TRY(drive.outcomes,
+                applyPlan(session.compensator(), *drive.plan, contextOf(options, session),
+                    session.quietOperation()));
             return {};
         });
 }

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_plan.h"
+#include "tests/support/compensator_fixture.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tst_machineplan {
+
+using namespace axiscomp;
+using test::CompensatorFixture;
+
+namespace {
+
+/// A drive of which axis 0 shall have the example table.
+struct Machine {
+    CompensatorFixture bench;
+    MachineDrive drive;
+    std::vector<MachineTable> tables = std::vector<MachineTable>(1);
+    MachineContext context;
+
+    Machine()
+    {
+        drive.serialNumber = 4711;
+        MachineAxis& axis = drive.axes.emplace_back();
+        axis.axis = "0";
+        axis.file = "example.csv";
+        axis.sources = std::vector<std::string>{test::masterX, test::masterY};
+        tables[0].table = test::exampleTable(2);
+        context.storeRoot = std::filesystem::path(bench.folder.path().toStdString()) / "axiscomp";
+    }
+    [[nodiscard]] Result<DrivePlan> plan()
+    {
+        return planDrive(
+            bench.compensator, drivecomm::genericProfile(), drive, tables, context, {});
+    }
+    [[nodiscard]] Result<std::vector<AxisOutcome>> apply(const DrivePlan& planned)
+    {
+        return applyPlan(bench.compensator, planned, context, {});
+    }
+};
+
+} // namespace
+
+/// What a machine file says, compared with a drive and brought there.
+class TestMachinePlan : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void aPlanIsCarriedOut()
+    {
+        Machine machine;
+        const auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        QVERIFY(plan->axes.at(0).writes());
+        const auto outcomes = machine.apply(*plan);
+        QVERIFY(outcomes.has_value());
+        QVERIFY(outcomes->at(0).report.has_value());
+        const auto again = machine.plan();
+        QVERIFY(again.has_value());
+        QVERIFY(!again->differs());
+    }
+
+    void aPlanIsNotCarriedOutOnAnotherDrive()
+    {
+        Machine machine;
+        auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        plan->drive.serialNumber = 4712; // which was there when it was made
+        const auto before = machine.bench.state();
+        const auto outcomes = machine.apply(*plan);
+        QVERIFY(!outcomes.has_value());
+        QCOMPARE(outcomes.error().code, ErrorCode::OtherDrive);
+        QVERIFY(machine.bench.state() == before);
+    }
+};
+
+AXISCOMP_TEST(TestMachinePlan)
+
+} // namespace tst_machineplan
+
+#include "tst_machineplan.moc"
