@@ -6,6 +6,7 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
 #include "core/table/position_unit.h"
+#include "core/write/write_planner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -249,6 +250,7 @@ public:
     }
 
 private:
+    [[nodiscard]] Result<Activation> switchOne(const AxisPlan& axis, Switch wanted);
     [[nodiscard]] bool switchAll(Switch wanted);
     [[nodiscard]] bool writeAxis(std::size_t index);
     [[nodiscard]] bool writeAll();
@@ -261,6 +263,16 @@ private:
     std::vector<AxisOutcome> m_outcomes;
 };
 
+/// An axis that was just written has been looked at by that.
+Result<Activation> DriveApplication::switchOne(const AxisPlan& axis, Switch wanted)
+{
+    if (wanted == Switch::Activate && !axis.writes()) {
+        AXISCOMP_TRY(const auto now, m_compensator.status(axis.axis, m_options));
+        AXISCOMP_CHECK(checkAsPlanned(axis.plan.before, now));
+    }
+    return m_compensator.switchTo(axis.axis, wanted, proofSamples, m_options);
+}
+
 bool DriveApplication::switchAll(Switch wanted)
 {
     for (std::size_t n = 0; n < m_plan.axes.size() && m_context.activates; ++n) {
@@ -268,8 +280,7 @@ bool DriveApplication::switchAll(Switch wanted)
             continue;
         AxisOutcome& outcome = m_outcomes[n];
         outcome.isAttempted = true;
-        auto activation =
-            m_compensator.switchTo(m_plan.axes[n].axis, wanted, proofSamples, m_options);
+        auto activation = switchOne(m_plan.axes[n], wanted);
         if (!activation)
             outcome.problem = std::move(activation).error();
         else if (activation->proof && !*activation->proof)

@@ -81,12 +81,12 @@ struct AxisOutcome {
     std::optional<AxisStatus> now; ///< none: it cannot be read
 };
 
-/// Carries a plan without problems and obstacles out: writes axis after axis, those
-/// with a slot of their own first, each as AxisCompensator::write does, up to the first that fails;
+/// Carries a plan without problems and obstacles out: writes axis after axis, those with a slot of
+/// their own first, each as AxisCompensator::write does, up to the first that fails;
 /// then switches, when context says so. An axis that somebody has changed since it was planned is
-/// not written (ChangedMeanwhile). One outcome for each axis. Errors, with nothing done: those of
-/// the link, Cancelled; OtherDrive when another drive has taken the place of the one that was
-/// planned.
+/// neither written nor switched on (ChangedMeanwhile). One outcome for each axis. Errors, with
+/// nothing done: those of the link, Cancelled; OtherDrive when another drive has taken the place of
+/// the one that was planned.
 [[nodiscard]] Result<std::vector<AxisOutcome>> applyPlan(AxisCompensator& compensator,
     const DrivePlan& plan, const MachineContext& context, const OperationOptions& options);
 

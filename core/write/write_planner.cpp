@@ -86,6 +86,17 @@ Text setupText(const CompensationSetup& setup)
         .with("sources", sources);
 }
 
+Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& now)
+{
+    if (planned == now.setup)
+        return {};
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what",
+             AXISCOMP_TEXT("Error", "the settings of {axis}")
+                 .with("axis", axisText(now.axis.index, now.axis.name))},
+            {"before", setupText(planned)}, {"now", setupText(now.setup)}});
+}
+
 Text axisText(int index, const std::string& name)
 {
     return (name.empty() ? AXISCOMP_TEXT("Error", "axis {axis}")
@@ -119,12 +130,8 @@ Result<void> WritePlanner::readAxis(int axis)
 Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
 {
     const int axis = m_axis;
-    if (request.expected && !(*request.expected == m_status.setup))
-        return fail(ErrorCode::ChangedMeanwhile,
-            {{"what",
-                 AXISCOMP_TEXT("Error", "the settings of {axis}")
-                     .with("axis", axisText(axis, m_status.axis.name))},
-                {"before", setupText(*request.expected)}, {"now", setupText(m_status.setup)}});
+    if (request.expected)
+        AXISCOMP_CHECK(checkAsPlanned(*request.expected, m_status));
 
     AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
     m_saved = std::move(saved);

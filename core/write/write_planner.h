@@ -88,6 +88,8 @@ private:
 
 /// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
 [[nodiscard]] Text setupText(const CompensationSetup& setup);
+/// That an axis is still as it was when it was planned for. Errors: ChangedMeanwhile.
+[[nodiscard]] Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& now);
 /// "axis 0 (X)"
 [[nodiscard]] Text axisText(int index, const std::string& name);
 

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,44 @@ private Q_SLOTS:
         QVERIFY(!outcomes.has_value());
         QCOMPARE(outcomes.error().code, ErrorCode::OtherDrive);
         QVERIFY(machine.bench.state() == before);
+    }
+
+    /// It would work with a table that nobody has planned.
+    void anAxisThatSomebodyHasChangedIsNotSwitchedOn()
+    {
+        Machine machine;
+        machine.drive.axes[0].isActive = true;
+        machine.context.activates = true;
+        auto& compensator = machine.bench.compensator;
+        QVERIFY(compensator.write(0, test::exampleRequest(), {}).has_value());
+        const auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        QVERIFY(!plan->axes.at(0).writes());
+        QVERIFY(plan->axes[0].switches == std::optional(Switch::Activate));
+        QVERIFY(compensator.write(0, test::exampleRequest(2), {}).has_value());
+        const auto outcomes = machine.apply(*plan);
+        QVERIFY(outcomes.has_value());
+        QVERIFY(outcomes->at(0).problem.has_value());
+        QCOMPARE(outcomes->at(0).problem->code, ErrorCode::ChangedMeanwhile);
+        QVERIFY(outcomes->at(0).now.has_value());
+        QVERIFY(!outcomes->at(0).now->isOn());
+        const auto again = machine.plan();
+        QVERIFY(again.has_value());
+        QVERIFY(again->axes.at(0).writes());
+    }
+
+    void anAxisThatNobodyHasChangedIsSwitchedOn()
+    {
+        Machine machine;
+        machine.drive.axes[0].isActive = true;
+        machine.context.activates = true;
+        QVERIFY(machine.bench.compensator.write(0, test::exampleRequest(), {}).has_value());
+        const auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        const auto outcomes = machine.apply(*plan);
+        QVERIFY(outcomes.has_value());
+        QVERIFY(!outcomes->at(0).problem.has_value());
+        QVERIFY(outcomes->at(0).now->isOn());
     }
 };
 
