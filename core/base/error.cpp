@@ -319,6 +319,11 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::LargeCorrection && error.context.contains("machineAxis"))
+        return {AXISCOMP_TEXT("Error",
+                    "{reason} Check the unit of the values; if they are right, confirm them with "
+                    "accept-large = true for axis {machineAxis} in the machine file"),
+            error.context};
     if (error.code == ErrorCode::InvalidConfiguration && error.context.contains("machine"))
         return {AXISCOMP_COUNTED("Error", "{file} is not a valid machine file: {count} problems",
                     "{file} is not a valid machine file: one problem"),

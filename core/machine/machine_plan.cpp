@@ -190,13 +190,16 @@ void DrivePlanner::findObstacle(AxisPlan& plan) const
     const bool isSwitchedOff =
         m_context.activates && plan.switches == std::optional(Switch::Deactivate);
     const bool activates = m_context.activates && plan.switches == std::optional(Switch::Activate);
-    if (plan.writes() && plan.before.isOn() && !isSwitchedOff)
+    if (plan.writes() && plan.before.isOn() && !isSwitchedOff) {
         plan.obstacle = compensationActive(plan.before);
-    else if (auto accepted = checkLargeAccepted(plan.plan, plan.request);
-             plan.writes() && !accepted)
+    } else if (auto accepted = checkLargeAccepted(plan.plan, plan.request);
+               plan.writes() && !accepted) {
         plan.obstacle = std::move(accepted).error();
-    else if (activates && !plan.before.axis.isHomed)
+        // There and nowhere else.
+        plan.obstacle->context.set("machineAxis", Verbatim{plan.name});
+    } else if (activates && !plan.before.axis.isHomed) {
         plan.obstacle = Error{ErrorCode::NotHomed, {{"axis", plan.axis}}, {}};
+    }
 }
 
 /// By its index and by its name.

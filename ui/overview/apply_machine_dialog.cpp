@@ -231,12 +231,8 @@ QStringList ApplyMachineDialog::warnings() const
         warnings +=
             tr("%1: %2", "drive or axis, and warning").arg(machinePlaceText(drive, axis), what);
     };
-    for (const auto& obstacle : m_machine.obstacles(m_allowsMissing->isChecked())) {
-        QString what = errorText(obstacle.problem.error);
-        if (obstacle.problem.error.code == ErrorCode::LargeCorrection)
-            what += u' ' + tr("In a machine file that is “accept-large = true” of this axis.");
-        add(*obstacle.drive, obstacle.problem.axis, what);
-    }
+    for (const auto& obstacle : m_machine.obstacles(m_allowsMissing->isChecked()))
+        add(*obstacle.drive, obstacle.problem.axis, errorText(obstacle.problem.error));
     for (const MachineDriveState& drive : m_machine.drives()) {
         if (!drive.isConnected)
             add(drive, {}, tr("This drive is not among the connections any more."));

@@ -89,12 +89,12 @@ private Q_SLOTS:
         machine.drive.axes[0].isActive = true;
         machine.context.activates = true;
         auto& compensator = machine.bench.compensator;
-        QVERIFY(compensator.write(0, test::exampleRequest(), {}).has_value());
+        QVERIFY(compensator.write(0, test::exampleRequest()).has_value());
         const auto plan = machine.plan();
         QVERIFY(plan.has_value());
         QVERIFY(!plan->axes.at(0).writes());
         QVERIFY(plan->axes[0].switches == std::optional(Switch::Activate));
-        QVERIFY(compensator.write(0, test::exampleRequest(2), {}).has_value());
+        QVERIFY(compensator.write(0, test::exampleRequest(2)).has_value());
         const auto outcomes = machine.apply(*plan);
         QVERIFY(outcomes.has_value());
         QVERIFY(outcomes->at(0).problem.has_value());
@@ -106,12 +106,28 @@ private Q_SLOTS:
         QVERIFY(again->axes.at(0).writes());
     }
 
+    void aLargeCorrectionIsConfirmedInTheFileAndNowhereElse()
+    {
+        Machine machine;
+        machine.tables[0].table->values[3] = 5.0F;
+        const auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        const auto& obstacle = plan->axes.at(0).obstacle;
+        QVERIFY(obstacle.has_value());
+        QCOMPARE(obstacle->code, ErrorCode::LargeCorrection);
+        const std::string said = sentence(*obstacle);
+        QVERIFY2(
+            said.find("accept-large = true for axis 0 in the machine file") != std::string::npos,
+            said.c_str());
+        QVERIFY2(said.find("preview") == std::string::npos, said.c_str());
+    }
+
     void anAxisThatNobodyHasChangedIsSwitchedOn()
     {
         Machine machine;
         machine.drive.axes[0].isActive = true;
         machine.context.activates = true;
-        QVERIFY(machine.bench.compensator.write(0, test::exampleRequest(), {}).has_value());
+        QVERIFY(machine.bench.compensator.write(0, test::exampleRequest()).has_value());
         const auto plan = machine.plan();
         QVERIFY(plan.has_value());
         const auto outcomes = machine.apply(*plan);
