@@ -27,12 +27,30 @@ void RowList::addRow(const QStringList& texts)
 {
     const int row = rowCount();
     insertRow(row);
-    for (qsizetype column = 0; column < texts.size(); ++column) {
-        auto* item = new QTableWidgetItem(texts[column]);
-        item->setToolTip(texts[column]);
-        item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-        setItem(row, static_cast<int>(column), item);
+    for (qsizetype column = 0; column < texts.size(); ++column)
+        setCell(row, static_cast<int>(column), texts[column]);
+}
+
+void RowList::setRows(const QList<QStringList>& rows)
+{
+    setRowCount(static_cast<int>(rows.size()));
+    for (int row = 0; row < rowCount(); ++row)
+        for (int column = 0; column < columnCount(); ++column)
+            setCell(row, column, rows[row].value(column));
+}
+
+void RowList::setCell(int row, int column, const QString& text)
+{
+    QTableWidgetItem* cell = item(row, column);
+    if (cell && cell->text() == text)
+        return;
+    if (!cell) {
+        cell = new QTableWidgetItem;
+        cell->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+        setItem(row, column, cell);
     }
+    cell->setText(text);
+    cell->setToolTip(text);
 }
 
 } // namespace axiscomp::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QList>
 #include <QStringList>
 #include <QTableWidget>
 
@@ -14,6 +15,11 @@ public:
     RowList(const char* name, int columns, QWidget* parent = nullptr);
 
     void addRow(const QStringList& texts);
+    /// These and no others. What is the same stays as it is, and with it where somebody reads.
+    void setRows(const QList<QStringList>& rows);
+
+private:
+    void setCell(int row, int column, const QString& text);
 };
 
 } // namespace axiscomp::ui

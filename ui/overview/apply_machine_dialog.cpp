@@ -180,12 +180,12 @@ void ApplyMachineDialog::refresh()
 
 void ApplyMachineDialog::fillPlans()
 {
-    m_rows->setRowCount(0);
+    QList<QStringList> rows;
     QStringList remarks;
     for (const MachineDriveState& drive : m_machine.drives()) {
         if (!drive.look || !drive.look->plan)
             continue;
-        addPlans(drive);
+        rows += plannedRows(drive);
         for (const AxisPlan& plan : drive.look->plan->axes)
             for (const QString& remark : driftRemarks(plan))
                 remarks +=
@@ -193,6 +193,7 @@ void ApplyMachineDialog::fillPlans()
                         .arg(axisOfDriveText(qString(drive.look->plan->drive.name), plan.name),
                             remark);
     }
+    m_rows->setRows(rows);
     if (const QStringList now = warnings(); now != m_warnings->warnings())
         m_warnings->setWarnings(now);
     m_remarks->setText(remarks.join(u'\n'));
@@ -200,8 +201,9 @@ void ApplyMachineDialog::fillPlans()
 }
 
 /// Axes that nothing happens to are not listed.
-void ApplyMachineDialog::addPlans(const MachineDriveState& drive)
+QList<QStringList> ApplyMachineDialog::plannedRows(const MachineDriveState& drive) const
 {
+    QList<QStringList> rows;
     std::vector<AxisEntry> axes;
     std::ranges::copy_if(m_controller.axes(), std::back_inserter(axes),
         [&](const AxisEntry& entry) { return entry.endpoint == drive.endpoint; });
@@ -218,9 +220,10 @@ void ApplyMachineDialog::addPlans(const MachineDriveState& drive)
             before += tr("%1: %2", "field and value").arg(line.field, line.before);
             after += tr("%1: %2", "field and value").arg(line.field, line.after);
         }
-        m_rows->addRow({axisOfDriveText(qString(drive.look->plan->drive.name), plan.name),
-            before.join(u'\n'), after.join(u'\n')});
+        rows += QStringList{axisOfDriveText(qString(drive.look->plan->drive.name), plan.name),
+            before.join(u'\n'), after.join(u'\n')};
     }
+    return rows;
 }
 
 QStringList ApplyMachineDialog::warnings() const
@@ -255,7 +258,7 @@ void ApplyMachineDialog::fillOutcomes()
 {
     m_rows->setHorizontalHeaderLabels({tr("Axis"), tr("Outcome"), tr("It holds")});
     m_rows->setAccessibleName(tr("What has become of each axis"));
-    m_rows->setRowCount(0);
+    QList<QStringList> rows;
     QStringList failures;
     for (const MachineApplication::Written& written : m_machine.application().drives()) {
         const QString& drive = written.planned.name;
@@ -266,18 +269,19 @@ void ApplyMachineDialog::fillOutcomes()
                 const QString step = !written.isUnderWay ? tr("not known")
                     : written.step.isEmpty()             ? tr("waits")
                                                          : stepText(written.step);
-                m_rows->addRow({name, step, QString()});
+                rows += QStringList{name, step, QString()};
                 continue;
             }
             const AxisOutcome& outcome = written.outcomes[n];
-            m_rows->addRow({name, translated(outcomeText(plans[n], outcome)),
-                outcome.now ? translated(heldText(*outcome.now)) : tr("not known")});
+            rows += QStringList{name, translated(outcomeText(plans[n], outcome)),
+                outcome.now ? translated(heldText(*outcome.now)) : tr("not known")};
             if (outcome.problem)
                 failures += tr("%1: %2", "axis and problem").arg(name, errorText(*outcome.problem));
         }
         if (written.problem)
             failures += tr("%1: %2", "drive and problem").arg(drive, errorText(*written.problem));
     }
+    m_rows->setRows(rows);
     if (failures != m_warnings->warnings())
         m_warnings->setWarnings(failures);
     m_remarks->hide();

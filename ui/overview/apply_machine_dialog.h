@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QDialog>
+#include <QList>
+#include <QStringList>
 
 class QCheckBox;
 class QLabel;
@@ -40,12 +42,12 @@ private:
     void retranslate();
     void refresh();
     void fillPlans();
-    void addPlans(const MachineDriveState& drive);
     void fillOutcomes();
     void showReason();
     void showButtons();
     void apply();
     void end();
+    [[nodiscard]] QList<QStringList> plannedRows(const MachineDriveState& drive) const;
     [[nodiscard]] QStringList warnings() const;
     [[nodiscard]] QString costText() const;
 
