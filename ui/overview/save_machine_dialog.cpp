@@ -57,7 +57,8 @@ SaveMachineDialog::SaveMachineDialog(
     connect(m_save, &QPushButton::clicked, this, &SaveMachineDialog::askForFolder);
     connect(m_replace, &QPushButton::clicked, &m_saving, &MachineSaving::replace);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_drives, &QListWidget::itemChanged, this, &SaveMachineDialog::refresh);
+    connect(m_drives, &QListWidget::itemChanged, this, &SaveMachineDialog::takeChoice);
+    connect(m_name, &QLineEdit::textEdited, this, &SaveMachineDialog::takeChoice);
     connect(&m_saving, &MachineSaving::changed, this, &SaveMachineDialog::refresh);
     connect(&controller, &WizardController::drivesChanged, this, &SaveMachineDialog::listDrives);
     connect(&controller, &WizardController::busyChanged, this, &SaveMachineDialog::refresh);
@@ -150,6 +151,14 @@ void SaveMachineDialog::listDrives()
                 : drive.isDemo                   ? Qt::Unchecked
                                                  : Qt::Checked);
     }
+    refresh();
+}
+
+/// What was read and waits for an answer is not what is chosen now.
+void SaveMachineDialog::takeChoice()
+{
+    if (m_saving.stage() == Stage::Asking)
+        m_saving.drop();
     refresh();
 }
 

@@ -36,6 +36,7 @@ private:
     void build();
     void retranslate();
     void listDrives();
+    void takeChoice();
     void refresh();
     void askForFolder();
     void save(const QString& folder);

@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QTableView>
 #include <QTableWidget>
@@ -522,6 +523,24 @@ private Q_SLOTS:
                         .text()
                         .endsWith(QStringLiteral("machine.toml: drives: 1, tables: 1.")));
         QVERIFY(QFile::exists(bench.path(QStringLiteral("mill/1559-axis0.csv"))));
+    }
+
+    void whatIsChosenAnewIsNotSavedByTheAnswerToAnOlderQuestion()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.openWritten());
+        static_cast<void>(bench.file(QStringLiteral("machine.toml"), "mine\n"));
+        bench.picked = bench.path(QString());
+        user.the<QAction>("saveMachineAction").trigger();
+        QTRY_VERIFY(user.sees("saveMachineDialog"));
+        QTRY_VERIFY(user.the("saveMachineButton").isEnabled());
+        user.the<QPushButton>("saveMachineButton").click();
+        QTRY_VERIFY(user.sees("replaceMachineButton"));
+        user.the<QListWidget>("machineDrives").item(0)->setCheckState(Qt::Unchecked);
+        QVERIFY(!user.sees("replaceMachineButton"));
+        QCOMPARE(
+            user.the<QLabel>("saveMachineReason").text(), QStringLiteral("No drive is chosen."));
     }
 
     void aFileWithMistakesSaysWhereTheyAre()
