@@ -56,9 +56,15 @@ void MachineActions::close()
 
 void MachineActions::apply()
 {
-    if (!m_controller.machine().path().isEmpty()
-        && !m_controller.machine().application().isRunning())
-        (new ApplyMachineDialog(m_controller, &m_window))->open();
+    if (m_applying) {
+        m_applying->raise();
+        m_applying->activateWindow();
+        return;
+    }
+    if (m_controller.machine().path().isEmpty() || m_controller.machine().application().isRunning())
+        return;
+    m_applying = new ApplyMachineDialog(m_controller, &m_window);
+    m_applying->open();
 }
 
 void MachineActions::save()

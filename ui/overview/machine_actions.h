@@ -3,7 +3,9 @@
 
 #include "ui/dialogs/file_picker.h"
 
+#include <QDialog>
 #include <QObject>
+#include <QPointer>
 
 #include <functional>
 
@@ -28,7 +30,8 @@ public:
     void open(const QString& path);
     void planAgain();
     void close();
-    /// Shows what applying the file would change; it is done from there.
+    /// Shows what applying the file would change; it is done from there. The list of all axes can
+    /// ask for that again meanwhile: there is one such dialog.
     void apply();
     /// Running drives to a machine file.
     void save();
@@ -44,6 +47,7 @@ private:
     std::function<const FilePicker&()> m_picker;
     std::function<QString()> m_folder;
     QWidget& m_window;
+    QPointer<QDialog> m_applying;
 };
 
 } // namespace axiscomp::ui

@@ -8,6 +8,7 @@
 #include "ui/style/contrast.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -506,6 +507,26 @@ private Q_SLOTS:
         QVERIFY(!(bench.state() == before));
         user.the<QPushButton>("closeApplyButton").click();
         QTRY_VERIFY(!user.find("applyMachineDialog"));
+    }
+
+    /// A second one would switch off what is chosen in the first.
+    void thereIsOneDialogToApplyAMachineFile()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), first1D));
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\n" + driveSection(bench.served.url(), 1559) + axisSection("X"));
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("overview"));
+        user.the<QAction>("applyMachineAction").trigger();
+        QTRY_VERIFY(user.sees("applyMachineDialog"));
+        QTRY_VERIFY(user.the("applyMachine").isEnabled());
+        user.the<QPushButton>("applyMachine").click();
+        const auto count =
+            bench.wizard.findChildren<QDialog*>(QStringLiteral("applyMachineDialog")).size();
+        QCOMPARE(count, qsizetype(1));
     }
 
     void aPersonSavesTheDrivesOfAMachine()
