@@ -214,10 +214,19 @@ void MachineController::followRow(int row)
     const OverviewRow& now = m_overview.rows().at(static_cast<std::size_t>(row));
     if (!now.axis || !now.status || m_machine.empty())
         return;
-    const auto seen = std::pair(now.status->setup, now.status->isOn());
+    const auto seenIn = [](const AxisStatus& status) {
+        return std::pair(status.setup, status.isOn());
+    };
+    const auto seen = seenIn(*now.status);
     const auto [known, isFirst] = m_seen.try_emplace(std::pair(now.endpoint, *now.axis), seen);
-    if (isFirst || known->second == seen)
+    if (isFirst) {
+        // What was compared may be older than the first that the overview says.
+        const AxisDrift drift = driftOf(now.endpoint, now.axis);
+        if (!drift.plan || drift.plan->problem || seenIn(drift.plan->before) == seen)
+            return;
+    } else if (known->second == seen) {
         return;
+    }
     known->second = seen;
     const auto drive = std::ranges::find(m_machine, now.endpoint, &Drive::endpoint);
     if (drive != m_machine.end())

@@ -223,6 +223,22 @@ private Q_SLOTS:
         QTRY_COMPARE(all.drift("http://x", 1).state, State::Differs);
     }
 
+    /// The overview has said nothing yet of what was compared.
+    void whatSomebodyElseChangesBeforeTheOverviewIsReadEndsWhatWasKnown()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.write(driveSection(QStringLiteral("http://x"), 4711)
+            + "[[drive.axis]]\naxis = \"Y\"\nno-table = true\nsources = [\"\"]\n")));
+        QCOMPARE(all.drift("http://x", 1).state, State::AsFile);
+        const auto source = all.bench.drive().drive.readRegisters({test::masterX});
+        QVERIFY(source.has_value());
+        all.bench.drive().set(
+            "Axes[1]/Parameters/Compensations/Axis/Dim1Source", source->front().address);
+        all.bench->overview().readNow();
+        QTRY_COMPARE(all.drift("http://x", 1).state, State::Differs);
+    }
+
     void anOperationDoesNotWaitForTheComparison()
     {
         Machine all;
