@@ -83,9 +83,14 @@ void DriveList::refresh()
 
 void DriveList::tryAgain(const QString& endpoint)
 {
+    if (DriveConnection* found = connectionTo(endpoint))
+        found->tryAgain();
+}
+
+DriveConnection* DriveList::connectionTo(const QString& endpoint) const
+{
     const auto found = std::ranges::find(m_connections, endpoint, &DriveConnection::endpoint);
-    if (found != m_connections.end())
-        (*found)->tryAgain();
+    return found == m_connections.end() ? nullptr : *found;
 }
 
 DriveConnection* DriveList::add(const QString& endpoint)
@@ -200,11 +205,7 @@ const AxisEntry& DriveList::currentEntry() const
 
 DriveConnection* DriveList::connection() const
 {
-    if (!m_current)
-        return nullptr;
-    const auto found =
-        std::ranges::find(m_connections, m_current->endpoint, &DriveConnection::endpoint);
-    return found == m_connections.end() ? nullptr : *found;
+    return m_current ? connectionTo(m_current->endpoint) : nullptr;
 }
 
 std::vector<AxisEntry> DriveList::usableAxes() const
@@ -254,6 +255,14 @@ void DriveList::retranslate()
     listDrives();
     nameAxes();
     Q_EMIT axesChanged();
+}
+
+Error connectionEndedTo(const QString& endpoint)
+{
+    return {ErrorCode::NotConnected,
+        {{"endpoint", endpoint.toStdString()},
+            {"reason", AXISCOMP_TEXT("Error", "the connection was ended")}},
+        {}};
 }
 
 } // namespace axiscomp::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "ui/controller/wizard_options.h"
 #include "ui/outcome/last_outcome.h"
 #include "ui/outcome/wizard_log.h"
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] const std::vector<AxisEntry>& axes() const { return m_axes; }
     /// In the order of drives().
     [[nodiscard]] const std::vector<DriveConnection*>& connections() const { return m_connections; }
+    /// endpoint: without a password. Null: there is none.
+    [[nodiscard]] DriveConnection* connectionTo(const QString& endpoint) const;
 
     /// Another entry of axes() becomes the current one.
     void select(int index);
@@ -95,5 +98,8 @@ private:
     std::optional<AxisKey> m_current;
     int m_currentIndex = -1;
 };
+
+/// NotConnected: there is no connection to it, or none any more.
+[[nodiscard]] Error connectionEndedTo(const QString& endpoint);
 
 } // namespace axiscomp::ui

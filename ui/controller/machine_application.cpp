@@ -14,19 +14,6 @@ namespace axiscomp::ui {
 
 namespace {
 
-QString axisOfDrive(const QString& drive, const std::string& axis)
-{
-    return QString::fromStdString(axis) + QStringLiteral(" · ") + drive;
-}
-
-Error connectionEnded(const QString& endpoint)
-{
-    return {ErrorCode::NotConnected,
-        {{"endpoint", endpoint.toStdString()},
-            {"reason", AXISCOMP_TEXT("Error", "the connection was ended")}},
-        {}};
-}
-
 struct Totals {
     QStringList written;
     QStringList failed;
@@ -45,7 +32,7 @@ Totals totalsOf(const std::vector<MachineApplication::Written>& drives)
         for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
             const AxisPlan& plan = drive.planned.look->plan->axes[n];
             const AxisOutcome& outcome = drive.outcomes[n];
-            const QString name = axisOfDrive(drive.planned.name, plan.name);
+            const QString name = axisOfDriveText(drive.planned.name, plan.name);
             if (outcome.problem) {
                 totals.failed += name;
                 totals.first = totals.first ? totals.first : outcome.problem;
@@ -87,7 +74,7 @@ public:
     [[nodiscard]] static QString ofAxis(
         const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome)
     {
-        const QString name = axisOfDrive(drive, plan.name);
+        const QString name = axisOfDriveText(drive, plan.name);
         const QString what = translated(outcomeText(plan, outcome));
         const QString said = outcome.now
             ? tr("%1: %2; it holds: %3.", "axis, what became of it, and its table")
@@ -125,13 +112,6 @@ bool MachineApplication::isRunning() const
     return std::ranges::any_of(m_written, &Written::isUnderWay);
 }
 
-DriveConnection* MachineApplication::connectionOf(const QString& endpoint) const
-{
-    const auto& all = m_drives.connections();
-    const auto found = std::ranges::find(all, endpoint, &DriveConnection::endpoint);
-    return found == all.end() ? nullptr : *found;
-}
-
 void MachineApplication::start(
     const QString& fileName, std::vector<Planned> drives, const MachineContext& context)
 {
@@ -148,9 +128,9 @@ void MachineApplication::start(
     m_log.add(LogLine::Kind::Information,
         [fileName] { return tr("Begin: applying the machine file %1.").arg(fileName); });
     for (std::size_t n = 0; n < m_written.size(); ++n) {
-        DriveConnection* connection = connectionOf(m_written[n].planned.endpoint);
+        DriveConnection* connection = m_drives.connectionTo(m_written[n].planned.endpoint);
         if (!connection || !connection->isConnected())
-            take(n, fail(connectionEnded(m_written[n].planned.endpoint)));
+            take(n, fail(connectionEndedTo(m_written[n].planned.endpoint)));
         else if (connection == m_drives.connection() && m_drives.hasCurrent())
             beginCurrent(n, context);
         else
@@ -169,7 +149,7 @@ Result<MachineApplication::Outcomes> MachineApplication::applied(AxisCompensator
 
 void MachineApplication::begin(std::size_t index, const MachineContext& context)
 {
-    DriveSession& session = connectionOf(m_written[index].planned.endpoint)->session();
+    DriveSession& session = m_drives.connectionTo(m_written[index].planned.endpoint)->session();
     MachineContext own = context;
     own.storeRoot = session.storeRoot();
     const auto apply = [look = m_written[index].planned.look, own](AxisCompensator& compensator,
@@ -230,7 +210,7 @@ void MachineApplication::take(std::size_t index, const Result<Outcomes>& outcome
     else
         written.problem = outcomes.error();
     note(written);
-    if (DriveConnection* connection = connectionOf(written.planned.endpoint);
+    if (DriveConnection* connection = m_drives.connectionTo(written.planned.endpoint);
         connection && written.problem && isLinkFailure(written.problem->code))
         connection->lose(*written.problem);
     Q_EMIT progressed();
@@ -276,7 +256,7 @@ void MachineApplication::showProgress(
     const DriveConnection* of, const QString& step, double fraction)
 {
     for (Written& written : m_written) {
-        if (!written.isUnderWay || connectionOf(written.planned.endpoint) != of)
+        if (!written.isUnderWay || m_drives.connectionTo(written.planned.endpoint) != of)
             continue;
         written.step = step;
         written.fraction = fraction;
@@ -289,7 +269,7 @@ void MachineApplication::abandon(const DriveConnection* connection)
 {
     for (std::size_t n = 0; n < m_written.size(); ++n)
         if (m_written[n].isUnderWay && m_written[n].planned.endpoint == connection->endpoint())
-            take(n, fail(connectionEnded(connection->endpoint())));
+            take(n, fail(connectionEndedTo(connection->endpoint())));
     endWhenDone();
 }
 
@@ -308,9 +288,9 @@ Outcome MachineApplication::outcome() const
     return ApplicationOutcome::of(m_fileName, m_written);
 }
 
-QString axisOutcomeText(const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome)
+QString axisOfDriveText(const QString& drive, const std::string& axis)
 {
-    return ApplicationOutcome::ofAxis(drive, plan, outcome);
+    return QString::fromStdString(axis) + QStringLiteral(" · ") + drive;
 }
 
 } // namespace axiscomp::ui

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace axiscomp::ui {
@@ -65,7 +66,6 @@ Q_SIGNALS:
 private:
     using Outcomes = std::shared_ptr<const std::vector<AxisOutcome>>;
 
-    [[nodiscard]] DriveConnection* connectionOf(const QString& endpoint) const;
     [[nodiscard]] static Result<Outcomes> applied(AxisCompensator& compensator,
         const DrivePlan& plan, const MachineContext& context, const OperationOptions& options);
     void begin(std::size_t index, const MachineContext& context);
@@ -88,8 +88,7 @@ private:
     int m_run = 0; ///< answers of an earlier one come too late
 };
 
-/// "X · Stage-7: written; it holds Small1, volatile, CRC 1C291CA3"
-[[nodiscard]] QString axisOutcomeText(
-    const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome);
+/// "X · Stage-7"
+[[nodiscard]] QString axisOfDriveText(const QString& drive, const std::string& axis);
 
 } // namespace axiscomp::ui

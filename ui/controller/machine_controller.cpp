@@ -152,9 +152,7 @@ void MachineController::connectDrives()
 
 DriveConnection* MachineController::connectionOf(const Drive& drive) const
 {
-    const auto& all = m_drives.connections();
-    const auto found = std::ranges::find(all, drive.endpoint, &DriveConnection::endpoint);
-    return found == all.end() ? nullptr : *found;
+    return m_drives.connectionTo(drive.endpoint);
 }
 
 /// A drive that has not been asked yet, answers again, or is another one now is asked.

@@ -68,25 +68,18 @@ void MachineSaving::save(const QStringList& endpoints, const QString& name, cons
     using Snapshot = std::shared_ptr<DriveSnapshot>;
     for (std::size_t n = 0; n < m_read.size() && m_stage == Stage::Reading; ++n) {
         const QString& endpoint = endpoints.at(static_cast<qsizetype>(n));
-        const auto& all = m_drives.connections();
-        const auto found = std::ranges::find(all, endpoint, &DriveConnection::endpoint);
-        if (found == all.end() || !(*found)->isConnected()) {
-            const bool isKnown = found != all.end() && (*found)->problem();
-            return giveUp(isKnown
-                    ? *(*found)->problem()
-                    : Error{ErrorCode::NotConnected,
-                        {{"endpoint", endpoint.toStdString()},
-                            {"reason", AXISCOMP_TEXT("Error", "the connection was ended")}},
-                        {}},
+        DriveConnection* connection = m_drives.connectionTo(endpoint);
+        if (!connection || !connection->isConnected())
+            return giveUp(connection && connection->problem() ? *connection->problem()
+                                                              : connectionEndedTo(endpoint),
                 endpoint);
-        }
         const auto read = [&profile = m_profile, place = endpoint.toStdString()](
                               AxisCompensator& compensator,
                               const OperationOptions& options) -> Result<Snapshot> {
             AXISCOMP_TRY(auto snapshot, snapshotDrive(compensator, profile, place, options));
             return std::make_shared<DriveSnapshot>(std::move(snapshot));
         };
-        whenDone((*found)->session().run<Snapshot>(read, m_stop.get_token()), this,
+        whenDone(connection->session().run<Snapshot>(read, m_stop.get_token()), this,
             [this, n, number = m_number](const Result<Snapshot>& snapshot) {
                 if (number == m_number)
                     take(n, snapshot);

@@ -2,6 +2,7 @@
 #include "ui/overview/apply_machine_dialog.h"
 
 #include "core/machine/machine_texts.h"
+#include "ui/controller/machine_application.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/dialogs/row_list.h"
@@ -31,11 +32,6 @@ namespace {
 
 constexpr int applyingSteps = 1000;
 enum ApplyColumn { AxisOfDrive, HeldNow, AsInFile, ApplyColumnCount };
-
-QString axisOfDriveText(const QString& drive, const std::string& axis)
-{
-    return QString::fromStdString(axis) + QStringLiteral(" · ") + drive;
-}
 
 } // namespace
 
