@@ -24,6 +24,25 @@ constexpr int writingSteps = 1000;
 
 } // namespace
 
+void sayLeaving(QPushButton& button, Leaving leaving, const QString& stopping)
+{
+    switch (leaving) {
+    case Leaving::Cancels:
+        button.setText(SeveralWritesDialog::tr("&Cancel"));
+        button.setToolTip(SeveralWritesDialog::tr("Change nothing and go back (Esc)"));
+        break;
+    case Leaving::StopsWrites:
+        button.setText(SeveralWritesDialog::tr("S&top"));
+        button.setToolTip(stopping);
+        break;
+    case Leaving::Closes:
+        button.setText(SeveralWritesDialog::tr("C&lose"));
+        button.setToolTip(SeveralWritesDialog::tr("Go back to the page (Esc)"));
+        break;
+    }
+    button.setAccessibleDescription(button.toolTip());
+}
+
 ToneLabel* wrappedLabel(const char* name)
 {
     auto* label = new ToneLabel;
@@ -226,21 +245,11 @@ void SeveralWritesDialog::showButtons()
                                              : reason());
     m_write->setAccessibleDescription(m_write->toolTip());
     m_close->setEnabled(m_state != State::Writing || m_controller.busy().canCancel);
-    switch (m_state) {
-    case State::Writing:
-        m_close->setText(tr("S&top"));
-        m_close->setToolTip(tr("Stops the writes; the current one is rolled back (Esc)"));
-        break;
-    case State::Ended:
-        m_close->setText(tr("C&lose"));
-        m_close->setToolTip(tr("Go back to the page (Esc)"));
-        break;
-    default:
-        m_close->setText(tr("&Cancel"));
-        m_close->setToolTip(tr("Change nothing and go back (Esc)"));
-        break;
-    }
-    m_close->setAccessibleDescription(m_close->toolTip());
+    sayLeaving(*m_close,
+        m_state == State::Writing     ? Leaving::StopsWrites
+            : m_state == State::Ended ? Leaving::Closes
+                                      : Leaving::Cancels,
+        tr("Stops the writes; the current one is rolled back (Esc)"));
 }
 
 QString SeveralWritesDialog::reason() const

@@ -87,6 +87,11 @@ private:
     QPushButton* m_close;
 };
 
+/// What the button does that leaves a dialog of writes.
+enum class Leaving { Cancels, StopsWrites, Closes };
+/// Text and tool tip. stopping: the tool tip while it stops the writes.
+void sayLeaving(QPushButton& button, Leaving leaving, const QString& stopping);
+
 /// A label of several lines; name: of the object.
 [[nodiscard]] ToneLabel* wrappedLabel(const char* name);
 

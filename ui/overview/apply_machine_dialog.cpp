@@ -326,21 +326,11 @@ void ApplyMachineDialog::showButtons()
     m_apply->setToolTip(m_apply->isEnabled() ? tr("Write these to the drives now") : obstacle);
     m_apply->setAccessibleDescription(m_apply->toolTip());
     m_close->setEnabled(m_state != State::Writing || !m_machine.application().isStopping());
-    switch (m_state) {
-    case State::Planning:
-        m_close->setText(tr("&Cancel"));
-        m_close->setToolTip(tr("Change nothing and go back (Esc)"));
-        break;
-    case State::Writing:
-        m_close->setText(tr("S&top"));
-        m_close->setToolTip(tr("Stops the writes; those under way are rolled back (Esc)"));
-        break;
-    case State::Ended:
-        m_close->setText(tr("C&lose"));
-        m_close->setToolTip(tr("Go back to the page (Esc)"));
-        break;
-    }
-    m_close->setAccessibleDescription(m_close->toolTip());
+    sayLeaving(*m_close,
+        m_state == State::Writing     ? Leaving::StopsWrites
+            : m_state == State::Ended ? Leaving::Closes
+                                      : Leaving::Cancels,
+        tr("Stops the writes; those under way are rolled back (Esc)"));
 }
 
 void ApplyMachineDialog::apply()
