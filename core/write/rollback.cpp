@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
-#include "core/base/bytes.h"
 #include "core/table/tam_table.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
@@ -86,9 +85,7 @@ Result<AxisStatus> WriteProcedure::confirmOldState(const RegisterAccess& access)
     const auto table = decodeTamTable(old->bytes, access.profile().layout);
     if (!table)
         return now; // it was no table before either
-    const std::uint32_t crc =
-        crc32(ByteView(old->bytes).last(table->table.values.size() * sizeof(float)));
-    if (now.table && now.table->crc == crc)
+    if (now.table && now.table->crc == elementCrcOf(old->bytes, table->table))
         return now;
     return fail(ErrorCode::VerifyMismatch,
         {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", old->slot)},

@@ -57,13 +57,12 @@ std::string sourceText(const std::string& drive, const DimSource& source)
     return source.path.empty() ? hexText(source.address) : sourceUri(drive, source.path);
 }
 
-/// The elements are the end of every table file.
+} // namespace
+
 std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table)
 {
     return crc32(file.last(table.values.size() * sizeof(float)));
 }
-
-} // namespace
 
 Text setupText(const CompensationSetup& setup)
 {

@@ -3,11 +3,13 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/axis/slot_state.h"
+#include "core/base/bytes.h"
 #include "core/store/drive_store.h"
 #include "core/table/table_units.h"
 #include "core/write/slot_choice.h"
 #include "core/write/write_plan.h"
 
+#include <cstdint>
 #include <map>
 
 namespace axiscomp {
@@ -86,6 +88,8 @@ private:
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };
 
+/// The elements are the end of every table file.
+[[nodiscard]] std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table);
 /// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
 [[nodiscard]] Text setupText(const CompensationSetup& setup);
 /// That an axis is still as it was when it was planned for. Errors: ChangedMeanwhile.
