@@ -2,8 +2,10 @@
 #include "ui/controller/machine_application.h"
 
 #include "core/machine/machine_texts.h"
+#include "core/text/utf8.h"
 #include "ui/text/message_text.h"
 #include "ui/text/translated_text.h"
+#include "ui/text/value_text.h"
 
 #include <QStringList>
 
@@ -290,7 +292,7 @@ Outcome MachineApplication::outcome() const
 
 QString axisOfDriveText(const QString& drive, const std::string& axis)
 {
-    return QString::fromStdString(axis) + QStringLiteral(" · ") + drive;
+    return qString(shownText(axis)) + QStringLiteral(" · ") + drive;
 }
 
 } // namespace axiscomp::ui

@@ -2,6 +2,7 @@
 #include "ui/overview/drift_text.h"
 
 #include "core/machine/machine_texts.h"
+#include "core/text/utf8.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/message_text.h"
 #include "ui/text/state_text.h"
@@ -84,7 +85,7 @@ public:
     }
     [[nodiscard]] static QString ofAxis(const QString& drive, const std::string& axis)
     {
-        return tr("%1, axis %2", "drive and axis").arg(drive, QString::fromStdString(axis));
+        return tr("%1, axis %2", "drive and axis").arg(drive, qString(shownText(axis)));
     }
     [[nodiscard]] static QString ofFile(const QString& file, const Diagnostic& problem)
     {
@@ -109,7 +110,7 @@ DriftLine tableLine(const AxisPlan& plan, const MachineAxis& wanted)
             QString::fromStdString(before.slot), plan.before.table->grid, plan.before.table->crc);
     if (plan.plan.table)
         line.after = DriftText::table(
-            QString::fromStdString(wanted.file), plan.plan.table->grid, plan.plan.after.tableCrc);
+            qString(shownText(wanted.file)), plan.plan.table->grid, plan.plan.after.tableCrc);
     return line;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/overview/machine_pane.h"
 
+#include "core/text/utf8.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/data/problem_model.h"
 #include "ui/overview/drift_text.h"
@@ -146,7 +147,7 @@ QString MachinePane::summary() const
     for (const Count& count : counts)
         if (count.count > 0)
             parts += count.words.arg(countText(count.count));
-    const QString name = qString(file->reading.machine->name);
+    const QString name = qString(shownText(file->reading.machine->name));
     const QString title =
         name.isEmpty() ? fileName : tr("%1 (%2)", "file and machine").arg(fileName, name);
     const QString said = tr("%1: axes %2.", "machine file and numbers of axes")

@@ -277,6 +277,23 @@ private Q_SLOTS:
         QCOMPARE(all.bench->endpoints().size(), 2);
     }
 
+    void aNameInTheFileIsShownWithoutMarkupAndCut()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\nname = \"<b>" + QByteArray(5000, 'M') + "\"\n"
+                + driveSection(bench.served.url(), 1559)
+                + "[[drive.axis]]\naxis = \"X\"\nno-table = true\nsources = [\"\"]\n");
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("machineSummary"));
+        auto& summary = user.the<QLabel>("machineSummary");
+        QTRY_VERIFY(summary.text().startsWith(QStringLiteral("mill.toml (<b>MMM")));
+        QCOMPARE(summary.textFormat(), Qt::PlainText);
+        QVERIFY2(summary.text().size() < 400, qPrintable(summary.text()));
+    }
+
     void aPersonOpensAFileAndSeesWhatDiffers()
     {
         PageFixture bench;
