@@ -276,7 +276,7 @@ void CompensationWizard::Private::connectMachine()
         menu->showMachine(isOpen, isOpen && !state.isReading() && !state.isAsking());
     };
     for (const auto changed : {&MachineController::fileChanged, &MachineController::driftChanged})
-        connect(&controller.machine(), changed, &q, offer);
+        connect(&controller.machine(), changed, menu, offer); // a dialog may outlive the menu
 }
 
 /// That of the tab which is shown.

@@ -8,6 +8,7 @@
 #include "ui/style/contrast.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
@@ -560,6 +561,24 @@ private Q_SLOTS:
         const auto count =
             bench.wizard.findChildren<QDialog*>(QStringLiteral("applyMachineDialog")).size();
         QCOMPARE(count, qsizetype(1));
+    }
+
+    /// The dialog goes after the menu, and takes back what was chosen in it.
+    void theWindowGoesWithTheDialogOpenAndActivationsChosen()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), first1D));
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\n" + driveSection(bench.served.url(), 1559)
+                + axisSection("X", "active = true\n"));
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("overview"));
+        user.the<QAction>("applyMachineAction").trigger();
+        QTRY_VERIFY(user.sees("applyActivates"));
+        user.the<QCheckBox>("applyActivates").setChecked(true);
+        QVERIFY(bench.controller().machine().activates());
     }
 
     void aPersonSavesTheDrivesOfAMachine()
