@@ -105,35 +105,6 @@ NeutralTable extended(
     return wide;
 }
 
-/// The table with as much beyond its knots as the places of all knots can need: no correction
-/// within is larger than the room. Where that grows without an end, the slopes there are too steep.
-NeutralTable withRoomOutside(const NeutralTable& table, const std::vector<Mover>& movers)
-{
-    Position rooms{};
-    for (const Mover& mover : movers) {
-        const std::vector<double>& knots = table.axes[mover.axis].knots;
-        constexpr double little = 1e-3; // of a cell, where nothing moves
-        rooms[mover.axis] =
-            std::max(2.0 * largestOffset(table, mover), little * (knots[1] - knots[0]));
-    }
-    NeutralTable wide = extended(table, movers, rooms);
-    constexpr int mostSteps = 40;
-    for (int step = 0; step < mostSteps; ++step) {
-        bool isEnough = true;
-        for (const Mover& mover : movers) {
-            const double needed = largestOffset(wide, mover);
-            if (needed <= rooms[mover.axis])
-                continue;
-            isEnough = false;
-            rooms[mover.axis] = 2.0 * needed;
-        }
-        if (isEnough)
-            break;
-        wide = extended(table, movers, rooms);
-    }
-    return wide;
-}
-
 /// The leading principal minors of 1 - slopes.
 bool contracts(const SlopeMatrix& slopes)
 {
@@ -146,6 +117,35 @@ bool contracts(const SlopeMatrix& slopes)
         - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0])
         + d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
     return d[0][0] > 0.0 && second > 0.0 && third > 0.0;
+}
+
+/// With as much beyond the knots as the places of all knots can need: no correction within is
+/// larger than the room.
+Result<SlopeMatrix> checkBeyondTheKnots(const NeutralTable& table, const std::vector<Mover>& movers)
+{
+    Position rooms{};
+    for (const Mover& mover : movers) {
+        const std::vector<double>& knots = table.axes[mover.axis].knots;
+        constexpr double little = 1e-3; // of a cell, where nothing moves
+        rooms[mover.axis] =
+            std::max(2.0 * largestOffset(table, mover), little * (knots[1] - knots[0]));
+    }
+    constexpr int mostSteps = 40;
+    for (int step = 0;; ++step) {
+        const NeutralTable wide = extended(table, movers, rooms);
+        // Too steep with less room is too steep with more.
+        AXISCOMP_TRY(const auto slopes, checkContraction(wide, movers));
+        bool isEnough = true;
+        for (const Mover& mover : movers) {
+            const double needed = largestOffset(wide, mover);
+            if (needed <= rooms[mover.axis])
+                continue;
+            isEnough = false;
+            rooms[mover.axis] = 2.0 * needed;
+        }
+        if (isEnough || step == mostSteps)
+            return slopes;
+    }
 }
 
 } // namespace
@@ -231,8 +231,10 @@ Result<void> checkInvertible(const NeutralTable& table, const Mover& mover)
 Result<SlopeMatrix> checkContraction(
     const NeutralTable& table, const std::vector<Mover>& movers, Outside outside)
 {
-    if (outside == Outside::Extrapolate)
-        return checkContraction(withRoomOutside(table, movers), movers);
+    if (outside == Outside::Extrapolate) {
+        AXISCOMP_CHECK(checkContraction(table, movers));
+        return checkBeyondTheKnots(table, movers);
+    }
     SlopeMatrix slopes{};
     Slope steepest;
     std::size_t row = 0;

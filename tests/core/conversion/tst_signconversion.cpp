@@ -281,6 +281,19 @@ private Q_SLOTS:
             reasonOf(result).c_str());
     }
 
+    /// Not one far out, to where the table was continued when it was looked at.
+    void aTableThatGoesOnIsRefusedAtAKnotOfItsOwn()
+    {
+        auto table = tableOver({axisX({0, 10}), evenAxis("Y", "mm", 0, 10, 2)}, "X",
+            [](const Values& p) { return 2.0 * p[1]; });
+        addColumn(table, "Y", [](const Values& p) { return p[0]; });
+        const auto result = convertSign(
+            table, SignConvention::Command, TableBehaviour{.outside = Outside::Extrapolate});
+        VERIFY_ERROR(result, ErrorCode::SignNotConvertible);
+        QVERIFY2(reasonOf(result).find("at X = 0 mm, Y = 0 mm: ") != std::string::npos,
+            reasonOf(result).c_str());
+    }
+
     void aUnitMistakenIsFoundByItsSlopes()
     {
         auto table =
