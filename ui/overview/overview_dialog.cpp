@@ -130,8 +130,7 @@ void OverviewDialog::build()
     layout->addWidget(m_drift);
     layout->addWidget(m_note);
     layout->addWidget(m_buttons);
-    // All columns of two drives; not wider than the page that it belongs to.
-    resize(QSize(1200, 360).boundedTo(parentWidget() ? parentWidget()->size() : QSize(1200, 360)));
+    resize(room());
 }
 
 void OverviewDialog::connectParts()
@@ -257,9 +256,18 @@ void OverviewDialog::showChosen()
     showDrift();
 }
 
+/// For all columns of two drives, and for the differences of a machine file below them; not larger
+/// than the page that it belongs to.
+QSize OverviewDialog::room() const
+{
+    const QSize wanted(1200, m_machine.file() ? 560 : 360);
+    return wanted.boundedTo(parentWidget() ? parentWidget()->size() : wanted);
+}
+
 void OverviewDialog::showMachineColumn()
 {
     m_table->setColumnHidden(OverviewModel::Machine, !m_machine.file());
+    resize(size().expandedTo(room()));
     showDrift();
 }
 

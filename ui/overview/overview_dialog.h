@@ -46,6 +46,7 @@ private:
     void selectCurrentAxis();
     void showChosen();
     void showDrift();
+    [[nodiscard]] QSize room() const;
     void showMachineColumn();
     void goToAxis();
     void copy();
