@@ -6267,8 +6267,8 @@
         <translation>die Einstellung {key} des Formats {format} ist {value}; sie ist eine Zahl ab 0</translation>
     </message>
     <message>
-        <source>the controller must not have declared the array {name} before, which the program does; otherwise the setting declare=no</source>
-        <translation>die Steuerung darf das Array {name} noch nicht deklariert haben, denn das Programm deklariert es; sonst die Einstellung declare=no</translation>
+        <source>the controller must not have declared the array {name} before, since the program declares it; where it has, set declare=no</source>
+        <translation>die Steuerung darf das Array {name} noch nicht deklariert haben, denn das Programm deklariert es; hat sie es schon, declare=no setzen</translation>
     </message>
     <message>
         <source>the controller must have declared the array {name}, with as many elements as the program gives it</source>
@@ -6587,8 +6587,8 @@
         <translation>axeserr.dat: Spindelfehler vorwärts und rückwärts</translation>
     </message>
     <message>
-        <source>nobody has published which sign files of the format {format} have; {sign} is an assumption. Check one point on the machine, and state the sign: {statement}</source>
-        <translation>niemand hat veröffentlicht, welches Vorzeichen Dateien des Formats {format} haben; {sign} ist eine Annahme. Prüfen Sie einen Punkt an der Maschine und geben Sie das Vorzeichen an: {statement}</translation>
+        <source>nobody has published which sign files of the format {format} have; {sign} is an assumption. Check one point on the machine, and state feedback or command {statement}</source>
+        <translation>niemand hat veröffentlicht, welches Vorzeichen Dateien des Formats {format} haben; {sign} ist eine Annahme. Einen Punkt an der Maschine prüfen und feedback oder command angeben, {statement}</translation>
     </message>
     <message>
         <source>holds the end values</source>
@@ -7053,6 +7053,22 @@
     <message>
         <source>a prediction needs a table of one dimension</source>
         <translation>eine Vorhersage braucht eine Tabelle mit einer Dimension</translation>
+    </message>
+    <message>
+        <source>{reason} Check the unit of the values; if they are right, confirm them with accept-large = true for axis {machineAxis} in the machine file</source>
+        <translation>{reason} Die Einheit der Werte prüfen; wenn sie stimmen, sie mit accept-large = true bei Achse {machineAxis} in der Maschinendatei bestätigen</translation>
+    </message>
+    <message>
+        <source>the table is in counts already, and the format {format} would multiply it by the counts per unit once more: set them to 1, or read the source with its own</source>
+        <translation>die Tabelle ist bereits in Inkrementen, und das Format {format} würde sie noch einmal mit den Inkrementen je Einheit multiplizieren: diese auf 1 setzen, oder die Quelle mit ihren eigenen lesen</translation>
+    </message>
+    <message>
+        <source>a comma, a bracket or a semicolon behind the value &quot;{value}&quot;</source>
+        <translation>ein Komma, eine Klammer oder ein Semikolon hinter dem Wert &quot;{value}&quot;</translation>
+    </message>
+    <message>
+        <source>the table is {length} long, but a turn of the axis is {turn}: a prediction needs a table of one turn</source>
+        <translation>die Tabelle ist {length} lang, eine Umdrehung der Achse aber {turn}: eine Vorhersage braucht eine Tabelle über eine Umdrehung</translation>
     </message>
 </context>
 <context>
@@ -9342,10 +9358,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>In a machine file that is “accept-large = true” of this axis.</source>
-        <translation>In einer Maschinendatei ist das „accept-large = true“ bei dieser Achse.</translation>
-    </message>
-    <message>
         <source>This drive is not among the connections any more.</source>
         <translation>Dieser Antrieb ist nicht mehr unter den Verbindungen.</translation>
     </message>
@@ -9400,28 +9412,8 @@
         <translation>Das jetzt in die Antriebe schreiben</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>Change nothing and go back (Esc)</source>
-        <translation>Nichts ändern und zurückgehen (Esc)</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>Anhal&amp;ten</translation>
-    </message>
-    <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
         <translation>Hält das Schreiben an; was gerade läuft, wird rückgängig gemacht (Esc)</translation>
-    </message>
-    <message>
-        <source>C&amp;lose</source>
-        <translation>Sch&amp;ließen</translation>
-    </message>
-    <message>
-        <source>Go back to the page (Esc)</source>
-        <translation>Zurück zur Seite (Esc)</translation>
     </message>
 </context>
 <context>

@@ -70,7 +70,8 @@ constexpr std::array errorRows{
     ErrorRow{ErrorCode::SignNotStated, "SignNotStated", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "nobody has published which sign files of the format {format} have; {sign} is an "
-            "assumption. Check one point on the machine, and state the sign: {statement}")},
+            "assumption. Check one point on the machine, and state feedback or command "
+            "{statement}")},
     ErrorRow{ErrorCode::TargetNotKnown, "TargetNotKnown", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "it is not stated which axis the values of {column} correct, and the numbers depend on "

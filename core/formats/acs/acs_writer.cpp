@@ -79,8 +79,8 @@ void remarkOnArray(const std::string& name, bool isDeclared, std::vector<Text>& 
 {
     remarks.push_back((isDeclared
             ? AXISCOMP_TEXT("Error",
-                "the controller must not have declared the array {name} before, which the "
-                "program does; otherwise the setting declare=no")
+                "the controller must not have declared the array {name} before, since the "
+                "program declares it; where it has, set declare=no")
             : AXISCOMP_TEXT("Error",
                 "the controller must have declared the array {name}, with as many elements as the "
                 "program gives it"))
