@@ -156,6 +156,29 @@ private Q_SLOTS:
         QVERIFY(f.state() == f.old);
     }
 
+    /// A reboot would bring the mixture back, and it would have cost a flash operation.
+    void registersThatDoNotGoBackAreNotSaved()
+    {
+        const WriteRequest request = swapped(2, Persistency::Persistent, "Small2");
+        const auto countSaves = [](Written& f, int& saves, const std::string& ignored) {
+            f.link.ignoresWrite = [&saves, ignored](const RegisterWrite& write) {
+                saves += write.path == drivecomm::genericProfile().registers.saveParameters ? 1 : 0;
+                return write.path == axisFolder + "Dim1Source" && toText(write.value) == ignored;
+            };
+        };
+        int wanted = 0;
+        Written whole(drivecomm::genericProfile());
+        countSaves(whole, wanted, {});
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        QVERIFY(wanted > 0);
+        int saves = 0;
+        Written f(drivecomm::genericProfile());
+        countSaves(f, saves, f.old.registers[1]);
+        f.link.failAt(exchangesOf(request), LinkFault::Refused);
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::RollbackFailed);
+        QCOMPARE(saves, wanted);
+    }
+
     void anUndoWhoseRegistersDoNotGoBackStaysUnfinished()
     {
         const WriteRequest request = swapped(2, Persistency::Volatile, "Small2");
