@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/arguments.h"
 
+#include "app/common/help_page.h"
+#include "app/texts/program_texts.h"
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -11,78 +14,14 @@ namespace axiscomp::app {
 
 namespace {
 
-constexpr std::size_t helpWidth = 100;
-constexpr std::size_t helpIndent = 2;
-constexpr std::size_t nameWidth = 24;
-
-/// Breaks text at blanks so that no line goes beyond the width; lines after the first are indented.
-std::string wrapped(std::string_view text, std::size_t indent)
-{
-    std::string result;
-    std::size_t column = indent;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(' '), text.size());
-        if (column > indent && column + 1 + end > helpWidth) {
-            result += "\n" + std::string(indent, ' ');
-            column = indent;
-        } else if (column > indent) {
-            result += ' ';
-            ++column;
-        }
-        result += text.substr(0, end);
-        column += end;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return result;
-}
-
-std::string helpLine(const std::string& name, const std::string& description)
-{
-    const std::size_t column = helpIndent + nameWidth;
-    std::string line = std::string(helpIndent, ' ') + name;
-    if (line.size() + 2 > column)
-        line += "\n" + std::string(column, ' ');
-    else
-        line.resize(column, ' ');
-    return line + wrapped(description, column) + "\n";
-}
-
-class HelpFormatter final : public CLI::Formatter {
+/// Only when help is asked for are texts looked up.
+class HelpFormatter final : public CLI::FormatterBase {
 public:
-    HelpFormatter()
+    std::string make_help(
+        const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
     {
-        label("Positionals", "Arguments");
-        label("OPTIONS", "options");
-        label("SUBCOMMAND", "COMMAND");
-        label("Usage", "usage");
-    }
-
-    std::string make_description(const CLI::App* app) const override
-    {
-        return wrapped(app->get_description(), 0) + "\n\n";
-    }
-
-    std::string make_option(const CLI::Option* option, bool isPositional) const override
-    {
-        std::string name = make_option_name(option, isPositional);
-        // "-o,--output FILE" reads better as "-o, --output FILE".
-        if (const auto comma = name.find(','); comma != std::string::npos)
-            name.insert(comma + 1, " ");
-        if (!isPositional && !option->get_option_text().empty())
-            name += " " + option->get_option_text();
-        return helpLine(name, option->get_description());
-    }
-
-    /// The text of an argument is how it looks in the usage line, where that is not its name.
-    std::string make_option_usage(const CLI::Option* option) const override
-    {
-        return option->get_option_text().empty() ? option->get_name(true)
-                                                 : option->get_option_text();
-    }
-
-    std::string make_subcommand(const CLI::App* command) const override
-    {
-        return helpLine(command->get_name(), command->get_description());
+        const ProgramTexts texts(languageOfEnvironment());
+        return HelpPage(texts).make_help(app, std::move(name), mode);
     }
 };
 
@@ -138,7 +77,8 @@ void hidePassword(std::string_view argument, char* place)
 void setHelpStyle(CLI::App& app)
 {
     app.formatter(std::make_shared<HelpFormatter>());
-    app.set_help_flag("-h,--help", "Show this help");
+    app.option_defaults()->group(AXISCOMP_HELP("Help", "Options"));
+    app.set_help_flag("-h,--help", AXISCOMP_HELP("Help", "Show this help"));
 }
 
 Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& console)

@@ -8,7 +8,11 @@
 
 namespace axiscomp::app {
 
-/// The look of --help for both programs.
+/// Marks the description of a command or an option for translation: context and text. Other parts
+/// of a help page are marked likewise (HelpPage).
+#define AXISCOMP_HELP(context, text) text
+
+/// The look of --help, in the language of the environment.
 void setHelpStyle(CLI::App& app);
 
 /// Reads the command line into the options of app. True: go on. False: --help or --version was

@@ -36,71 +36,91 @@ struct RunningDrive {
 void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
 {
     app.add_option("--http", arguments.http,
-           "Serve the drive's web pages here; port 0 picks a free one (127.0.0.1:0 unless this or "
-           "--serial is given). Several drives take ports in a row")
+           AXISCOMP_HELP("Help",
+               "Serve the drive's web pages here; port 0 picks a free one (127.0.0.1:0 unless this "
+               "or "
+               "--serial is given). Several drives take ports in a row"))
         ->option_text("HOST:PORT");
     CLI::Option* serial = app.add_option("--serial", arguments.serial,
-        "Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several "
-        "drives take LINK, LINK-2, ...");
+        AXISCOMP_HELP("Help",
+            "Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. "
+            "Several "
+            "drives take LINK, LINK-2, ..."));
     serial->option_text("LINK");
     app.add_option("--baud", arguments.baud,
-           "Make the serial link as slow as a line of this speed (as fast as it can unless given)")
+           AXISCOMP_HELP("Help",
+               "Make the serial link as slow as a line of this speed (as fast as it can unless "
+               "given)"))
         ->option_text("N")
         ->check(CLI::Range(300, 20'000'000))
         ->needs(serial);
-    app.add_option("--name", arguments.name, "Name of the drive (Virtual-1 unless given)")
+    app.add_option("--name", arguments.name,
+           AXISCOMP_HELP("Help", "Name of the drive (Virtual-1 unless given)"))
         ->option_text("NAME");
-    app.add_option("--axes", arguments.axes, "Number of axes, 1 to 16 (2 unless given)")
+    app.add_option("--axes", arguments.axes,
+           AXISCOMP_HELP("Help", "Number of axes, 1 to 16 (2 unless given)"))
         ->option_text("N")
         ->check(CLI::Range(1, 16));
     app.add_option("--config", arguments.configuration,
-           "Take names, axes and parameters from a TAM configuration; several drives in it are "
-           "several virtual drives")
+           AXISCOMP_HELP("Help",
+               "Take names, axes and parameters from a TAM configuration; several drives in it are "
+               "several virtual drives"))
         ->option_text("FILE.TAMcfg");
     CLI::Option* machine = app.add_option("--machine", arguments.machine,
-        "Move the machine of this file (JSON): axes with errors that nobody knows, and an "
-        "instrument that measures them");
+        AXISCOMP_HELP("Help",
+            "Move the machine of this file (JSON): axes with errors that nobody knows, and an "
+            "instrument that measures them"));
     machine->option_text("FILE");
     CLI::Option* program = app.add_option("--program", arguments.program,
-        "Play this measuring plan (axiscomp targets) as the machine's control would, from 10 s "
-        "after the start");
+        AXISCOMP_HELP("Help",
+            "Play this measuring plan (axiscomp targets) as the machine's control would, from 10 s "
+            "after the start"));
     program->option_text("PLAN.csv")->needs(machine);
     app.add_option("--program-after", arguments.programAfter,
-           "Begin the program so many seconds after the start, whatever --speed is; unless given, "
-           "after 10 s of the machine's time")
+           AXISCOMP_HELP("Help",
+               "Begin the program so many seconds after the start, whatever --speed is; unless "
+               "given, "
+               "after 10 s of the machine's time"))
         ->option_text("SECONDS")
         ->check(CLI::Range(0.0, 86400.0))
         ->needs(program);
     app.add_option("--instrument", arguments.instrument,
-           "Serve the instrument's lines on a pseudo-terminal, and make LINK a symbolic link to it")
+           AXISCOMP_HELP("Help",
+               "Serve the instrument's lines on a pseudo-terminal, and make LINK a symbolic link "
+               "to it"))
         ->option_text("LINK")
         ->needs(machine);
     app.add_option("--state", arguments.stateFolder,
-           "Keep flash and saved parameters here across runs, a folder per drive")
+           AXISCOMP_HELP(
+               "Help", "Keep flash and saved parameters here across runs, a folder per drive"))
         ->option_text("DIR");
     app.add_option("--fault", arguments.faults,
-           "Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, "
-           "reboot-after=N or reject=CODE; may be given several times")
+           AXISCOMP_HELP("Help",
+               "Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, "
+               "reboot-after=N or reject=CODE; may be given several times"))
         ->option_text("SPEC")
         ->allow_extra_args(false);
-    app.add_option("--speed", arguments.speed, "Simulated seconds per second (1 unless given)")
+    app.add_option("--speed", arguments.speed,
+           AXISCOMP_HELP("Help", "Simulated seconds per second (1 unless given)"))
         ->option_text("FACTOR")
         ->check(CLI::Range(0.001, 10000.0));
-    app.add_flag("--unhomed", arguments.unhomed, "Start with axes that are not homed");
-    CLI::Option* user = app.add_option("--user", arguments.user, "Ask for this user name");
+    app.add_flag("--unhomed", arguments.unhomed,
+        AXISCOMP_HELP("Help", "Start with axes that are not homed"));
+    CLI::Option* user =
+        app.add_option("--user", arguments.user, AXISCOMP_HELP("Help", "Ask for this user name"));
     user->option_text("NAME");
     app.add_option("--password-file", arguments.passwordFile,
-           "File whose first line is the password of --user")
+           AXISCOMP_HELP("Help", "File whose first line is the password of --user"))
         ->option_text("FILE")
         ->needs(user);
-    CLI::Option* certificate =
-        app.add_option("--certificate", arguments.certificate, "Serve https with this certificate");
+    CLI::Option* certificate = app.add_option("--certificate", arguments.certificate,
+        AXISCOMP_HELP("Help", "Serve https with this certificate"));
     certificate->option_text("FILE.pem");
-    app.add_option("--key", arguments.key, "Private key of --certificate")
+    app.add_option("--key", arguments.key, AXISCOMP_HELP("Help", "Private key of --certificate"))
         ->option_text("FILE.pem")
         ->needs(certificate);
     app.add_option("--profile", arguments.profile,
-           "Drive profile (JSON) in place of the built-in one, generic")
+           AXISCOMP_HELP("Help", "Drive profile (JSON) in place of the built-in one, generic"))
         ->option_text("FILE");
 }
 
@@ -239,13 +259,16 @@ int run(int argc, char** argv, Console& console)
 {
     VirtualDriveArguments arguments;
     CLI::App app(
-        "A servo drive in software, with the web pages, registers and behaviour of a real one.",
+        AXISCOMP_HELP("Help",
+            "A servo drive in software, with the web pages, registers and behaviour of a real "
+            "one."),
         programName);
     setHelpStyle(app);
-    app.set_version_flag(
-        "--version", std::string(programName) + " " AXISCOMP_VERSION, "Show the version");
-    app.footer("Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs "
-               "until Ctrl-C.");
+    app.set_version_flag("--version", std::string(programName) + " " AXISCOMP_VERSION,
+        AXISCOMP_HELP("Help", "Show the version"));
+    app.footer(AXISCOMP_HELP("Help",
+        "Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs until "
+        "Ctrl-C."));
     addOptions(app, arguments);
     const auto proceed = parseArguments(app, argc, argv, console);
     if (proceed && !*proceed)

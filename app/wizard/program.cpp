@@ -33,20 +33,24 @@ struct WizardArguments {
 void addOptions(CLI::App& app, WizardArguments& arguments)
 {
     app.add_option("--drive", arguments.drives,
-           "Use this drive in place of the remembered ones; may be given several times: "
-           "http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:")
+           AXISCOMP_HELP("Help",
+               "Use this drive in place of the remembered ones; may be given several times: "
+               "http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], "
+               "demo:"))
         ->option_text("ENDPOINT")
         ->envname("AXISCOMP_DRIVE")
         ->allow_extra_args(false);
     app.add_option("--profile", arguments.profile,
-           "Drive profile (JSON) in place of the built-in one, generic")
+           AXISCOMP_HELP("Help", "Drive profile (JSON) in place of the built-in one, generic"))
         ->option_text("FILE");
-    app.add_option("--data", arguments.data, "Open this file of compensation data")
+    app.add_option(
+           "--data", arguments.data, AXISCOMP_HELP("Help", "Open this file of compensation data"))
         ->option_text("FILE");
-    app.add_option("RECORD", arguments.record, "Open this record of a compensation (.axcal)")
+    app.add_option("RECORD", arguments.record,
+           AXISCOMP_HELP("Help", "Open this record of a compensation (.axcal)"))
         ->option_text("[RECORD]");
     app.add_option("--timeout", arguments.timeoutSeconds,
-           "How long one exchange with a drive may take (5 unless given)")
+           AXISCOMP_HELP("Help", "How long one exchange with a drive may take (5 unless given)"))
         ->option_text("SECONDS")
         ->check(CLI::Range(0.1, 3600.0));
 }
@@ -136,12 +140,14 @@ int run(int argc, char** argv, Console& console)
     FirstPaint paint;
     WizardArguments arguments;
     CLI::App app(
-        "Writes compensation tables for measured axis errors to servo drives, in a window.",
+        AXISCOMP_HELP("Help",
+            "Writes compensation tables for measured axis errors to servo drives, in a window."),
         programName);
     setHelpStyle(app);
-    app.set_version_flag(
-        "--version", std::string(programName) + " " AXISCOMP_VERSION, "Show the version");
-    app.footer("Without --drive it uses the drives of the last time, or the built-in demo drive.");
+    app.set_version_flag("--version", std::string(programName) + " " AXISCOMP_VERSION,
+        AXISCOMP_HELP("Help", "Show the version"));
+    app.footer(AXISCOMP_HELP("Help",
+        "Without --drive it uses the drives of the last time, or the built-in demo drive."));
     addOptions(app, arguments);
     const auto proceed = parseArguments(app, argc, argv, console);
     if (proceed && !*proceed)

@@ -104,7 +104,8 @@ void addActivation(
     if (wanted == Switch::Activate)
         command
             ->add_option("--record", options->record,
-                "Record of the compensation (axiscomp write --record), which notes the proof")
+                AXISCOMP_HELP("Help",
+                    "Record of the compensation (axiscomp write --record), which notes the proof"))
             ->option_text("FILE.axcal");
 }
 

@@ -161,20 +161,24 @@ void addAxesCommand(CommandLine& line)
 {
     auto options = std::make_shared<AxesOptions>();
     options->drives.command = commandName("axes");
-    CLI::App* command = line.add("axes", driveCommands, "List the axes of one or several drives",
+    CLI::App* command = line.add("axes", driveCommands,
+        AXISCOMP_HELP("Help", "List the axes of one or several drives"),
         [options](Environment& environment) { return runAxes(environment, *options); });
     addDriveOptions(*command, options->drives, DriveCount::Several);
     CLI::Option* find = command->add_flag("--find", options->find,
-        "Also try all serial ports of this computer; without --drive, the connections of the "
-        "window too");
+        AXISCOMP_HELP("Help",
+            "Also try all serial ports of this computer; without --drive, the connections of the "
+            "window too"));
     command
-        ->add_flag(
-            "--any-baud", options->anyBaudRate, "Try the usual baud rates at every serial port")
+        ->add_flag("--any-baud", options->anyBaudRate,
+            AXISCOMP_HELP("Help", "Try the usual baud rates at every serial port"))
         ->needs(find);
     command
         ->add_option("--network", options->network,
-            "Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, "
-            "at most 1024, with :PORT for another port than 80")
+            AXISCOMP_HELP("Help",
+                "Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one "
+                "address, "
+                "at most 1024, with :PORT for another port than 80"))
         ->type_name("RANGE")
         ->needs(find);
 }

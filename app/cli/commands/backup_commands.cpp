@@ -108,26 +108,33 @@ void addBackupCommands(CommandLine& line)
     auto saving = std::make_shared<BackupOptions>();
     saving->drive.command = commandName("backup");
     CLI::App* backup = line.add("backup", driveCommands,
-        "Save everything that this program can change on a whole drive, all axes, to one file",
+        AXISCOMP_HELP("Help",
+            "Save everything that this program can change on a whole drive, all axes, to one file"),
         [saving](Environment& environment) { return runBackup(environment, *saving); });
     addDriveOptions(*backup, saving->drive);
     backup
-        ->add_option(
-            "-o,--output", saving->file, "File to write; standard output without it, or with -")
+        ->add_option("-o,--output", saving->file,
+            AXISCOMP_HELP("Help", "File to write; standard output without it, or with -"))
         ->option_text("FILE");
 
     auto restoring = std::make_shared<BackupOptions>();
     restoring->drive.command = commandName("restore");
     CLI::App* restore = line.add("restore", driveCommands,
-        "Restore a whole drive from a backup file, with verified writes; all of them are planned "
-        "first",
+        AXISCOMP_HELP("Help",
+            "Restore a whole drive from a backup file, with verified writes; all of them are "
+            "planned "
+            "first"),
         [restoring](Environment& environment) { return runRestore(environment, *restoring); });
-    restore->add_option("FILE", restoring->file, "File that `axiscomp backup` wrote")->required();
+    restore
+        ->add_option(
+            "FILE", restoring->file, AXISCOMP_HELP("Help", "File that `axiscomp backup` wrote"))
+        ->required();
     addDriveOptions(*restore, restoring->drive);
     restore->add_flag("--force", restoring->force,
-        "Restore to a drive with another serial number, such as a replacement");
-    restore->add_flag(
-        "--dry-run", restoring->isDryRun, "Show what would be written without writing it");
+        AXISCOMP_HELP(
+            "Help", "Restore to a drive with another serial number, such as a replacement"));
+    restore->add_flag("--dry-run", restoring->isDryRun,
+        AXISCOMP_HELP("Help", "Show what would be written without writing it"));
 }
 
 } // namespace axiscomp::app

@@ -343,30 +343,37 @@ void addInstrumentOptions(CLI::App& command, CaptureOptions& options)
 {
     command
         .add_option("--reference", options.reference,
-            "Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, "
-            "- for lines on standard input, or typed")
+            AXISCOMP_HELP("Help",
+                "Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, "
+                "- for lines on standard input, or typed"))
         ->option_text("REF (required)")
         ->required();
     command
         .add_option("--unit", options.scale.unit,
-            "Unit of the instrument; of a register it is that of the axis, of lines the one behind "
-            "the number unless given")
+            AXISCOMP_HELP("Help",
+                "Unit of the instrument; of a register it is that of the axis, of lines the one "
+                "behind "
+                "the number unless given"))
         ->option_text("UNIT");
-    command.add_flag(
-        "--invert-reference", options.scale.isInverted, "The instrument counts the other way");
+    command.add_flag("--invert-reference", options.scale.isInverted,
+        AXISCOMP_HELP("Help", "The instrument counts the other way"));
     command
         .add_option("--zero-at", options.scale.zeroAt,
-            "Position of the axis where the instrument says 0 (0 unless given)")
+            AXISCOMP_HELP(
+                "Help", "Position of the axis where the instrument says 0 (0 unless given)"))
         ->option_text("P");
     command
         .add_option("--pattern", options.pattern,
-            "Regular expression for the number in a line, its first group or all of it; the first "
-            "number of the line unless given")
+            AXISCOMP_HELP("Help",
+                "Regular expression for the number in a line, its first group or all of it; the "
+                "first "
+                "number of the line unless given"))
         ->option_text("REGEX");
     command
         .add_option("--request", options.request,
-            "Send this to the serial instrument before each reading, with \\r and \\n for line "
-            "ends")
+            AXISCOMP_HELP("Help",
+                "Send this to the serial instrument before each reading, with \\r and \\n for line "
+                "ends"))
         ->option_text("TEXT");
 }
 
@@ -375,25 +382,30 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
     using Seconds = std::chrono::duration<double>;
     command
         .add_option("--encoder", options.encoder,
-            "Register of the raw position; the profile's unless given")
+            AXISCOMP_HELP("Help", "Register of the raw position; the profile's unless given"))
         ->option_text("REG");
     command
         .add_option("--window", options.window,
-            "The axis stands while its encoder stays within so many mm or deg, and readings may "
-            "differ by as much (0.001 unless given)")
+            AXISCOMP_HELP("Help",
+                "The axis stands while its encoder stays within so many mm or deg, and readings "
+                "may "
+                "differ by as much (0.001 unless given)"))
         ->option_text("W")
         ->check(CLI::Range(CaptureRules::smallestWindow, CaptureRules::largestWindow));
     command
         .add_option("--dwell", options.dwellSeconds,
-            "So many seconds, before anything is taken (1 unless given)")
+            AXISCOMP_HELP("Help", "So many seconds, before anything is taken (1 unless given)"))
         ->option_text("S")
         ->check(CLI::Range(Seconds(CaptureRules::shortestDwell).count(),
             Seconds(CaptureRules::longestDwell).count()));
     command
-        .add_option("--average", options.readings, "Readings that make a value (10 unless given)")
+        .add_option("--average", options.readings,
+            AXISCOMP_HELP("Help", "Readings that make a value (10 unless given)"))
         ->option_text("N")
         ->check(CLI::Range(1, CaptureRules::mostReadings));
-    command.add_option("--rate", options.rateHz, "Readings per second, 10 to 50 (20 unless given)")
+    command
+        .add_option("--rate", options.rateHz,
+            AXISCOMP_HELP("Help", "Readings per second, 10 to 50 (20 unless given)"))
         ->option_text("HZ")
         ->check(CLI::Range(10.0, 50.0));
 }
@@ -405,7 +417,8 @@ void addCaptureCommand(CommandLine& line)
     auto options = std::make_shared<CaptureOptions>();
     options->drive.command = commandName("capture");
     CLI::App* command = line.add("capture", driveCommands,
-        "Take the values of a measuring plan while something else moves the axis",
+        AXISCOMP_HELP(
+            "Help", "Take the values of a measuring plan while something else moves the axis"),
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [options](Environment& inside, CommandSession& session, int axis) {
@@ -414,24 +427,113 @@ void addCaptureCommand(CommandLine& line)
         });
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
-    command->add_option("--plan", options->plan, "Plan as axiscomp targets writes it")
+    command
+        ->add_option(
+            "--plan", options->plan, AXISCOMP_HELP("Help", "Plan as axiscomp targets writes it"))
         ->option_text("FILE (required)")
         ->required();
     command
         ->add_option("-o,--output", options->output,
-            "File of the values; one that is there goes on where it ends")
+            AXISCOMP_HELP("Help", "File of the values; one that is there goes on where it ends"))
         ->option_text("FILE (required)")
         ->required();
     addInstrumentOptions(*command, *options);
     addRuleOptions(*command, *options);
     command->footer(
-        "axiscomp never moves an axis: the machine's control or a person does.\n\n"
-        "Examples:\n"
-        "  axiscomp capture --axis X --plan plan.csv -o runs.csv \\\n"
-        "      --reference 'Machine/Axes[0]/ReferencePosition'\n"
-        "  axiscomp capture --axis X --plan plan.csv -o runs.csv \\\n"
-        "      --reference 'serial:/dev/ttyUSB1?baud=9600'\n"
-        "  laser-reader | axiscomp capture --axis X --plan plan.csv -o runs.csv --reference -");
+        AXISCOMP_HELP("Help",
+            "axiscomp never moves an axis: the machine's control or a person does.") "\n"
+                                                                                     "\n" AXISCOMP_HELP("Help",
+                                                                                         "Examples"
+                                                                                         ":") "\n  "
+                                                                                              "axis"
+                                                                                              "comp"
+                                                                                              " cap"
+                                                                                              "ture"
+                                                                                              " --"
+                                                                                              "axis"
+                                                                                              " X "
+                                                                                              "--"
+                                                                                              "plan"
+                                                                                              " pla"
+                                                                                              "n."
+                                                                                              "csv "
+                                                                                              "-o "
+                                                                                              "runs"
+                                                                                              ".csv"
+                                                                                              " \\"
+                                                                                              "\n  "
+                                                                                              "    "
+                                                                                              "--"
+                                                                                              "refe"
+                                                                                              "renc"
+                                                                                              "e "
+                                                                                              "'Mac"
+                                                                                              "hine"
+                                                                                              "/Axe"
+                                                                                              "s[0]"
+                                                                                              "/Ref"
+                                                                                              "eren"
+                                                                                              "cePo"
+                                                                                              "siti"
+                                                                                              "on'"
+                                                                                              "\n  "
+                                                                                              "axis"
+                                                                                              "comp"
+                                                                                              " cap"
+                                                                                              "ture"
+                                                                                              " --"
+                                                                                              "axis"
+                                                                                              " X "
+                                                                                              "--"
+                                                                                              "plan"
+                                                                                              " pla"
+                                                                                              "n."
+                                                                                              "csv "
+                                                                                              "-o "
+                                                                                              "runs"
+                                                                                              ".csv"
+                                                                                              " \\"
+                                                                                              "\n  "
+                                                                                              "    "
+                                                                                              "--"
+                                                                                              "refe"
+                                                                                              "renc"
+                                                                                              "e "
+                                                                                              "'ser"
+                                                                                              "ial:"
+                                                                                              "/dev"
+                                                                                              "/tty"
+                                                                                              "USB1"
+                                                                                              "?bau"
+                                                                                              "d="
+                                                                                              "9600"
+                                                                                              "'"
+                                                                                              "\n  "
+                                                                                              "lase"
+                                                                                              "r-"
+                                                                                              "read"
+                                                                                              "er "
+                                                                                              "| "
+                                                                                              "axis"
+                                                                                              "comp"
+                                                                                              " cap"
+                                                                                              "ture"
+                                                                                              " --"
+                                                                                              "axis"
+                                                                                              " X "
+                                                                                              "--"
+                                                                                              "plan"
+                                                                                              " pla"
+                                                                                              "n."
+                                                                                              "csv "
+                                                                                              "-o "
+                                                                                              "runs"
+                                                                                              ".csv"
+                                                                                              " --"
+                                                                                              "refe"
+                                                                                              "renc"
+                                                                                              "e "
+                                                                                              "-");
 }
 
 } // namespace axiscomp::app

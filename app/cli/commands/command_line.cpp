@@ -6,12 +6,14 @@
 namespace axiscomp::app {
 
 CommandLine::CommandLine()
-    : m_parser("Writes compensation tables for measured axis errors to a servo drive, activates "
-               "them, and checks the drive's output against the table.",
+    : m_parser(AXISCOMP_HELP("Help",
+                   "Writes compensation tables for measured axis errors to a servo drive, "
+                   "activates them, and checks the drive's output against the table."),
         "axiscomp")
 {
     setHelpStyle(m_parser);
-    m_parser.set_version_flag("--version", "axiscomp " AXISCOMP_VERSION, "Show the version");
+    m_parser.set_version_flag(
+        "--version", "axiscomp " AXISCOMP_VERSION, AXISCOMP_HELP("Help", "Show the version"));
     m_parser.require_subcommand(1);
     addExampleCommand(*this);
     addInspectCommand(*this);
@@ -41,9 +43,9 @@ CommandLine::CommandLine()
     addSnapshotCommand(*this);
     addMetricsCommand(*this);
     // Last, as commands take over what is there when they are added.
-    m_parser.footer(
-        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the\n"
-        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.");
+    m_parser.footer(AXISCOMP_HELP("Help",
+        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the "
+        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more."));
 }
 
 CLI::App* CommandLine::add(
@@ -51,7 +53,8 @@ CLI::App* CommandLine::add(
 {
     CLI::App* command = m_parser.add_subcommand(name, description);
     command->group(group);
-    command->add_flag("--json", m_json, "Print one JSON document on standard output");
+    command->add_flag(
+        "--json", m_json, AXISCOMP_HELP("Help", "Print one JSON document on standard output"));
     command->callback([this, run = std::move(run)] { m_chosen = run; });
     return command;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/output/environment.h"
+#include "app/common/arguments.h"
 #include "app/common/exit_codes.h"
 #include "core/base/result.h"
 
@@ -39,8 +40,8 @@ private:
 /// "axiscomp write", for hints to --help.
 [[nodiscard]] std::string commandName(const std::string& command);
 
-inline constexpr const char* fileCommands = "Files on this computer";
-inline constexpr const char* driveCommands = "Drives";
+inline constexpr const char* fileCommands = AXISCOMP_HELP("Help", "Files on this computer");
+inline constexpr const char* driveCommands = AXISCOMP_HELP("Help", "Drives");
 
 void addExampleCommand(CommandLine& line);
 void addInspectCommand(CommandLine& line);

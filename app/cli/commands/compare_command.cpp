@@ -105,7 +105,8 @@ void addCompareCommand(CommandLine& line)
     auto options = std::make_shared<CompareOptions>();
     options->input.command = commandName("compare");
     CLI::App* command = line.add("compare", fileCommands,
-        "Compare measurements before and after a compensation, and with what was promised",
+        AXISCOMP_HELP("Help",
+            "Compare measurements before and after a compensation, and with what was promised"),
         [options](Environment& environment) { return runCompare(environment, *options); });
     addMeasurementOptions(*command, options->input);
     command->get_option("FILE")
@@ -115,20 +116,23 @@ void addCompareCommand(CommandLine& line)
     command->remove_option(command->get_option("--exclude"));
     command
         ->add_option("--record", options->record,
-            "Record of the compensation: its prediction, table and tolerances")
+            AXISCOMP_HELP(
+                "Help", "Record of the compensation: its prediction, table and tolerances"))
         ->option_text("FILE.axcal");
     command
         ->add_option("--measured-with", options->measuredWith,
-            "on: the second measurement was made with the table of the record active, where its "
-            "file does not say it")
+            AXISCOMP_HELP("Help",
+                "on: the second measurement was made with the table of the record active, where "
+                "its "
+                "file does not say it"))
         ->option_text("on")
         ->check(CLI::IsMember(std::vector<std::string>{"on"}));
-    command->add_flag(
-        "--keep", options->keeps, "Add the second measurement and the verdict to the record");
+    command->add_flag("--keep", options->keeps,
+        AXISCOMP_HELP("Help", "Add the second measurement and the verdict to the record"));
     addToleranceOptions(*command, options->tolerance);
-    command->footer("Examples:\n"
-                    "  axiscomp compare before.rtl after.rtl --tolerance A=10um\n"
-                    "  axiscomp compare before.rtl after.rtl --record x.axcal --keep");
+    command->footer(AXISCOMP_HELP(
+        "Help", "Examples:") "\n  axiscomp compare before.rtl after.rtl --tolerance A=10um"
+                             "\n  axiscomp compare before.rtl after.rtl --record x.axcal --keep");
 }
 
 } // namespace axiscomp::app

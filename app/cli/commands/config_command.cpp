@@ -164,39 +164,46 @@ void addConfigCommand(CommandLine& line)
     auto options = std::make_shared<ConfigOptions>();
     options->drive.command = commandName("config");
     CLI::App* command = line.add("config", driveCommands,
-        "Compensation parameters of a TAM configuration: show them, take them from a drive, or "
-        "bring them to one",
+        AXISCOMP_HELP("Help",
+            "Compensation parameters of a TAM configuration: show them, take them from a drive, or "
+            "bring them to one"),
         [options](Environment& environment) { return runConfig(environment, *options); });
-    command->add_option("ACTION", options->action, "show, export (to the file) or import (from it)")
+    command
+        ->add_option("ACTION", options->action,
+            AXISCOMP_HELP("Help", "show, export (to the file) or import (from it)"))
         ->required()
         ->check(CLI::IsMember({"show", "export", "import"}));
-    command->add_option("FILE", options->file, "TAM configuration (.TAMcfg)")->required();
+    command->add_option("FILE", options->file, AXISCOMP_HELP("Help", "TAM configuration (.TAMcfg)"))
+        ->required();
     addDriveOptions(*command, options->drive);
     command
         ->add_option("--from", options->from,
-            "export: take the parameters from this configuration in place of a drive")
+            AXISCOMP_HELP(
+                "Help", "export: take the parameters from this configuration in place of a drive"))
         ->option_text("FILE");
     command
         ->add_option("-o,--output", options->output,
-            "export: write this file instead, and leave the other one as it is")
+            AXISCOMP_HELP(
+                "Help", "export: write this file instead, and leave the other one as it is"))
         ->option_text("FILE");
     command
         ->add_option("--station", options->station,
-            "Name or serial number of the station in the file; without it the one with the drive's "
-            "serial number")
+            AXISCOMP_HELP("Help",
+                "Name or serial number of the station in the file; without it the one with the "
+                "drive's "
+                "serial number"))
         ->option_text("STATION");
-    command->add_flag(
-        "--force", options->force, "Accept a station with another serial number than the drive's");
-    command->add_flag(
-        "--dry-run", options->isDryRun, "Show what would be written without writing it");
-    command->footer(
-        "Only the registers Table and Dim1Source to Dim3Source of the axes are read and written.\n"
-        "Everything else in the file stays as it is, and tables stay on the drive. Importing "
-        "never\n"
-        "switches a compensation on.\n\n"
-        "Example:\n"
-        "  axiscomp config export machine.TAMcfg --drive http://192.168.1.20\n"
-        "  axiscomp config import machine.TAMcfg --drive http://192.168.1.20 --dry-run");
+    command->add_flag("--force", options->force,
+        AXISCOMP_HELP("Help", "Accept a station with another serial number than the drive's"));
+    command->add_flag("--dry-run", options->isDryRun,
+        AXISCOMP_HELP("Help", "Show what would be written without writing it"));
+    command->footer(AXISCOMP_HELP("Help",
+        "Only the registers Table and Dim1Source to Dim3Source of the axes are read and written. "
+        "Everything else in the file stays as it is, and tables stay on the drive. Importing never "
+        "switches a compensation on.") "\n\n" AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp config export machine.TAMcfg --drive http://192.168.1.20"
+                    "\n  axiscomp config import machine.TAMcfg --drive http://192.168.1.20 "
+                    "--dry-run");
 }
 
 } // namespace axiscomp::app

@@ -256,46 +256,55 @@ void addConvertCommand(CommandLine& line)
 {
     auto options = std::make_shared<ConvertOptions>();
     options->input.command = commandName("convert");
-    CLI::App* command = line.add("convert", fileCommands, "Convert a table file to another format",
+    CLI::App* command = line.add("convert", fileCommands,
+        AXISCOMP_HELP("Help", "Convert a table file to another format"),
         [options](Environment& environment) { return runConvert(environment, *options); });
-    command->add_option("IN", options->input.file, "File to read; - for standard input")
-        ->required();
     command
         ->add_option(
-            "OUT", options->output, "File to write, replaced if it exists; - for standard output")
+            "IN", options->input.file, AXISCOMP_HELP("Help", "File to read; - for standard input"))
+        ->required();
+    command
+        ->add_option("OUT", options->output,
+            AXISCOMP_HELP("Help", "File to write, replaced if it exists; - for standard output"))
         ->required();
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
     addFromOption(*command, options->input);
     addIncompleteGridOptions(*command, options->input);
-    command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
+    command
+        ->add_option("--to", options->to,
+            AXISCOMP_HELP("Help", "Format of the output, if its name leaves it open"))
         ->option_text("FORMAT");
     command
         ->add_option("--value-unit", options->valueUnit,
-            "Unit of the values in a .TAMtbl, which does not say it; by default that of the "
-            "positions")
+            AXISCOMP_HELP("Help",
+                "Unit of the values in a .TAMtbl, which does not say it; by default that of the "
+                "positions"))
         ->option_text("UNIT")
         ->group("Conversion");
     command->add_flag("--accept-large", options->acceptsLarge,
-        "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl");
-    CLI::Option* persistent = command->add_flag(
-        "--persistent", options->persistent, "Mark the table persistent: the drive stores it");
+        AXISCOMP_HELP("Help",
+            "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl"));
+    CLI::Option* persistent = command->add_flag("--persistent", options->persistent,
+        AXISCOMP_HELP("Help", "Mark the table persistent: the drive stores it"));
     command
         ->add_flag("--volatile", options->isVolatile,
-            "Mark the table volatile (without either: as the input is)")
+            AXISCOMP_HELP("Help", "Mark the table volatile (without either: as the input is)"))
         ->excludes(persistent);
-    command->add_option("--name", options->name, "Name of the table")->option_text("TEXT");
+    command->add_option("--name", options->name, AXISCOMP_HELP("Help", "Name of the table"))
+        ->option_text("TEXT");
     options->conversion.command = options->input.command;
     addConversionOptions(*command, options->conversion);
     addResamplingOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);
-    command->footer(
-        "Examples:\n"
-        "  axiscomp convert x.csv x.TAMtbl --dims 1 --table 2 --persistent\n"
-        "  axiscomp convert x.csv x.txt --dims 1 --to softmc\n"
-        "  axiscomp convert measured.csv even.csv --dims 1 --within 0.1 --method cubic\n"
-        "  axiscomp convert x.csv dense.csv --dims 1 --within 0.01 --method spline --speed 100");
+    command->footer(AXISCOMP_HELP(
+        "Help", "Examples:") "\n  axiscomp convert x.csv x.TAMtbl --dims 1 --table 2 --persistent"
+                             "\n  axiscomp convert x.csv x.txt --dims 1 --to softmc"
+                             "\n  axiscomp convert measured.csv even.csv --dims 1 --within 0.1 "
+                             "--method cubic"
+                             "\n  axiscomp convert x.csv dense.csv --dims 1 --within 0.01 --method "
+                             "spline --speed 100");
 }
 
 } // namespace axiscomp::app

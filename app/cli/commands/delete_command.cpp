@@ -54,22 +54,27 @@ void addDeleteCommand(CommandLine& line)
     auto options = std::make_shared<DeleteOptions>();
     options->drive.command = commandName("delete");
     CLI::App* command = line.add("delete", driveCommands,
-        "Delete the table of an axis, or one that no axis uses, and free its slot",
+        AXISCOMP_HELP(
+            "Help", "Delete the table of an axis, or one that no axis uses, and free its slot"),
         [options](Environment& environment) { return runDelete(environment, *options); });
     addDriveOptions(*command, options->drive);
     CLI::Option* const axis = addAxisOption(*command, options->drive);
     command
         ->add_option("--slot", options->slot,
-            "Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses")
+            AXISCOMP_HELP("Help",
+                "Delete the table in this slot, small1 to small8, large1 or large2, which no axis "
+                "uses"))
         ->option_text("SLOT")
         ->excludes(axis);
-    command->add_flag(
-        "--dry-run", options->isDryRun, "Show what would be deleted without deleting it");
-    command->footer(
-        "The compensation must be off. The axis then uses no table, also after a reboot; its\n"
-        "sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.\n\n"
-        "Example:\n"
-        "  axiscomp delete --drive http://192.168.1.20 --axis X --dry-run");
+    command->add_flag("--dry-run", options->isDryRun,
+        AXISCOMP_HELP("Help", "Show what would be deleted without deleting it"));
+    command
+        ->footer(
+            AXISCOMP_HELP("Help",
+                "The compensation must be off. The axis then uses no table, also after a reboot; "
+                "its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings "
+                "it back.") "\n\n" AXISCOMP_HELP("Help",
+                "Example:") "\n  axiscomp delete --drive http://192.168.1.20 --axis X --dry-run");
 }
 
 } // namespace axiscomp::app

@@ -33,20 +33,26 @@ Result<ExitCode> runExample(Environment& environment, const ExampleOptions& opti
 void addExampleCommand(CommandLine& line)
 {
     auto options = std::make_shared<ExampleOptions>();
-    CLI::App* command = line.add("example", fileCommands, "Write an example calibration file (CSV)",
+    CLI::App* command = line.add("example", fileCommands,
+        AXISCOMP_HELP("Help", "Write an example calibration file (CSV)"),
         [options](Environment& environment) { return runExample(environment, *options); });
-    command->add_option("--dims", options->dimensions, "Number of dimensions: 1, 2 or 3")
+    command
+        ->add_option(
+            "--dims", options->dimensions, AXISCOMP_HELP("Help", "Number of dimensions: 1, 2 or 3"))
         ->option_text("D (required)")
         ->required()
         ->check(CLI::IsMember({1, 2, 3}));
-    command->add_option("--tables", options->tables, "Number of tables (2 unless given)")
+    command
+        ->add_option(
+            "--tables", options->tables, AXISCOMP_HELP("Help", "Number of tables (2 unless given)"))
         ->option_text("N")
         ->check(CLI::Range(1, mostTables));
     command
-        ->add_option(
-            "-o,--output", options->output, "File to write; standard output without it, or with -")
+        ->add_option("-o,--output", options->output,
+            AXISCOMP_HELP("Help", "File to write; standard output without it, or with -"))
         ->option_text("FILE");
-    command->footer("Example:\n  axiscomp example --dims 2 -o example.csv");
+    command->footer(
+        AXISCOMP_HELP("Help", "Example:") "\n  axiscomp example --dims 2 -o example.csv");
 }
 
 } // namespace axiscomp::app

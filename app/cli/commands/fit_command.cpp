@@ -298,84 +298,99 @@ void addOutputFileOptions(CLI::App& command, FitOptions& options)
 {
     command
         .add_option("-o,--output", options.file.output.file,
-            "Table file to write, replaced if it exists; - for standard output. Without it "
-            "nothing is written")
+            AXISCOMP_HELP("Help",
+                "Table file to write, replaced if it exists; - for standard output. Without it "
+                "nothing is written"))
         ->option_text("FILE");
     command
         .add_option("--record", options.record,
-            "Begin a record of the compensation (.axcal): measurement, table and what it promises, "
-            "for compare and report")
+            AXISCOMP_HELP("Help",
+                "Begin a record of the compensation (.axcal): measurement, table and what it "
+                "promises, "
+                "for compare and report"))
         ->option_text("FILE.axcal");
-    command.add_option("--to", options.file.to, "Format of the output, if its name leaves it open")
+    command
+        .add_option("--to", options.file.to,
+            AXISCOMP_HELP("Help", "Format of the output, if its name leaves it open"))
         ->option_text("FORMAT");
     command
         .add_option("--table", options.file.table,
-            "Write this column of points only, where the format holds one table")
+            AXISCOMP_HELP(
+                "Help", "Write this column of points only, where the format holds one table"))
         ->option_text("NAME");
     command.add_flag("--accept-large", options.file.acceptsLarge,
-        "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl");
+        AXISCOMP_HELP("Help",
+            "Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl"));
     addTargetOption(command, options.file.conversion);
     addOutputOptions(command, options.file.conversion);
 }
 
 void addCurveOptions(CLI::App& command, FitOptions& options)
 {
-    const std::string group = "Curve and grid";
+    const std::string group = AXISCOMP_HELP("Help", "Curve and grid");
     command
         .add_option("--method", options.method,
-            "Curve through the means: linear (the default), cubic, spline, smooth or harmonic")
+            AXISCOMP_HELP("Help",
+                "Curve through the means: linear (the default), cubic, spline, smooth or harmonic"))
         ->option_text("METHOD")
         ->check(CLI::IsMember(
             std::vector<std::string>{"linear", "cubic", "spline", "smooth", "harmonic"}))
         ->group(group);
     command
         .add_option("--smoothness", options.smoothness,
-            "Of the method smooth, and of points and tracks; by cross-validation unless given")
+            AXISCOMP_HELP("Help",
+                "Of the method smooth, and of points and tracks; by cross-validation unless given"))
         ->option_text("S")
         ->check(CLI::NonNegativeNumber.description(""))
         ->group(group);
     command
         .add_option("--period", options.periods,
-            "Known periods, such as the lead of the screw, fitted by the method smooth")
+            AXISCOMP_HELP("Help",
+                "Known periods, such as the lead of the screw, fitted by the method smooth"))
         ->option_text("P[,P]")
         ->delimiter(',')
         ->group(group);
     command
-        .add_option(
-            "--harmonics", options.harmonics, "Harmonics of each period, and of harmonic (1)")
+        .add_option("--harmonics", options.harmonics,
+            AXISCOMP_HELP("Help", "Harmonics of each period, and of harmonic (1)"))
         ->option_text("K")
         ->check(CLI::Range(1, 100))
         ->group(group);
     command
         .add_option("--turn", options.turn,
-            "Length of a turn of a modulo axis, such as 360: the table ends as it begins")
+            AXISCOMP_HELP("Help",
+                "Length of a turn of a modulo axis, such as 360: the table ends as it begins"))
         ->option_text("LENGTH")
         ->check(CLI::PositiveNumber.description(""))
         ->group(group);
     command
         .add_option("--direction", options.direction,
-            "Which runs the table is made of: mean of both (the default), positive or negative; "
-            "both makes a table for each, for controllers that keep two")
+            AXISCOMP_HELP("Help",
+                "Which runs the table is made of: mean of both (the default), positive or "
+                "negative; "
+                "both makes a table for each, for controllers that keep two"))
         ->option_text("CHOICE")
         ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative", "both"}))
         ->group(group);
     command
         .add_option("--by", options.by,
-            "temperature: a table over position and temperature, from runs in several thermal "
-            "states; --points and --distance take a second number for it")
+            AXISCOMP_HELP("Help",
+                "temperature: a table over position and temperature, from runs in several thermal "
+                "states; --points and --distance take a second number for it"))
         ->option_text("WHAT")
         ->check(CLI::IsMember(std::vector<std::string>{"temperature"}))
         ->group(group);
     command
         .add_option("--points", options.file.conversion.points,
-            "Even grid with N points, for each axis or for all; the targets unless given")
+            AXISCOMP_HELP("Help",
+                "Even grid with N points, for each axis or for all; the targets unless given"))
         ->option_text("N[,N[,N]]")
         ->delimiter(',')
         ->check(CLI::Range(2, 100'000'000))
         ->group(group);
     command
         .add_option("--distance", options.file.conversion.distances,
-            "Even grid with spacing D, for each axis or for all")
+            AXISCOMP_HELP("Help", "Even grid with spacing D, for each axis or for all"))
         ->option_text("D[,D[,D]]")
         ->delimiter(',')
         ->check(CLI::PositiveNumber.description(""))
@@ -383,18 +398,21 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
         ->group(group);
     command
         .add_option("--within", options.file.conversion.within,
-            "The fewest points that leave no more than this to the curve, in mm or deg")
+            AXISCOMP_HELP("Help",
+                "The fewest points that leave no more than this to the curve, in mm or deg"))
         ->option_text("DEVIATION")
         ->excludes("--points")
         ->excludes("--distance")
         ->group(group);
     command
         .add_flag("--hold", options.file.conversion.holdsEnds,
-            "Let the grid extend beyond the targets, where the end values are held")
+            AXISCOMP_HELP(
+                "Help", "Let the grid extend beyond the targets, where the end values are held"))
         ->group(group);
     command
         .add_option("--speed", options.speed,
-            "Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told")
+            AXISCOMP_HELP("Help",
+                "Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told"))
         ->option_text("V")
         ->check(CLI::PositiveNumber.description(""))
         ->group(group);
@@ -402,25 +420,29 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
 
 void addZeroOptions(CLI::App& command, FitOptions& options)
 {
-    const std::string group = "Zero, slope and drift";
+    const std::string group = AXISCOMP_HELP("Help", "Zero, slope and drift");
     command
         .add_option("--zero", options.zero,
-            "Where the table is 0: home, first (the first target), mean, keep, or a position; home "
-            "where it is known and measured, else first, unless given")
+            AXISCOMP_HELP("Help",
+                "Where the table is 0: home, first (the first target), mean, keep, or a position; "
+                "home "
+                "where it is known and measured, else first, unless given"))
         ->option_text("WHERE")
         ->group(group);
-    command.add_option("--home", options.home, "Home position of the axis")
+    command.add_option("--home", options.home, AXISCOMP_HELP("Help", "Home position of the axis"))
         ->option_text("POSITION")
         ->group(group);
     command
         .add_option("--remove-slope", options.removedSlope,
-            "Take the slope out, for straightness: lsq (least squares) or ends")
+            AXISCOMP_HELP(
+                "Help", "Take the slope out, for straightness: lsq (least squares) or ends"))
         ->option_text("HOW")
         ->check(CLI::IsMember(std::vector<std::string>{"lsq", "ends"}))
         ->group(group);
     command
         .add_option("--remove-drift", options.removedDrift,
-            "Take the drift of the runs out before they are averaged: offset or trend")
+            AXISCOMP_HELP(
+                "Help", "Take the drift of the runs out before they are averaged: offset or trend"))
         ->option_text("HOW")
         ->check(CLI::IsMember(std::vector<std::string>{"offset", "trend"}))
         ->group(group);
@@ -428,51 +450,62 @@ void addZeroOptions(CLI::App& command, FitOptions& options)
 
 void addStateOptions(CLI::App& command, FitOptions& options)
 {
-    const std::string group = "State of the drive";
+    const std::string group = AXISCOMP_HELP("Help", "State of the drive");
     command
         .add_option("--lookup-at", options.lookupAt,
-            "Where the drive looks the table up: encoder (before the compensation) or set (after "
-            "it); with --onto drive by its source")
+            AXISCOMP_HELP("Help",
+                "Where the drive looks the table up: encoder (before the compensation) or set "
+                "(after "
+                "it); with --onto drive by its source"))
         ->option_text("WHERE")
         ->check(CLI::IsMember(std::vector<std::string>{"encoder", "set"}))
         ->group(group);
     command
         .add_option("--measured-with", options.measuredWith,
-            "What was active while it was measured, where the file does not say it: off, on, or "
-            "the file of the table")
+            AXISCOMP_HELP("Help",
+                "What was active while it was measured, where the file does not say it: off, on, "
+                "or "
+                "the file of the table"))
         ->option_text("STATE")
         ->group(group);
     command
         .add_option("--onto", options.onto,
-            "Merge residuals onto the table that was active: its file, or drive for the one that "
-            "the axis uses (--drive, --axis)")
+            AXISCOMP_HELP("Help",
+                "Merge residuals onto the table that was active: its file, or drive for the one "
+                "that "
+                "the axis uses (--drive, --axis)"))
         ->option_text("TABLE")
         ->group(group);
     command
         .add_option("--gain", options.gain,
-            "Of the residuals that are merged (1); 0.7 is usual where the machine answers late")
+            AXISCOMP_HELP("Help",
+                "Of the residuals that are merged (1); 0.7 is usual where the machine answers "
+                "late"))
         ->option_text("GAIN")
         ->group(group);
 }
 
 void addPointsOptions(CLI::App& command, FitOptions& options)
 {
-    const std::string group = "Points and tracks";
+    const std::string group = AXISCOMP_HELP("Help", "Points and tracks");
     command
         .add_option("--remove", options.remove,
-            "Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale")
+            AXISCOMP_HELP("Help",
+                "Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or "
+                "scale"))
         ->option_text("WHAT")
         ->group(group);
     command
         .add_option("--fill", options.fill,
-            "Points of the grid that are far from any measured one: smooth or nearest; refused "
-            "unless given")
+            AXISCOMP_HELP("Help",
+                "Points of the grid that are far from any measured one: smooth or nearest; refused "
+                "unless given"))
         ->option_text("HOW")
         ->check(CLI::IsMember(std::vector<std::string>{"smooth", "nearest"}))
         ->group(group);
     command
-        .add_flag(
-            "--robust", options.isRobust, "Give values that do not fit the others less weight")
+        .add_flag("--robust", options.isRobust,
+            AXISCOMP_HELP("Help", "Give values that do not fit the others less weight"))
         ->group(group);
 }
 
@@ -487,7 +520,8 @@ void addFitCommand(CommandLine& line)
     options->file.output.command = name;
     options->file.conversion.command = name;
     CLI::App* command = line.add("fit", fileCommands,
-        "Make a compensation table of a measurement, and foretell what it does",
+        AXISCOMP_HELP(
+            "Help", "Make a compensation table of a measurement, and foretell what it does"),
         [options](Environment& environment) { return runFit(environment, *options); });
     addMeasurementOptions(*command, options->input);
     addOutputFileOptions(*command, *options);
@@ -499,12 +533,12 @@ void addFitCommand(CommandLine& line)
     addCorrectionOptions(*command, options->correction);
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
-    command->footer(
-        "Examples:\n"
-        "  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder\n"
-        "  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5\n"
-        "  axiscomp fit after.csv -o new.csv --onto drive --drive http://192.0.2.5 --axis X\n"
-        "  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
+    command->footer(AXISCOMP_HELP("Help",
+        "Examples:") "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder"
+                     "\n  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5"
+                     "\n  axiscomp fit after.csv -o new.csv --onto drive --drive http://192.0.2.5 "
+                     "--axis X"
+                     "\n  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
 }
 
 } // namespace axiscomp::app

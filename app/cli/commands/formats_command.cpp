@@ -100,12 +100,15 @@ void addFormatsCommand(CommandLine& line)
 {
     auto options = std::make_shared<FormatsOptions>();
     CLI::App* command = line.add("formats", fileCommands,
-        "List the table formats, or describe one: its limits, rules and settings",
+        AXISCOMP_HELP(
+            "Help", "List the table formats, or describe one: its limits, rules and settings"),
         [options](Environment& environment) { return runFormats(environment, *options); });
-    command->add_option("NAME", options->name, "One format: its rules, limits and settings");
-    command->add_flag("--markdown", options->markdown, "All of them, as the page docs/formats.md");
+    command->add_option(
+        "NAME", options->name, AXISCOMP_HELP("Help", "One format: its rules, limits and settings"));
+    command->add_flag("--markdown", options->markdown,
+        AXISCOMP_HELP("Help", "All of them, as the page docs/formats.md"));
     command->add_flag("--measurements", options->measurements,
-        "The formats of measurements instead of those of tables");
+        AXISCOMP_HELP("Help", "The formats of measurements instead of those of tables"));
 }
 
 } // namespace axiscomp::app

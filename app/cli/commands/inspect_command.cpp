@@ -187,9 +187,11 @@ void addInspectCommand(CommandLine& line)
     auto options = std::make_shared<TableInputOptions>();
     options->command = commandName("inspect");
     CLI::App* command = line.add("inspect", fileCommands,
-        "Check a file and report its format, grid, tables and problems",
+        AXISCOMP_HELP("Help", "Check a file and report its format, grid, tables and problems"),
         [options](Environment& environment) { return runInspect(environment, *options); });
-    command->add_option("FILE", options->file, "Calibration file or table; - for standard input")
+    command
+        ->add_option("FILE", options->file,
+            AXISCOMP_HELP("Help", "Calibration file or table; - for standard input"))
         ->required();
     addDimensionsOption(*command, *options);
     addFromOption(*command, *options);

@@ -59,25 +59,28 @@ void addJudgeCommand(CommandLine& line)
     auto options = std::make_shared<JudgeCommandOptions>();
     options->input.command = commandName("judge");
     CLI::App* command = line.add("judge", fileCommands,
-        "Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances",
+        AXISCOMP_HELP(
+            "Help", "Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances"),
         [options](Environment& environment) { return runJudge(environment, *options); });
     addMeasurementOptions(*command, options->input);
     addToleranceOptions(*command, options->tolerance);
     command
         ->add_option("--outliers", options->outliers,
-            "Rule that proposes outliers: mad (the default), grubbs or none")
+            AXISCOMP_HELP("Help", "Rule that proposes outliers: mad (the default), grubbs or none"))
         ->option_text("RULE")
         ->check(CLI::IsMember(std::vector<std::string>{"mad", "grubbs", "none"}));
     command
         ->add_option("--period", options->period,
-            "Known period of the axis, such as the lead of its screw, in mm or deg")
+            AXISCOMP_HELP(
+                "Help", "Known period of the axis, such as the lead of its screw, in mm or deg"))
         ->option_text("P")
         ->check(CLI::NonNegativeNumber.description(""));
-    command->add_flag("--vdi", options->wantsVdi, "Show the figures of VDI/DGQ 3441 as well");
+    command->add_flag("--vdi", options->wantsVdi,
+        AXISCOMP_HELP("Help", "Show the figures of VDI/DGQ 3441 as well"));
     addCorrectionOptions(*command, options->correction);
-    command->footer("Examples:\n"
-                    "  axiscomp judge x.rtl --tolerance A=10um,R=4um\n"
-                    "  axiscomp judge x.csv --exclude down:1:1 --json");
+    command->footer(
+        AXISCOMP_HELP("Help", "Examples:") "\n  axiscomp judge x.rtl --tolerance A=10um,R=4um"
+                                           "\n  axiscomp judge x.csv --exclude down:1:1 --json");
 }
 
 } // namespace axiscomp::app

@@ -166,30 +166,38 @@ void addLookupCommand(CommandLine& line)
     auto options = std::make_shared<LookupOptions>();
     options->input.command = commandName("lookup");
     CLI::App* command = line.add("lookup", fileCommands,
-        "Print the interpolated value at a position, as the drive computes it",
+        AXISCOMP_HELP(
+            "Help", "Print the interpolated value at a position, as the drive computes it"),
         [options](Environment& environment) { return runLookup(environment, *options); });
-    command->add_option("FILE", options->input.file, "Calibration file or table")->required();
     command
         ->add_option(
-            "POSITION", options->position, "X [Y [Z]], one number per dimension; may be negative")
+            "FILE", options->input.file, AXISCOMP_HELP("Help", "Calibration file or table"))
+        ->required();
+    command
+        ->add_option("POSITION", options->position,
+            AXISCOMP_HELP("Help", "X [Y [Z]], one number per dimension; may be negative"))
         ->option_text("[X [Y [Z]]]")
         ->expected(1, 3);
     addDimensionsOption(*command, options->input);
     addTableOption(*command, options->input);
     command
         ->add_option("--points", options->points,
-            "File with one position per line, - for standard input; prints one result per line")
+            AXISCOMP_HELP("Help",
+                "File with one position per line, - for standard input; prints one result per "
+                "line"))
         ->option_text("FILE");
     command
         ->add_option("--outside", options->outside,
-            "Value outside the table: hold (as the drive does; the default), zero, wrap, "
-            "extrapolate or error")
+            AXISCOMP_HELP("Help",
+                "Value outside the table: hold (as the drive does; the default), zero, wrap, "
+                "extrapolate or error"))
         ->option_text("RULE")
         ->check(CLI::IsMember(
             std::vector<std::string>{"hold", "zero", "wrap", "extrapolate", "error"}));
     command
         ->add_option("--as", options->as,
-            "Print the value that the controller of this format would apply, after conversion")
+            AXISCOMP_HELP("Help",
+                "Print the value that the controller of this format would apply, after conversion"))
         ->option_text("FORMAT");
     addFromOption(*command, options->input);
     addIncompleteGridOptions(*command, options->input);
@@ -197,10 +205,10 @@ void addLookupCommand(CommandLine& line)
     addConversionOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);
-    command->footer("Examples:\n"
-                    "  axiscomp lookup x.csv -12.5 --dims 1\n"
-                    "  axiscomp lookup plane.TAMtbl --points positions.txt --outside error\n"
-                    "  axiscomp lookup x.csv 50 --dims 1 --as softmc");
+    command->footer(AXISCOMP_HELP("Help",
+        "Examples:") "\n  axiscomp lookup x.csv -12.5 --dims 1"
+                     "\n  axiscomp lookup plane.TAMtbl --points positions.txt --outside error"
+                     "\n  axiscomp lookup x.csv 50 --dims 1 --as softmc");
 }
 
 } // namespace axiscomp::app

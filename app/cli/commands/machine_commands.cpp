@@ -207,20 +207,25 @@ Result<ExitCode> runApply(Environment& environment, const MachineOptions& option
 
 void addMachineOptions(CLI::App& command, MachineOptions& options)
 {
-    command.add_option("FILE", options.file, "Machine file (.toml)")->required();
+    command.add_option("FILE", options.file, AXISCOMP_HELP("Help", "Machine file (.toml)"))
+        ->required();
     addConnectionOptions(command, options.drive);
     command
         .add_option("--only", options.only,
-            "Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be "
-            "given several times")
+            AXISCOMP_HELP("Help",
+                "Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may "
+                "be "
+                "given several times"))
         ->option_text("AXIS")
         ->allow_extra_args(false);
     constexpr int mostJobs = 256;
-    command.add_option("--jobs", options.jobs, "Drives at the same time (16 unless given)")
+    command
+        .add_option("--jobs", options.jobs,
+            AXISCOMP_HELP("Help", "Drives at the same time (16 unless given)"))
         ->option_text("N")
         ->check(CLI::Range(1, mostJobs));
     command.add_flag("--allow-missing", options.allowsMissing,
-        "Leave drives out that do not answer, which is an error otherwise");
+        AXISCOMP_HELP("Help", "Leave drives out that do not answer, which is an error otherwise"));
 }
 
 } // namespace
@@ -230,27 +235,33 @@ void addMachineCommands(CommandLine& line)
     auto plan = std::make_shared<MachineOptions>();
     plan->drive.command = commandName("plan");
     CLI::App* command = line.add("plan", driveCommands,
-        "Compare the drives of a machine with its machine file, and change nothing",
+        AXISCOMP_HELP(
+            "Help", "Compare the drives of a machine with its machine file, and change nothing"),
         [plan](Environment& environment) { return runPlan(environment, *plan); });
     addMachineOptions(*command, *plan);
-    command->footer("The exit code is 0 when all drives have what the file says, and 9 when "
-                    "something differs.\n\n"
-                    "Example:\n"
-                    "  axiscomp plan machine.toml");
+    command->footer(
+        AXISCOMP_HELP("Help",
+            "The exit code is 0 when all drives have what the file says, and 9 when something "
+            "differs.") "\n\n" AXISCOMP_HELP("Help", "Example:") "\n  axiscomp plan machine.toml");
 
     auto apply = std::make_shared<MachineOptions>();
     apply->drive.command = commandName("apply");
     command = line.add("apply", driveCommands,
-        "Write what a machine file says to the drives of the machine, where they differ",
+        AXISCOMP_HELP("Help",
+            "Write what a machine file says to the drives of the machine, where they differ"),
         [apply](Environment& environment) { return runApply(environment, *apply); });
     addMachineOptions(*command, *apply);
     command->add_flag("--activate", apply->activates,
-        "Switch the compensation of axes on and off where the file says so (active), and prove it");
-    command->footer("All drives are planned first, and nothing is written unless all of it is "
-                    "possible. Each write\n"
-                    "is safe as that of `axiscomp write`. A second apply finds nothing to do.\n\n"
-                    "Example:\n"
-                    "  axiscomp apply machine.toml --activate");
+        AXISCOMP_HELP("Help",
+            "Switch the compensation of axes on and off where the file says so (active), and prove "
+            "it"));
+    command
+        ->footer(
+            AXISCOMP_HELP("Help",
+                "All drives are planned first, and nothing is written unless all of it is "
+                "possible. Each write is safe as that of `axiscomp write`. A second apply finds "
+                "nothing to do.") "\n\n" AXISCOMP_HELP("Help",
+                "Example:") "\n  axiscomp apply machine.toml --activate");
 }
 
 } // namespace axiscomp::app

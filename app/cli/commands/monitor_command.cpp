@@ -151,7 +151,7 @@ void addMonitorCommand(CommandLine& line)
     auto options = std::make_shared<MonitorOptions>();
     options->drive.command = commandName("monitor");
     CLI::App* command = line.add("monitor", driveCommands,
-        "Print output, indices and sources of an axis as CSV until stopped",
+        AXISCOMP_HELP("Help", "Print output, indices and sources of an axis as CSV until stopped"),
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [&](Environment& sameEnvironment, CommandSession& session, int axis) {
@@ -160,14 +160,18 @@ void addMonitorCommand(CommandLine& line)
         });
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
-    command->add_option("--rate", options->rateHz, "Lines per second, 1 to 100 (10 unless given)")
+    command
+        ->add_option("--rate", options->rateHz,
+            AXISCOMP_HELP("Help", "Lines per second, 1 to 100 (10 unless given)"))
         ->option_text("HZ")
         ->check(CLI::Range(1.0, 100.0));
-    command->add_option("--count", options->count, "Number of lines; without end unless given")
+    command
+        ->add_option("--count", options->count,
+            AXISCOMP_HELP("Help", "Number of lines; without end unless given"))
         ->option_text("N")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-    command->footer(
-        "Example:\n  axiscomp monitor --drive http://192.168.1.20 --axis X --rate 50 > x.csv");
+    command->footer(AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp monitor --drive http://192.168.1.20 --axis X --rate 50 > x.csv");
 }
 
 } // namespace axiscomp::app

@@ -129,16 +129,21 @@ void addReadCommand(CommandLine& line)
 {
     auto options = std::make_shared<ReadOptions>();
     options->drive.command = commandName("read");
-    CLI::App* command = line.add("read", driveCommands, "Download the table that an axis uses",
+    CLI::App* command = line.add("read", driveCommands,
+        AXISCOMP_HELP("Help", "Download the table that an axis uses"),
         [options](Environment& environment) { return runRead(environment, *options); });
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
     command
         ->add_option("-o,--output", options->output,
-            "File to write, .csv, .TAMtbl or that of another controller; CSV on standard output "
-            "without it")
+            AXISCOMP_HELP("Help",
+                "File to write, .csv, .TAMtbl or that of another controller; CSV on standard "
+                "output "
+                "without it"))
         ->option_text("FILE");
-    command->add_option("--to", options->to, "Format of the output, if its name leaves it open")
+    command
+        ->add_option("--to", options->to,
+            AXISCOMP_HELP("Help", "Format of the output, if its name leaves it open"))
         ->option_text("FORMAT");
     options->conversion.command = options->drive.command;
     addTargetOption(*command, options->conversion);

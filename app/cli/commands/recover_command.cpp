@@ -146,7 +146,8 @@ void addRecoverCommand(CommandLine& line)
     auto options = std::make_shared<RecoverOptions>();
     options->drive.command = commandName("recover");
     CLI::App* command = line.add("recover", driveCommands,
-        "Finish or undo an interrupted write; without an option, say which is possible",
+        AXISCOMP_HELP("Help",
+            "Finish or undo an interrupted write; without an option, say which is possible"),
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [options](Environment& sameEnvironment, CommandSession& session, int axis) {
@@ -156,8 +157,10 @@ void addRecoverCommand(CommandLine& line)
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
     CLI::Option* finish = command->add_flag("--finish", options->finishes,
-        "Bring the complete new state about, from whatever there is now");
-    command->add_flag("--undo", options->undoes, "Bring back the complete state before the write")
+        AXISCOMP_HELP("Help", "Bring the complete new state about, from whatever there is now"));
+    command
+        ->add_flag("--undo", options->undoes,
+            AXISCOMP_HELP("Help", "Bring back the complete state before the write"))
         ->excludes(finish);
 }
 

@@ -5,6 +5,7 @@
 #include "app/cli/output/output_file.h"
 #include "app/cli/output/report_output.h"
 #include "app/common/arguments.h"
+#include "app/texts/program_texts.h"
 #include "core/io/local_file.h"
 #include "core/metrology/report/record_report.h"
 #include "core/metrology/report/report_html.h"
@@ -32,7 +33,7 @@ Result<ReportFormat> formatOf(const std::string& file)
 
 Result<void> checkLanguage(const std::string& language)
 {
-    const std::vector<std::string> languages = reportLanguages();
+    const std::vector<std::string> languages = textLanguages();
     if (std::ranges::find(languages, language) != languages.end())
         return {};
     std::string known;
@@ -109,23 +110,28 @@ void addReportCommand(CommandLine& line)
 {
     auto options = std::make_shared<ReportCommandOptions>();
     CLI::App* command = line.add("report", fileCommands,
-        "Write the report of a record: by how much an axis became better, on one page",
+        AXISCOMP_HELP(
+            "Help", "Write the report of a record: by how much an axis became better, on one page"),
         [options](Environment& environment) { return runReport(environment, *options); });
-    command->add_option("record", options->record, "Record of the compensation (.axcal)")
+    command
+        ->add_option(
+            "record", options->record, AXISCOMP_HELP("Help", "Record of the compensation (.axcal)"))
         ->option_text("RECORD")
         ->required();
     command
         ->add_option("-o,--output", options->output,
-            "The report; its extension says whether it is PDF or HTML")
+            AXISCOMP_HELP("Help", "The report; its extension says whether it is PDF or HTML"))
         ->option_text("FILE")
         ->required();
-    command->add_option("--language", options->language, "Language of the report: en or de")
+    command
+        ->add_option("--language", options->language,
+            AXISCOMP_HELP("Help", "Language of the report: en, de, fr, ja or zh"))
         ->option_text("LANGUAGE");
     command->add_flag("--lists", options->wantsLists,
-        "Add pages with every target and every value that is left out");
-    command->footer("Examples:\n"
-                    "  axiscomp report job.axcal -o report.pdf\n"
-                    "  axiscomp report job.axcal -o report.html --language de");
+        AXISCOMP_HELP("Help", "Add pages with every target and every value that is left out"));
+    command->footer(AXISCOMP_HELP(
+        "Help", "Examples:") "\n  axiscomp report job.axcal -o report.pdf"
+                             "\n  axiscomp report job.axcal -o report.html --language de");
 }
 
 } // namespace axiscomp::app

@@ -153,18 +153,20 @@ void addRunsCommand(CommandLine& line)
     auto options = std::make_shared<RunsOptions>();
     options->input.command = commandName("runs");
     CLI::App* command = line.add("runs", fileCommands,
-        "Show what is in measurement files, join them, and write them as one CSV",
+        AXISCOMP_HELP(
+            "Help", "Show what is in measurement files, join them, and write them as one CSV"),
         [options](Environment& environment) { return runRuns(environment, *options); });
     addMeasurementOptions(*command, options->input);
     command
         ->add_option("-o,--output", options->output,
-            "CSV file to write, replaced if it exists; - for standard output")
+            AXISCOMP_HELP(
+                "Help", "CSV file to write, replaced if it exists; - for standard output"))
         ->option_text("FILE");
-    command->footer("Examples:\n"
-                    "  axiscomp runs x.rtl\n"
-                    "  axiscomp runs monday.csv tuesday.csv -o both.csv\n"
-                    "  axiscomp runs list.csv --columns target=1,direction=3,deviation=5 --unit mm "
-                    "--value-unit um");
+    command->footer(AXISCOMP_HELP(
+        "Help", "Examples:") "\n  axiscomp runs x.rtl"
+                             "\n  axiscomp runs monday.csv tuesday.csv -o both.csv"
+                             "\n  axiscomp runs list.csv --columns "
+                             "target=1,direction=3,deviation=5 --unit mm --value-unit um");
 }
 
 } // namespace axiscomp::app

@@ -154,20 +154,21 @@ void addSnapshotCommand(CommandLine& line)
     auto options = std::make_shared<SnapshotOptions>();
     options->drive.command = commandName("snapshot");
     CLI::App* command = line.add("snapshot", driveCommands,
-        "Write a machine file with all tables from running drives",
+        AXISCOMP_HELP("Help", "Write a machine file with all tables from running drives"),
         [options](Environment& environment) { return runSnapshot(environment, *options); });
     addDriveOptions(*command, options->drive, DriveCount::Several);
     command
         ->add_option("-o,--output", options->folder,
-            "Folder for machine.toml and the tables; files of the same names are replaced")
+            AXISCOMP_HELP("Help",
+                "Folder for machine.toml and the tables; files of the same names are replaced"))
         ->option_text("FOLDER")
         ->required();
-    command->add_option("--name", options->name, "Name of the machine")->option_text("TEXT");
-    command->footer("Applied to drives with the same serial numbers and without tables, the file "
-                    "gives the\n"
-                    "same state, and a snapshot of them the same bytes.\n\n"
-                    "Example:\n"
-                    "  axiscomp snapshot -o mill --drive http://192.168.1.20 --drive "
+    command->add_option("--name", options->name, AXISCOMP_HELP("Help", "Name of the machine"))
+        ->option_text("TEXT");
+    command->footer(AXISCOMP_HELP("Help",
+        "Applied to drives with the same serial numbers and without tables, the file gives the "
+        "same state, and a snapshot of them the same bytes.") "\n\n" AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp snapshot -o mill --drive http://192.168.1.20 --drive "
                     "http://192.168.1.21");
 }
 
@@ -176,22 +177,22 @@ void addMetricsCommand(CommandLine& line)
     auto options = std::make_shared<MetricsOptions>();
     options->machine.drive.command = commandName("metrics");
     CLI::App* command = line.add("metrics", driveCommands,
-        "Print the states of drives as OpenMetrics text, for a collector",
+        AXISCOMP_HELP("Help", "Print the states of drives as OpenMetrics text, for a collector"),
         [options](Environment& environment) { return runMetrics(environment, *options); });
     addDriveOptions(*command, options->machine.drive, DriveCount::Several);
     command
         ->add_option("--machine", options->machine.file,
-            "Machine file: its drives, and whether they differ from it")
+            AXISCOMP_HELP("Help", "Machine file: its drives, and whether they differ from it"))
         ->option_text("FILE");
     command->add_flag("--prove", options->proves,
-        "Compare the outputs of active compensations with their tables now");
+        AXISCOMP_HELP("Help", "Compare the outputs of active compensations with their tables now"));
     command
         ->add_option("-o,--output", options->output,
-            "File to write, whole or not at all; standard output without it")
+            AXISCOMP_HELP("Help", "File to write, whole or not at all; standard output without it"))
         ->option_text("FILE");
-    command->footer("Example:\n"
-                    "  axiscomp metrics --machine machine.toml \\\n"
-                    "      -o /var/lib/prometheus/node-exporter/axiscomp.prom");
+    command->footer(AXISCOMP_HELP(
+        "Help", "Example:") "\n  axiscomp metrics --machine machine.toml \\"
+                            "\n      -o /var/lib/prometheus/node-exporter/axiscomp.prom");
 }
 
 } // namespace axiscomp::app

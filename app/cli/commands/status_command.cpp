@@ -49,7 +49,8 @@ void addStatusCommand(CommandLine& line)
     auto options = std::make_shared<StatusOptions>();
     options->drive.command = commandName("status");
     CLI::App* command = line.add("status", driveCommands,
-        "Show the compensation of an axis, and the outcome of an interrupted write",
+        AXISCOMP_HELP(
+            "Help", "Show the compensation of an axis, and the outcome of an interrupted write"),
         [options](Environment& environment) {
             return withAxis(environment, options->drive,
                 [options](Environment& inside, CommandSession& session, int axis) {
@@ -59,8 +60,9 @@ void addStatusCommand(CommandLine& line)
     addDriveOptions(*command, options->drive);
     addAxisOption(*command, options->drive);
     command->add_flag("--reset-flash-count", options->resetsFlashCount,
-        "Count the drive's flash operations again after their record was damaged; first wait "
-        "as long as the drive counts them");
+        AXISCOMP_HELP("Help",
+            "Count the drive's flash operations again after their record was damaged; first wait "
+            "as long as the drive counts them"));
 }
 
 } // namespace axiscomp::app

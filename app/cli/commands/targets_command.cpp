@@ -59,39 +59,49 @@ Result<ExitCode> runTargets(Environment& environment, TargetsOptions& options)
 
 void addTargetOptions(CLI::App& command, MeasuringPlanRequest& request)
 {
-    command.add_option("--from", request.from, "First target")
+    command.add_option("--from", request.from, AXISCOMP_HELP("Help", "First target"))
         ->option_text("A (required)")
         ->required();
-    command.add_option("--to", request.to, "Last target, above the first")
+    command.add_option("--to", request.to, AXISCOMP_HELP("Help", "Last target, above the first"))
         ->option_text("B (required)")
         ->required();
-    command.add_option("--count", request.count, "Number of targets")->option_text("M");
+    command.add_option("--count", request.count, AXISCOMP_HELP("Help", "Number of targets"))
+        ->option_text("M");
     command
-        .add_option("--spacing", request.spacing, "Mean distance of targets, instead of --count")
+        .add_option("--spacing", request.spacing,
+            AXISCOMP_HELP("Help", "Mean distance of targets, instead of --count"))
         ->option_text("P");
     command
         .add_option("--period", request.period,
-            "Known period of the axis, such as the lead of its screw: targets are spread over it")
+            AXISCOMP_HELP("Help",
+                "Known period of the axis, such as the lead of its screw: targets are spread over "
+                "it"))
         ->option_text("P");
-    command.add_option("--cycles", request.cycles, "Runs in each direction (5 unless given)")
+    command
+        .add_option("--cycles", request.cycles,
+            AXISCOMP_HELP("Help", "Runs in each direction (5 unless given)"))
         ->option_text("N")
         ->check(CLI::Range(1, 1000));
     command
         .add_option("--seed", request.seed,
-            "Another number gives other targets, the same number the same (1 unless given)")
+            AXISCOMP_HELP("Help",
+                "Another number gives other targets, the same number the same (1 unless given)"))
         ->option_text("N");
     command
         .add_option("--overrun", request.overrun,
-            "How far the axis moves in the direction of a run before its first target (1 % of the "
-            "range unless given, at most a third of the spacing)")
+            AXISCOMP_HELP("Help",
+                "How far the axis moves in the direction of a run before its first target (1 % of "
+                "the "
+                "range unless given, at most a third of the spacing)"))
         ->option_text("D");
     command
-        .add_option(
-            "--feed", request.feedPerMinute, "Feed in mm or deg per minute (1000 unless given)")
+        .add_option("--feed", request.feedPerMinute,
+            AXISCOMP_HELP("Help", "Feed in mm or deg per minute (1000 unless given)"))
         ->option_text("F");
     command
         .add_option("--dwell", request.dwellSeconds,
-            "Seconds at each target (5 unless given): time to stand still and be measured")
+            AXISCOMP_HELP("Help",
+                "Seconds at each target (5 unless given): time to stand still and be measured"))
         ->option_text("S");
 }
 
@@ -101,29 +111,84 @@ void addTargetsCommand(CommandLine& line)
 {
     auto options = std::make_shared<TargetsOptions>();
     CLI::App* command = line.add("targets", fileCommands,
-        "Choose the targets of a measurement: a plan, or a program for the machine's control",
+        AXISCOMP_HELP("Help",
+            "Choose the targets of a measurement: a plan, or a program for the machine's control"),
         [options](Environment& environment) { return runTargets(environment, *options); });
     addTargetOptions(*command, options->request);
-    command->add_option("--axis", options->request.axis, "Name of the axis (X unless given)")
+    command
+        ->add_option("--axis", options->request.axis,
+            AXISCOMP_HELP("Help", "Name of the axis (X unless given)"))
         ->option_text("AXIS");
-    command->add_option("--unit", options->unit, "Unit of all positions: mm (the default) or deg")
+    command
+        ->add_option("--unit", options->unit,
+            AXISCOMP_HELP("Help", "Unit of all positions: mm (the default) or deg"))
         ->option_text("UNIT")
         ->check(CLI::IsMember(std::vector<std::string>{"mm", "deg"}));
     const auto names = gcodeDialectNames();
     command
         ->add_option("--dialect", options->dialect,
-            "Write G-code for this control: linuxcnc, fanuc or siemens")
+            AXISCOMP_HELP("Help", "Write G-code for this control: linuxcnc, fanuc or siemens"))
         ->option_text("DIALECT")
         ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
     command
-        ->add_option(
-            "-o,--output", options->output, "File to write; standard output without it, or with -")
+        ->add_option("-o,--output", options->output,
+            AXISCOMP_HELP("Help", "File to write; standard output without it, or with -"))
         ->option_text("FILE");
-    command->footer("axiscomp never moves an axis: the machine's control or a person does.\n\n"
-                    "Examples:\n"
-                    "  axiscomp targets --from 0 --to 500 --count 51 --period 10 -o plan.csv\n"
-                    "  axiscomp targets --from 0 --to 500 --count 51 --period 10 --dialect siemens "
-                    "-o plan.mpf");
+    command->footer(
+        AXISCOMP_HELP("Help",
+            "axiscomp never moves an axis: the machine's control or a person does.") "\n"
+                                                                                     "\n" AXISCOMP_HELP("Help",
+                                                                                         "Examples"
+                                                                                         ":") "\n  "
+                                                                                              "axis"
+                                                                                              "comp"
+                                                                                              " tar"
+                                                                                              "gets"
+                                                                                              " --"
+                                                                                              "from"
+                                                                                              " 0 "
+                                                                                              "--"
+                                                                                              "to "
+                                                                                              "500 "
+                                                                                              "--"
+                                                                                              "coun"
+                                                                                              "t "
+                                                                                              "51 "
+                                                                                              "--"
+                                                                                              "peri"
+                                                                                              "od "
+                                                                                              "10 "
+                                                                                              "-o "
+                                                                                              "plan"
+                                                                                              ".csv"
+                                                                                              "\n  "
+                                                                                              "axis"
+                                                                                              "comp"
+                                                                                              " tar"
+                                                                                              "gets"
+                                                                                              " --"
+                                                                                              "from"
+                                                                                              " 0 "
+                                                                                              "--"
+                                                                                              "to "
+                                                                                              "500 "
+                                                                                              "--"
+                                                                                              "coun"
+                                                                                              "t "
+                                                                                              "51 "
+                                                                                              "--"
+                                                                                              "peri"
+                                                                                              "od "
+                                                                                              "10 "
+                                                                                              "--"
+                                                                                              "dial"
+                                                                                              "ect "
+                                                                                              "siem"
+                                                                                              "ens "
+                                                                                              "-o "
+                                                                                              "plan"
+                                                                                              ".mp"
+                                                                                              "f");
 }
 
 } // namespace axiscomp::app

@@ -89,30 +89,38 @@ void addTransferCommands(CommandLine& line)
 {
     auto listing = std::make_shared<DriveOptions>();
     listing->command = commandName("files");
-    CLI::App* files = line.add("files", driveCommands, "List the table files of a drive",
+    CLI::App* files = line.add("files", driveCommands,
+        AXISCOMP_HELP("Help", "List the table files of a drive"),
         [listing](Environment& environment) { return withDrive(environment, *listing, runFiles); });
     addDriveOptions(*files, *listing);
 
     auto sending = std::make_shared<TransferOptions>();
     sending->drive.command = commandName("upload");
     CLI::App* upload = line.add("upload", driveCommands,
-        "Upload a file unchanged and verify it, for drive programs that use tables",
+        AXISCOMP_HELP(
+            "Help", "Upload a file unchanged and verify it, for drive programs that use tables"),
         [sending](Environment& environment) { return runUpload(environment, *sending); });
-    upload->add_option("FILE", sending->file, "File on this computer")->required();
-    upload->add_option("--to", sending->path, "Path in the drive, such as tables/small1.TAMtbl")
+    upload->add_option("FILE", sending->file, AXISCOMP_HELP("Help", "File on this computer"))
+        ->required();
+    upload
+        ->add_option("--to", sending->path,
+            AXISCOMP_HELP("Help", "Path in the drive, such as tables/small1.TAMtbl"))
         ->option_text("PATH (required)")
         ->required();
     addDriveOptions(*upload, sending->drive);
 
     auto fetching = std::make_shared<TransferOptions>();
     fetching->drive.command = commandName("download");
-    CLI::App* download = line.add("download", driveCommands, "Download a file unchanged",
-        [fetching](Environment& environment) { return runDownload(environment, *fetching); });
-    download->add_option("PATH", fetching->path, "Path in the drive, such as tables/small1.TAMtbl")
+    CLI::App* download =
+        line.add("download", driveCommands, AXISCOMP_HELP("Help", "Download a file unchanged"),
+            [fetching](Environment& environment) { return runDownload(environment, *fetching); });
+    download
+        ->add_option("PATH", fetching->path,
+            AXISCOMP_HELP("Help", "Path in the drive, such as tables/small1.TAMtbl"))
         ->required();
     download
-        ->add_option(
-            "-o,--output", fetching->file, "File to write; standard output without it, or with -")
+        ->add_option("-o,--output", fetching->file,
+            AXISCOMP_HELP("Help", "File to write; standard output without it, or with -"))
         ->option_text("FILE");
     addDriveOptions(*download, fetching->drive);
 }

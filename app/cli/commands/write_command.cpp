@@ -382,18 +382,22 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
 
 void addSourceOptions(CLI::App& command, WriteOptions& options)
 {
-    for (std::size_t n = 0; n < options.sources.size(); ++n) {
-        const std::string number = std::to_string(n + 1);
-        command
-            .add_option("--source" + number, options.sources[n],
-                "Register that supplies the position of dimension " + number
-                    + ": path, tam:// URI or address (0x1234)")
+    constexpr std::array meanings{
+        AXISCOMP_HELP("Help",
+            "Register that supplies the position of dimension 1: path, tam:// URI or address "
+            "(0x1234)"),
+        AXISCOMP_HELP("Help", "The same for dimension 2"),
+        AXISCOMP_HELP("Help", "The same for dimension 3")};
+    static_assert(meanings.size() == std::tuple_size_v<decltype(options.sources)>);
+    for (std::size_t n = 0; n < meanings.size(); ++n)
+        command.add_option("--source" + std::to_string(n + 1), options.sources[n], meanings[n])
             ->option_text("REG");
-    }
     command
         .add_flag("--own-position", options.usesOwnPosition,
-            "The source is the axis's own position, for tables of one dimension; with --map each "
-            "axis's own")
+            AXISCOMP_HELP("Help",
+                "The source is the axis's own position, for tables of one dimension; with --map "
+                "each "
+                "axis's own"))
         ->excludes("--source1")
         ->excludes("--source2")
         ->excludes("--source3");
@@ -407,19 +411,24 @@ void addWriteCommand(CommandLine& line)
     options->drive.command = commandName("write");
     options->input.command = options->drive.command;
     CLI::App* command = line.add("write", driveCommands,
-        "Write a compensation table to an axis in the safe order, and verify it",
+        AXISCOMP_HELP(
+            "Help", "Write a compensation table to an axis in the safe order, and verify it"),
         [options](Environment& environment) { return runWriteCommand(environment, *options); });
     addDriveOptions(*command, options->drive);
     CLI::Option* const axis = addAxisOption(*command, options->drive);
     command
         ->add_option("--data", options->input.file,
-            "Calibration file (.csv), table (.TAMtbl), or file of another controller; without it "
-            "the "
-            "axis keeps its table")
+            AXISCOMP_HELP("Help",
+                "Calibration file (.csv), table (.TAMtbl), or file of another controller; without "
+                "it "
+                "the "
+                "axis keeps its table"))
         ->option_text("FILE");
     CLI::Option* const record = command->add_option("--record", options->record,
-        "Record of a compensation in place of --data: its table is written, and it notes drive, "
-        "slot and CRC");
+        AXISCOMP_HELP("Help",
+            "Record of a compensation in place of --data: its table is written, and it notes "
+            "drive, "
+            "slot and CRC"));
     record->option_text("FILE.axcal")->excludes("--data");
     addDimensionsOption(*command, options->input);
     CLI::Option* const table = addTableOption(*command, options->input);
@@ -430,28 +439,38 @@ void addWriteCommand(CommandLine& line)
     addResamplingOptions(*command, options->conversion);
     addSourceOptions(*command, *options);
     CLI::Option* persistent = command->add_flag("--persistent", options->persistent,
-        "Store the table in the drive's flash, so that it survives a reboot");
+        AXISCOMP_HELP(
+            "Help", "Store the table in the drive's flash, so that it survives a reboot"));
     command
         ->add_flag("--volatile", options->isVolatile,
-            "Keep the table in memory until the next reboot (the default for a new table)")
+            AXISCOMP_HELP("Help",
+                "Keep the table in memory until the next reboot (the default for a new table)"))
         ->excludes(persistent);
     command
         ->add_option("--value-unit", options->valueUnit,
-            "Unit of the values in place of what the file says, such as um; drive for the drive's "
-            "own")
+            AXISCOMP_HELP("Help",
+                "Unit of the values in place of what the file says, such as um; drive for the "
+                "drive's "
+                "own"))
         ->option_text("UNIT")
         ->group("Conversion");
-    command->add_option("--position-unit", options->positionUnit, "The same for the positions")
+    command
+        ->add_option("--position-unit", options->positionUnit,
+            AXISCOMP_HELP("Help", "The same for the positions"))
         ->option_text("UNIT")
         ->group("Conversion");
     CLI::Option* const slot = command->add_option("--slot", options->slot,
-        "Slot to use, small1 to small8, large1 or large2; chosen unless given");
+        AXISCOMP_HELP(
+            "Help", "Slot to use, small1 to small8, large1 or large2; chosen unless given"));
     slot->option_text("SLOT");
     command
         ->add_option("--map", options->map,
-            "Write this column of the file (name or number) to this axis; AXIS alone is the column "
-            "that is named as the axis. May be given several times. Nothing is written unless all "
-            "of the writes are possible")
+            AXISCOMP_HELP("Help",
+                "Write this column of the file (name or number) to this axis; AXIS alone is the "
+                "column "
+                "that is named as the axis. May be given several times. Nothing is written unless "
+                "all "
+                "of the writes are possible"))
         ->option_text("COLUMN=AXIS")
         ->allow_extra_args(false)
         ->excludes(axis)
@@ -459,19 +478,22 @@ void addWriteCommand(CommandLine& line)
         ->excludes(record)
         ->excludes(slot);
     command->add_flag("--accept-large", options->acceptsLarge,
-        "Write corrections above 1 % of the range, or with a slope above 0.1, which without this "
-        "are taken for a wrong unit");
-    command->add_flag(
-        "--dry-run", options->isDryRun, "Show what would be written without writing it");
-    command->footer(
-        "Without --source1 the axis keeps its sources. The compensation stays off:\n"
-        "`axiscomp activate` switches it on.\n\n"
-        "Example:\n"
-        "  axiscomp write --drive http://192.168.1.20 --axis X --data x.csv --dims 1 \\\n"
-        "      --source1 'Axes[0]/Signals/PathPlanner/Position' --persistent\n"
-        "  axiscomp write --data plane.csv --dims 2 --map 'X error=X' --map 'Y error=Y' \\\n"
-        "      --source1 'Axes[0]/Signals/PathPlanner/Position' \\\n"
-        "      --source2 'Axes[1]/Signals/PathPlanner/Position'");
+        AXISCOMP_HELP("Help",
+            "Write corrections above 1 % of the range, or with a slope above 0.1, which without "
+            "this "
+            "are taken for a wrong unit"));
+    command->add_flag("--dry-run", options->isDryRun,
+        AXISCOMP_HELP("Help", "Show what would be written without writing it"));
+    command->footer(AXISCOMP_HELP("Help",
+        "Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp "
+        "activate` switches it on.") "\n\n" AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp write --drive http://192.168.1.20 --axis X --data x.csv --dims 1 "
+                    "\\"
+                    "\n      --source1 'Axes[0]/Signals/PathPlanner/Position' --persistent"
+                    "\n  axiscomp write --data plane.csv --dims 2 --map 'X error=X' --map 'Y "
+                    "error=Y' \\"
+                    "\n      --source1 'Axes[0]/Signals/PathPlanner/Position' \\"
+                    "\n      --source2 'Axes[1]/Signals/PathPlanner/Position'");
 }
 
 void addPersistencyCommands(CommandLine& line)

@@ -81,8 +81,10 @@ void addTargetOption(CLI::App& command, ConversionOptions& options)
 {
     command
         .add_option("--target", options.targets,
-            "Axis that the values correct, for each column or for all: its name, #1 for the first "
-            "source, or other for an axis that is no source; by default as the file says")
+            AXISCOMP_HELP("Help",
+                "Axis that the values correct, for each column or for all: its name, #1 for the "
+                "first "
+                "source, or other for an axis that is no source; by default as the file says"))
         ->option_text("AXIS[,AXIS]")
         ->delimiter(',')
         ->group("Conversion");
@@ -90,49 +92,56 @@ void addTargetOption(CLI::App& command, ConversionOptions& options)
 
 void addConversionOptions(CLI::App& command, ConversionOptions& options)
 {
-    const std::string group = "Conversion";
+    const std::string group = AXISCOMP_HELP("Help", "Conversion");
     addTargetOption(command, options);
     command
         .add_option("--sign", options.sign,
-            "Convention of the input: feedback (added to the encoder position) or command (added "
-            "to the commanded position); by default that of its format, needed where that is "
-            "assumed")
+            AXISCOMP_HELP("Help",
+                "Convention of the input: feedback (added to the encoder position) or command "
+                "(added "
+                "to the commanded position); by default that of its format, needed where that is "
+                "assumed"))
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);
     command
         .add_option("--direction", options.direction,
-            "Which values to use if the file has both directions of motion: mean, positive or "
-            "negative")
+            AXISCOMP_HELP("Help",
+                "Which values to use if the file has both directions of motion: mean, positive or "
+                "negative"))
         ->option_text("CHOICE")
         ->check(CLI::IsMember(std::vector<std::string>{"mean", "positive", "negative"}))
         ->group(group);
     command
         .add_option("--scale", options.adjustment.scale,
-            "Multiply the values by this number, before anything else")
+            AXISCOMP_HELP("Help", "Multiply the values by this number, before anything else"))
         ->option_text("FACTOR")
         ->group(group);
     command
-        .add_option("--offset", options.adjustment.offset, "Add this to the values, in their unit")
+        .add_option("--offset", options.adjustment.offset,
+            AXISCOMP_HELP("Help", "Add this to the values, in their unit"))
         ->option_text("VALUE")
         ->group(group);
     command
         .add_option("--zero", options.adjustment.zero,
-            "Shift the values so that they are 0 at this position")
+            AXISCOMP_HELP("Help", "Shift the values so that they are 0 at this position"))
         ->option_text("P[,P[,P]]")
         ->delimiter(',')
         ->group(group);
-    command.add_flag("--no-wrap", options.dropsWrap, "Treat a modulo axis as a linear one")
+    command
+        .add_flag("--no-wrap", options.dropsWrap,
+            AXISCOMP_HELP("Help", "Treat a modulo axis as a linear one"))
         ->group(group);
 }
 
 void addResamplingOptions(CLI::App& command, ConversionOptions& options)
 {
-    const std::string group = "Conversion";
+    const std::string group = AXISCOMP_HELP("Help", "Conversion");
     CLI::Option* const points =
         command
             .add_option("--points", options.points,
-                "Resample onto an even grid with N points, for each source or for all")
+                AXISCOMP_HELP(
+                    "Help", "Resample onto an even grid with N points, for each source or for all"))
             ->option_text("N[,N[,N]]")
             ->delimiter(',')
             ->check(numberAbove(1.0, "a grid has at least 2 points"))
@@ -140,7 +149,8 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
     CLI::Option* const distance =
         command
             .add_option("--distance", options.distances,
-                "Resample onto an even grid with spacing D, for each source or for all")
+                AXISCOMP_HELP("Help",
+                    "Resample onto an even grid with spacing D, for each source or for all"))
             ->option_text("D[,D[,D]]")
             ->delimiter(',')
             ->check(numberAbove(0.0, "a distance is above 0"))
@@ -148,44 +158,53 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
             ->group(group);
     command
         .add_option("--within", options.within,
-            "Resample onto the coarsest even grid within this deviation, in the unit of the values")
+            AXISCOMP_HELP("Help",
+                "Resample onto the coarsest even grid within this deviation, in the unit of the "
+                "values"))
         ->option_text("DEVIATION")
         ->excludes(points)
         ->excludes(distance)
         ->group(group);
     command
         .add_option("--method", options.method,
-            "Between the points of the source: linear (the default), cubic (monotone), spline "
-            "(natural cubic) or smooth (smoothing spline)")
+            AXISCOMP_HELP("Help",
+                "Between the points of the source: linear (the default), cubic (monotone), spline "
+                "(natural cubic) or smooth (smoothing spline)"))
         ->option_text("METHOD")
         ->check(CLI::IsMember(std::vector<std::string>{"linear", "cubic", "spline", "smooth"}))
         ->group(group);
     command
         .add_option("--speed", options.speed,
-            "Speed of the axis in positions per second: says the steps of the velocity that are "
-            "left with spline and smooth")
+            AXISCOMP_HELP("Help",
+                "Speed of the axis in positions per second: says the steps of the velocity that "
+                "are "
+                "left with spline and smooth"))
         ->option_text("SPEED")
         ->check(CLI::PositiveNumber.description(""))
         ->group(group);
     command
         .add_flag("--hold", options.holdsEnds,
-            "Let the even grid extend beyond the data, where the end values are held")
+            AXISCOMP_HELP(
+                "Help", "Let the even grid extend beyond the data, where the end values are held"))
         ->group(group);
 }
 
 void addOutputOptions(CLI::App& command, ConversionOptions& options)
 {
-    const std::string group = "Conversion";
+    const std::string group = AXISCOMP_HELP("Help", "Conversion");
     command
         .add_option("--to-sign", options.toSign,
-            "Convention of the output: feedback or command; by default that of its format, needed "
-            "where that is assumed")
+            AXISCOMP_HELP("Help",
+                "Convention of the output: feedback or command; by default that of its format, "
+                "needed "
+                "where that is assumed"))
         ->option_text("SIDE")
         ->check(CLI::IsMember(std::vector<std::string>{"feedback", "command"}))
         ->group(group);
     command
         .add_option("--set-out", options.settings,
-            "Setting that the output format needs; `axiscomp formats NAME` lists them")
+            AXISCOMP_HELP(
+                "Help", "Setting that the output format needs; `axiscomp formats NAME` lists them"))
         ->option_text("KEY=VALUE")
         ->group(group);
 }

@@ -64,38 +64,46 @@ Result<std::optional<TemperatureCorrection>> temperatureOf(
 
 void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
 {
-    const std::string group = "Corrections, made only when asked for";
+    const std::string group = AXISCOMP_HELP("Help", "Corrections, made only when asked for");
     command
-        .add_option("--temperature", options.temperature, "Temperature of the axis's scale in C")
+        .add_option("--temperature", options.temperature,
+            AXISCOMP_HELP("Help", "Temperature of the axis's scale in C"))
         ->option_text("C")
         ->group(group);
     command
         .add_option("--expansion", options.expansion,
-            "Coefficient of expansion of the axis's scale in 1/K, such as 11.5e-6")
+            AXISCOMP_HELP(
+                "Help", "Coefficient of expansion of the axis's scale in 1/K, such as 11.5e-6"))
         ->option_text("PER_K")
         ->group(group);
     command
         .add_option("--reference-temperature", options.referenceTemperature,
-            "Temperature of the reference in C")
+            AXISCOMP_HELP("Help", "Temperature of the reference in C"))
         ->option_text("C")
         ->group(group);
     command
         .add_option("--reference-expansion", options.referenceExpansion,
-            "Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation")
+            AXISCOMP_HELP("Help",
+                "Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation"))
         ->option_text("PER_K")
         ->group(group);
     command
         .add_option("--datum", options.datum,
-            "Position in mm that does not move with temperature; the first target unless given")
+            AXISCOMP_HELP("Help",
+                "Position in mm that does not move with temperature; the first target unless "
+                "given"))
         ->option_text("POSITION")
         ->group(group);
     command
         .add_flag("--not-corrected", options.isNotCorrected,
-            "The values are not corrected to 20 C, where the file does not say it")
+            AXISCOMP_HELP(
+                "Help", "The values are not corrected to 20 C, where the file does not say it"))
         ->group(group);
     command
         .add_option("--dead-path", options.deadPath,
-            "Dead path of the interferometer: a JSON file with its length and the air of each run")
+            AXISCOMP_HELP("Help",
+                "Dead path of the interferometer: a JSON file with its length and the air of each "
+                "run"))
         ->option_text("FILE")
         ->group(group);
 }
@@ -140,11 +148,13 @@ void addToleranceOptions(CLI::App& command, ToleranceOptions& options)
 {
     command
         .add_option("--tolerance", options.tolerances,
-            "Limits, such as A=10um,R=4um; exit code 8 when one is not met")
+            AXISCOMP_HELP("Help", "Limits, such as A=10um,R=4um; exit code 8 when one is not met"))
         ->option_text("FIGURE=LIMIT,...");
     command
         .add_option("--uncertainty", options.uncertainty,
-            "Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms")
+            AXISCOMP_HELP("Help",
+                "Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its "
+                "terms"))
         ->option_text("U");
 }
 

@@ -86,55 +86,68 @@ void addMeasurementOptions(CLI::App& command, MeasurementInputOptions& options)
 {
     command
         .add_option("FILE", options.files,
-            "Measurement files, joined when there are several; - for standard input")
+            AXISCOMP_HELP(
+                "Help", "Measurement files, joined when there are several; - for standard input"))
         ->required();
     command
-        .add_option("--from", options.from, "Format of the files, if their content leaves it open")
+        .add_option("--from", options.from,
+            AXISCOMP_HELP("Help", "Format of the files, if their content leaves it open"))
         ->option_text("FORMAT");
     command
         .add_option("--exclude", options.excluded,
-            "Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with "
-            "commas "
-            "between them")
+            AXISCOMP_HELP("Help",
+                "Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with "
+                "commas "
+                "between them"))
         ->option_text("WHAT");
-    command.add_flag("--swap-directions", options.swapsDirections, "Exchange up and down");
-    const std::string group = "What a file leaves open";
+    command.add_flag("--swap-directions", options.swapsDirections,
+        AXISCOMP_HELP("Help", "Exchange up and down"));
+    const std::string group = AXISCOMP_HELP("Help", "What a file leaves open");
     command
         .add_option("--columns", options.columns,
-            "Which column of a CSV file is what, by number or name: 'target=1,direction=3,"
-            "deviation=5'")
+            AXISCOMP_HELP("Help",
+                "Which column of a CSV file is what, by number or name: 'target=1,direction=3,"
+                "deviation=5'"))
         ->option_text("MAPPING")
         ->group(group);
     command
-        .add_option("--skip-lines", options.skippedLines, "Lines before the header of a CSV file")
+        .add_option("--skip-lines", options.skippedLines,
+            AXISCOMP_HELP("Help", "Lines before the header of a CSV file"))
         ->option_text("N")
         ->group(group);
-    command.add_option("--unit", options.unit, "Unit of targets and encoder")
+    command
+        .add_option("--unit", options.unit, AXISCOMP_HELP("Help", "Unit of targets and encoder"))
         ->option_text("UNIT")
         ->group(group);
-    command.add_option("--value-unit", options.valueUnit, "Unit of deviations and reference")
+    command
+        .add_option("--value-unit", options.valueUnit,
+            AXISCOMP_HELP("Help", "Unit of deviations and reference"))
         ->option_text("UNIT")
         ->group(group);
     command
         .add_option("--values", options.values,
-            "What the values are: deviation (reference minus target) or reference (positions)")
+            AXISCOMP_HELP("Help",
+                "What the values are: deviation (reference minus target) or reference (positions)"))
         ->option_text("KIND")
         ->check(CLI::IsMember(std::vector<std::string>{"deviation", "reference"}))
         ->group(group);
     command
         .add_option("--direction-from", options.directionFrom,
-            "order: the direction of a run follows from the order of its targets")
+            AXISCOMP_HELP(
+                "Help", "order: the direction of a run follows from the order of its targets"))
         ->option_text("order")
         ->check(CLI::IsMember(std::vector<std::string>{"order"}))
         ->group(group);
     command
-        .add_flag(
-            "--invert-reference", options.invertsReference, "The instrument counts the other way")
+        .add_flag("--invert-reference", options.invertsReference,
+            AXISCOMP_HELP("Help", "The instrument counts the other way"))
         ->group(group);
     command
         .add_option("--overrun", options.overrun,
-            "How far a track moves after a turn before its samples count, in mm or deg; 1 % of the "
-            "range unless given")
+            AXISCOMP_HELP("Help",
+                "How far a track moves after a turn before its samples count, in mm or deg; 1 % of "
+                "the "
+                "range unless given"))
         ->option_text("DISTANCE")
         ->check(CLI::NonNegativeNumber.description(""))
         ->group(group);

@@ -197,7 +197,8 @@ void addDimensionsOption(CLI::App& command, TableInputOptions& options)
 {
     command
         .add_option("--dims", options.dimensions,
-            "Number of dimensions of a CSV file: its first D columns are positions")
+            AXISCOMP_HELP(
+                "Help", "Number of dimensions of a CSV file: its first D columns are positions"))
         ->option_text("D")
         ->check(CLI::IsMember({1, 2, 3}).description(""));
 }
@@ -205,35 +206,39 @@ void addDimensionsOption(CLI::App& command, TableInputOptions& options)
 void addFromOption(CLI::App& command, TableInputOptions& options)
 {
     command
-        .add_option(
-            "--from", options.from, "Format of the input, if content and name leave it open")
+        .add_option("--from", options.from,
+            AXISCOMP_HELP("Help", "Format of the input, if content and name leave it open"))
         ->option_text("FORMAT");
     command
         .add_option("--set-in", options.settings,
-            "Setting that the file leaves open; `axiscomp formats NAME` lists them")
+            AXISCOMP_HELP(
+                "Help", "Setting that the file leaves open; `axiscomp formats NAME` lists them"))
         ->option_text("KEY=VALUE");
 }
 
 void addIncompleteGridOptions(CLI::App& command, TableInputOptions& options)
 {
-    const std::string group = "Incomplete grids";
+    const std::string group = AXISCOMP_HELP("Help", "Incomplete grids");
     CLI::Option* const fill =
         command
             .add_option("--fill", options.fill,
-                "Give points without a value that of the nearest measured point, of the plane "
-                "through all of them (plane), or the values that bend least (smooth)")
+                AXISCOMP_HELP("Help",
+                    "Give points without a value that of the nearest measured point, of the plane "
+                    "through all of them (plane), or the values that bend least (smooth)"))
             ->option_text("METHOD")
             ->check(CLI::IsMember(std::vector<std::string>{"nearest", "plane", "smooth"}))
             ->group(group);
     command
         .add_flag("--crop", options.crops,
-            "Cut the grid to the largest part in which every point has a value")
+            AXISCOMP_HELP(
+                "Help", "Cut the grid to the largest part in which every point has a value"))
         ->excludes(fill)
         ->group(group);
     command
         .add_option("--snap", options.snap,
-            "Take positions of a calibration file that are this close to the grid for grid "
-            "positions, in their unit")
+            AXISCOMP_HELP("Help",
+                "Take positions of a calibration file that are this close to the grid for grid "
+                "positions, in their unit"))
         ->option_text("TOLERANCE")
         ->check(CLI::Validator(
             [](const std::string& text) {
@@ -250,17 +255,18 @@ CLI::Option* addTableOption(CLI::App& command, TableInputOptions& options)
 {
     return command
         .add_option("--table", options.table,
-            "Table of the file, by name or by number from 1 (name:TEXT, #N where that could be "
-            "either); "
-            "not needed if there is only one")
+            AXISCOMP_HELP("Help",
+                "Table of the file, by name or by number from 1 (name:TEXT, #N where that could be "
+                "either); "
+                "not needed if there is only one"))
         ->option_text("TABLE");
 }
 
 void addProfileOption(CLI::App& command, std::string& profile)
 {
     command
-        .add_option(
-            "--profile", profile, "Drive profile (JSON) in place of the built-in one, generic")
+        .add_option("--profile", profile,
+            AXISCOMP_HELP("Help", "Drive profile (JSON) in place of the built-in one, generic"))
         ->option_text("FILE");
 }
 

@@ -2,26 +2,16 @@
 #include "app/cli/output/report_output.h"
 
 #include "app/common/report_module.h"
+#include "app/texts/program_texts.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QLibrary>
-#include <QLocale>
-#include <QTranslator>
 
 #include <filesystem>
-
-/// Q_INIT_RESOURCE declares a function, which must not be in a namespace.
-static void useTranslations()
-{
-    Q_INIT_RESOURCE(axiscomp_texts);
-}
 
 namespace axiscomp::app {
 
 namespace {
-
-const QLatin1StringView folderOfTexts(":/axiscomp-texts");
 
 /// Where the build has the module, and where it is installed.
 std::vector<std::filesystem::path> moduleFolders()
@@ -33,38 +23,10 @@ std::vector<std::filesystem::path> moduleFolders()
 
 } // namespace
 
-std::vector<std::string> reportLanguages()
-{
-    useTranslations();
-    std::vector<std::string> languages{"en"};
-    const QStringList files = QDir(folderOfTexts).entryList(QDir::Files, QDir::Name);
-    for (const QString& file : files)
-        languages.push_back(file.section(u'_', 1).section(u'.', 0, 0).toStdString());
-    return languages;
-}
-
 ReportDocument inLanguage(ReportDocument document, const std::string& language)
 {
-    useTranslations();
-    const QString name = QString::fromStdString(language);
-    QTranslator translator;
-    const bool isTranslated =
-        translator.load(QStringLiteral("axiscomp_") + name, QString(folderOfTexts));
-    Wording wording;
-    wording.decimalSign = isTranslated ? QLocale(name).decimalPoint().front().toLatin1() : '.';
-    wording.words = [&translator, isTranslated](
-                        const TextPattern& pattern, std::optional<std::int64_t> count) {
-        const int form = count
-            ? static_cast<int>(std::clamp<std::int64_t>(*count, 0, std::numeric_limits<int>::max()))
-            : -1;
-        const QString words = isTranslated
-            ? translator.translate(pattern.context, pattern.words, pattern.one, form)
-            : QString();
-        if (!words.isEmpty())
-            return words.toStdString();
-        return std::string(pattern.one != nullptr && count == 1 ? pattern.one : pattern.words);
-    };
-    return worded(std::move(document), wording, language);
+    const ProgramTexts texts(language);
+    return worded(std::move(document), texts.wording(), language);
 }
 
 Result<Bytes> drawnAsPdf(const ReportDocument& document)

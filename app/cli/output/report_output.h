@@ -6,14 +6,10 @@
 #include "core/metrology/report/report_document.h"
 
 #include <string>
-#include <vector>
 
 namespace axiscomp::app {
 
-/// "en" and every language that there is a translation for.
-[[nodiscard]] std::vector<std::string> reportLanguages();
-
-/// language: one of reportLanguages().
+/// language: one of textLanguages().
 [[nodiscard]] ReportDocument inLanguage(ReportDocument document, const std::string& language);
 
 /// The document as PDF, by the module that is loaded for it. Errors: FileNotReadable when the

@@ -35,8 +35,9 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
 {
     CLI::Option* drive = command.add_option("--drive", options.endpoints,
         count == DriveCount::Several
-            ? "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given"
-            : "Address of the drive; $AXISCOMP_DRIVE unless given");
+            ? AXISCOMP_HELP("Help",
+                "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given")
+            : AXISCOMP_HELP("Help", "Address of the drive; $AXISCOMP_DRIVE unless given"));
     drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
     addConnectionOptions(command, options);
 }
@@ -46,8 +47,9 @@ void addConnectionOptions(CLI::App& command, DriveOptions& options)
     addProfileOption(command, options.profile);
     command
         .add_option("--trust-certificate", options.trustedFingerprint,
-            "Trust the https certificate with this fingerprint from now on; any other one is "
-            "refused")
+            AXISCOMP_HELP("Help",
+                "Trust the https certificate with this fingerprint from now on; any other one is "
+                "refused"))
         ->option_text("SHA256")
         ->check(CLI::Validator(
             [](const std::string& text) {
@@ -57,7 +59,7 @@ void addConnectionOptions(CLI::App& command, DriveOptions& options)
             ""));
     command
         .add_option("--timeout", options.timeoutSeconds,
-            "Time limit for one exchange with the drive (5 unless given)")
+            AXISCOMP_HELP("Help", "Time limit for one exchange with the drive (5 unless given)"))
         ->option_text("SECONDS")
         ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
 }
@@ -80,7 +82,8 @@ CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options)
 {
     return command
         .add_option("--axis", options.axis,
-            "Index or name of the axis; not needed if the drive has only one")
+            AXISCOMP_HELP(
+                "Help", "Index or name of the axis; not needed if the drive has only one"))
         ->option_text("AXIS");
 }
 

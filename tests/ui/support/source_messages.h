@@ -28,10 +28,10 @@ inline SourceMessages findSourceMessages()
     lupdate.start(QStringLiteral(AXISCOMP_LUPDATE),
         {QStringLiteral("-silent"), QStringLiteral("-locations"), QStringLiteral("absolute"),
             QStringLiteral("-no-ui-lines"), QStringLiteral("-tr-function-alias"),
-            QStringLiteral("QT_TRANSLATE_NOOP+=AXISCOMP_TEXT,"
+            QStringLiteral("QT_TRANSLATE_NOOP+=AXISCOMP_TEXT,QT_TRANSLATE_NOOP+=AXISCOMP_HELP,"
                            "QT_TRANSLATE_N_NOOP3+=AXISCOMP_COUNTED"),
             QStringLiteral("-I"), QStringLiteral("."), QStringLiteral("core"),
-            QStringLiteral("drivecomm"), QStringLiteral("ui"), QStringLiteral("app/wizard"),
+            QStringLiteral("drivecomm"), QStringLiteral("ui"), QStringLiteral("app"),
             QStringLiteral("-ts"), found});
     if (!lupdate.waitForFinished(patienceMs))
         return {{}, "lupdate did not end"};

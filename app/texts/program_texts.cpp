@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/texts/program_texts.h"
+
+#include <QDir>
+#include <QLocale>
+#include <QTranslator>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+
+/// Q_INIT_RESOURCE declares a function, which must not be in a namespace.
+static void useTranslations()
+{
+    Q_INIT_RESOURCE(axiscomp_texts);
+}
+
+namespace axiscomp::app {
+
+namespace {
+
+const QLatin1StringView folderOfTexts(":/axiscomp-texts");
+
+std::string variable(const char* name)
+{
+    const char* const value = std::getenv(name);
+    return value == nullptr ? std::string() : value;
+}
+
+/// "de_CH.UTF-8"
+std::string localeOfMessages()
+{
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        if (std::string value = variable(name); !value.empty())
+            return value;
+    }
+    return "C";
+}
+
+std::string languageOf(std::string_view locale)
+{
+    return std::string(locale.substr(0, locale.find_first_of("_.@")));
+}
+
+bool isUtf8(std::string_view locale)
+{
+    const auto dot = locale.find('.');
+    std::string encoding(locale.substr(dot == std::string_view::npos ? locale.size() : dot + 1));
+    encoding.resize(std::min(encoding.size(), encoding.find('@')));
+    std::erase(encoding, '-');
+    std::ranges::transform(
+        encoding, encoding.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return encoding == "utf8";
+}
+
+} // namespace
+
+std::vector<std::string> textLanguages()
+{
+    useTranslations();
+    std::vector<std::string> languages{"en"};
+    const QStringList files = QDir(folderOfTexts).entryList(QDir::Files, QDir::Name);
+    for (const QString& file : files)
+        languages.push_back(file.section(u'_', 1).section(u'.', 0, 0).toStdString());
+    return languages;
+}
+
+std::string languageOfEnvironment()
+{
+    const std::string locale = localeOfMessages();
+    const std::string language = languageOf(locale);
+    if (language == "C" || language == "POSIX" || !isUtf8(locale))
+        return "en";
+    const std::vector<std::string> known = textLanguages();
+    std::string wanted = variable("LANGUAGE") + ":" + locale;
+    while (!wanted.empty()) {
+        const std::size_t end = std::min(wanted.find(':'), wanted.size());
+        const std::string next = languageOf(std::string_view(wanted).substr(0, end));
+        if (std::ranges::find(known, next) != known.end())
+            return next;
+        wanted.erase(0, end + 1);
+    }
+    return "en";
+}
+
+ProgramTexts::ProgramTexts(const std::string& language)
+{
+    useTranslations();
+    const QString name = QString::fromStdString(language);
+    auto translator = std::make_unique<QTranslator>();
+    if (!translator->load(QStringLiteral("axiscomp_") + name, QString(folderOfTexts)))
+        return;
+    m_translator = std::move(translator);
+    m_decimalSign = QLocale(name).decimalPoint().front().toLatin1();
+}
+
+ProgramTexts::~ProgramTexts() = default;
+
+std::string ProgramTexts::help(const std::string& text) const
+{
+    const QString words = m_translator ? m_translator->translate("Help", text.c_str()) : QString();
+    return words.isEmpty() ? text : words.toStdString();
+}
+
+Wording ProgramTexts::wording() const
+{
+    Wording wording;
+    wording.decimalSign = m_decimalSign;
+    wording.words = [this](const TextPattern& pattern, std::optional<std::int64_t> count) {
+        const int form = count
+            ? static_cast<int>(std::clamp<std::int64_t>(*count, 0, std::numeric_limits<int>::max()))
+            : -1;
+        const QString words = m_translator
+            ? m_translator->translate(pattern.context, pattern.words, pattern.one, form)
+            : QString();
+        if (!words.isEmpty())
+            return words.toStdString();
+        return std::string(pattern.one != nullptr && count == 1 ? pattern.one : pattern.words);
+    };
+    return wording;
+}
+
+} // namespace axiscomp::app

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/text.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class QTranslator;
+
+namespace axiscomp::app {
+
+/// "en" and every language that there is a translation for.
+[[nodiscard]] std::vector<std::string> textLanguages();
+
+/// The one of textLanguages() that the environment asks for, as gettext reads it: LC_ALL, else
+/// LC_MESSAGES, else LANG; LANGUAGE before it where that is another one than C. "en" where it asks
+/// for none that there is, or for an encoding other than UTF-8.
+[[nodiscard]] std::string languageOfEnvironment();
+
+/// The texts of a program in one language.
+class ProgramTexts {
+public:
+    /// language: one of textLanguages().
+    explicit ProgramTexts(const std::string& language);
+    ~ProgramTexts();
+
+    /// Of a text marked with AXISCOMP_HELP; as it is where there is no translation.
+    [[nodiscard]] std::string help(const std::string& text) const;
+    /// For Text::worded; must not outlive this.
+    [[nodiscard]] Wording wording() const;
+
+private:
+    std::unique_ptr<QTranslator> m_translator; ///< null: English
+    char m_decimalSign = '.';
+};
+
+} // namespace axiscomp::app
