@@ -19,6 +19,7 @@ constexpr std::size_t nameWidth = 24;
 struct Character {
     std::size_t bytes = 1;
     bool isWide = false; ///< two columns, and a line may end behind it
+    bool beginsSomething = false; ///< a line does not end with it
     bool endsSomething = false; ///< a line does not begin with it
 };
 
@@ -27,7 +28,7 @@ Character characterAt(std::string_view text)
     const auto byte = static_cast<unsigned char>(text.front());
     const std::size_t bytes = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
     if (bytes != 3 || text.size() < bytes)
-        return {std::min(bytes, text.size()), false, false};
+        return {std::min(bytes, text.size())};
     const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]) & 0x3fU; };
     const unsigned code = (byte & 0x0fU) << 12U | at(1) << 6U | at(2);
     // Chinese and Japanese: radicals to ideographs, compatibility ideographs, full-width forms.
@@ -35,14 +36,17 @@ Character characterAt(std::string_view text)
         || (code >= 0xfe30 && code < 0xfe70) || (code >= 0xff00 && code < 0xff61);
     constexpr std::array<std::string_view, 18> closing{"、", "。", "，", "．", "：", "；", "！",
         "？", "）", "」", "』", "】", "》", "・", "ー", "々", "ッ", "ょ"};
-    return {bytes, isWide, std::ranges::find(closing, text.substr(0, bytes)) != closing.end()};
+    constexpr std::array<std::string_view, 5> opening{"（", "「", "『", "【", "《"};
+    const auto isOneOf = [&](const auto& characters) {
+        return std::ranges::find(characters, text.substr(0, bytes)) != characters.end();
+    };
+    return {bytes, isWide, isOneOf(opening), isOneOf(closing)};
 }
 
 /// What is not broken: a word with what follows it directly, or a wide character.
 struct Piece {
     std::string_view text;
     std::size_t columns = 0;
-    bool isBehindBlank = false;
 };
 
 Piece pieceAt(std::string_view text)
@@ -161,9 +165,22 @@ std::string HelpPage::make_subcommand(const CLI::App* command) const
     return helpLine(command->get_name(), m_texts.help(command->get_description()));
 }
 
+/// Its paragraphs are sentences, or a heading with lines of examples, which are typed as they are.
 std::string HelpPage::make_footer(const CLI::App* app) const
 {
-    return app->get_footer().empty() ? std::string() : m_texts.help(app->get_footer()) + "\n";
+    constexpr std::string_view gap = "\n\n";
+    std::string text;
+    std::string rest = app->get_footer();
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(gap), rest.size());
+        const std::string paragraph = rest.substr(0, end);
+        const std::size_t heading = std::min(paragraph.find('\n'), paragraph.size());
+        text += text.empty() ? "" : "\n";
+        text += wrapped(m_texts.help(paragraph.substr(0, heading)), helpWidth, 0)
+            + paragraph.substr(heading) + "\n";
+        rest.erase(0, end + gap.size());
+    }
+    return text;
 }
 
 } // namespace axiscomp::app

@@ -68,13 +68,11 @@ void addDeleteCommand(CommandLine& line)
         ->excludes(axis);
     command->add_flag("--dry-run", options->isDryRun,
         AXISCOMP_HELP("Help", "Show what would be deleted without deleting it"));
-    command
-        ->footer(
-            AXISCOMP_HELP("Help",
-                "The compensation must be off. The axis then uses no table, also after a reboot; "
-                "its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings "
-                "it back.") "\n\n" AXISCOMP_HELP("Help",
-                "Example:") "\n  axiscomp delete --drive http://192.168.1.20 --axis X --dry-run");
+    command->footer(AXISCOMP_HELP("Help",
+        "The compensation must be off. The axis then uses no table, also after a reboot; "
+        "its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings "
+        "it back.") "\n\n" AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp delete --drive http://192.168.1.20 --axis X --dry-run");
 }
 
 } // namespace axiscomp::app

@@ -239,10 +239,9 @@ void addMachineCommands(CommandLine& line)
             "Help", "Compare the drives of a machine with its machine file, and change nothing"),
         [plan](Environment& environment) { return runPlan(environment, *plan); });
     addMachineOptions(*command, *plan);
-    command->footer(
-        AXISCOMP_HELP("Help",
-            "The exit code is 0 when all drives have what the file says, and 9 when something "
-            "differs.") "\n\n" AXISCOMP_HELP("Help", "Example:") "\n  axiscomp plan machine.toml");
+    command->footer(AXISCOMP_HELP("Help",
+        "The exit code is 0 when all drives have what the file says, and 9 when something "
+        "differs.") "\n\n" AXISCOMP_HELP("Help", "Example:") "\n  axiscomp plan machine.toml");
 
     auto apply = std::make_shared<MachineOptions>();
     apply->drive.command = commandName("apply");
@@ -255,13 +254,11 @@ void addMachineCommands(CommandLine& line)
         AXISCOMP_HELP("Help",
             "Switch the compensation of axes on and off where the file says so (active), and prove "
             "it"));
-    command
-        ->footer(
-            AXISCOMP_HELP("Help",
-                "All drives are planned first, and nothing is written unless all of it is "
-                "possible. Each write is safe as that of `axiscomp write`. A second apply finds "
-                "nothing to do.") "\n\n" AXISCOMP_HELP("Help",
-                "Example:") "\n  axiscomp apply machine.toml --activate");
+    command->footer(AXISCOMP_HELP("Help",
+        "All drives are planned first, and nothing is written unless all of it is "
+        "possible. Each write is safe as that of `axiscomp write`. A second apply finds "
+        "nothing to do.") "\n\n" AXISCOMP_HELP("Help",
+        "Example:") "\n  axiscomp apply machine.toml --activate");
 }
 
 } // namespace axiscomp::app
