@@ -59,8 +59,8 @@ Piece pieceAt(std::string_view text)
             break;
         piece.columns += character.isWide ? 2 : 1;
         end += character.bytes;
-        const bool isOver =
-            character.isWide && end < text.size() && !characterAt(text.substr(end)).endsSomething;
+        const bool isOver = character.isWide && !character.beginsSomething && end < text.size()
+            && !characterAt(text.substr(end)).endsSomething;
         if (isOver)
             break;
     }

@@ -135,10 +135,8 @@ private Q_SLOTS:
             const ProgramRun run = box.run({"write", "--help"});
             VERIFY_CODE(run, 0);
             for (const char* typed :
-                {"\n      axiscomp write --drive ", "  --own-position ", "  --source1 REG"})
-                QVERIFY2(run.out.replace("\n  axiscomp", "\n      axiscomp").contains(typed)
-                        || run.out.contains(typed),
-                    (language + ": " + typed).c_str());
+                {"\n  axiscomp write --drive http", "\n  --own-position", "\n  --source1 REG"})
+                QVERIFY2(run.out.contains(typed), (language + ": " + typed).c_str());
         }
     }
 
