@@ -56,20 +56,19 @@ public:
         const QString& file, const std::vector<MachineApplication::Written>& drives)
     {
         const Totals totals = totalsOf(drives);
-        const auto listed = [](const QStringList& axes) { return axes.join(QStringLiteral(", ")); };
         if (!totals.first)
             return {totals.written.isEmpty()
                     ? tr("All drives already had what %1 says; nothing was written.").arg(file)
                     : tr("%1 is applied. Written and verified: %2.")
-                          .arg(file, listed(totals.written)),
+                          .arg(file, listText(totals.written)),
                 false, {}};
         QStringList sentences{
             tr("%1 is not applied as a whole: %2").arg(file, errorText(*totals.first)),
-            tr("Failed: %1.").arg(listed(totals.failed))};
+            tr("Failed: %1.").arg(listText(totals.failed))};
         if (!totals.written.isEmpty())
-            sentences += tr("Written and verified: %1.").arg(listed(totals.written));
+            sentences += tr("Written and verified: %1.").arg(listText(totals.written));
         if (!totals.untouched.isEmpty())
-            sentences += tr("Not written: %1.").arg(listed(totals.untouched));
+            sentences += tr("Not written: %1.").arg(listText(totals.untouched));
         sentences += tr("Applying it again does the rest.");
         return {sentences.join(u' '), true, errorOutcome(*totals.first).detail};
     }

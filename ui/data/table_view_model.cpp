@@ -193,7 +193,7 @@ QString TableViewModel::title() const
             + positionText(axis, d->cutIndex) + unitSuffix(axis.unit);
     }
     parts.removeAll(QString());
-    return parts.join(QStringLiteral(", "));
+    return listText(parts);
 }
 
 QString TableViewModel::description() const

@@ -6,6 +6,7 @@
 #include "ui/dialogs/multi_axis_plan_view.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
+#include "ui/text/value_text.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -68,7 +69,7 @@ QString MultiAxisDialog::sourcesText(SourcesForSeveral sources) const
     if (sources == SourcesForSeveral::OwnPosition)
         return tr("Each axis its own position");
     return tr("The same for all, as on the page: %1")
-        .arg(sourceLines(controller().sourcesForSeveral(), axes()).join(QStringLiteral(", ")));
+        .arg(listText(sourceLines(controller().sourcesForSeveral(), axes())));
 }
 
 void MultiAxisDialog::fillSources()

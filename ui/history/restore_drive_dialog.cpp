@@ -112,7 +112,7 @@ QString RestoreDriveDialog::contentText() const
     if (!others.isEmpty())
         text += u'\n'
             + tr("Tables that no axis uses, restored after the axes: %1")
-                  .arg(others.join(QStringLiteral(", ")));
+                  .arg(listText(others));
     return text;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/outcome/foreign_change.h"
 
+#include "ui/text/value_text.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -80,7 +82,7 @@ Outcome foreignChange(const AxisStatus& before, const AxisStatus& now)
         sentences += text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange",
                               "Another program changed the settings of this axis on the drive: "
                               "%1."))
-                         .arg(fields.join(QStringLiteral(", ")));
+                         .arg(listText(fields));
     sentences.removeAll(QString());
     Outcome outcome;
     outcome.text = sentences.join(u' ');

@@ -4,6 +4,7 @@
 #include "ui/data/column_mapping.h"
 #include "ui/session/axis_list.h"
 #include "ui/text/message_text.h"
+#include "ui/text/value_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -66,7 +67,7 @@ public:
     }
     [[nodiscard]] static QString listed(const QStringList& axes)
     {
-        return axes.join(QStringLiteral(", "));
+        return listText(axes);
     }
 
 private:

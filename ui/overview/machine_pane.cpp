@@ -151,7 +151,7 @@ QString MachinePane::summary() const
     const QString title =
         name.isEmpty() ? fileName : tr("%1 (%2)", "file and machine").arg(fileName, name);
     const QString said = tr("%1: axes %2.", "machine file and numbers of axes")
-                             .arg(title, parts.join(QStringLiteral(", ")));
+                             .arg(title, listText(parts));
     const QDateTime looked = m_machine.oldestLook();
     return looked.isValid() ? said + u' ' + tr("Compared at %1.").arg(momentText(looked)) : said;
 }

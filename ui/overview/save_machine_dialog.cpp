@@ -203,7 +203,7 @@ void SaveMachineDialog::refresh()
     QStringList warnings;
     if (stage == Stage::Asking)
         warnings += tr("The folder has other files of these names, which would be replaced: %1.")
-                        .arg(m_saving.replaced().join(QStringLiteral(", ")));
+                        .arg(listText(m_saving.replaced()));
     if (warnings != m_warnings->warnings())
         m_warnings->setWarnings(warnings);
     QString text = reason;

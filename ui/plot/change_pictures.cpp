@@ -72,7 +72,7 @@ QString changeText(const LargestChange& change, const Grid& grid, const std::str
         places +=
             QStringLiteral("%1 %2").arg(dimensionName(grid, n), numberText(change.position.at(n)));
     return ChangePictures::tr("%1 at %2", "value at position")
-        .arg(smallValueText(change.change, unit), places.join(QStringLiteral(", ")));
+        .arg(smallValueText(change.change, unit), listText(places));
 }
 
 } // namespace axiscomp::ui

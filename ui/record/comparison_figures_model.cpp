@@ -6,6 +6,7 @@
 #include "ui/style/symbols.h"
 #include "ui/text/fine_scale.h"
 #include "ui/text/translated_text.h"
+#include "ui/text/value_text.h"
 
 #include <algorithm>
 
@@ -124,7 +125,7 @@ QString ComparisonFiguresModel::sentence(int row) const
     if (const QString verdict = text(row, Verdict); !verdict.isEmpty())
         parts += verdict;
     return tr("%1: %2", "figure and its values")
-        .arg(text(row, Figure), parts.join(QStringLiteral(", ")));
+        .arg(text(row, Figure), listText(parts));
 }
 
 QString ComparisonFiguresModel::columnName(int column)

@@ -3,6 +3,7 @@
 
 #include "ui/record/record_model.h"
 #include "ui/style/symbols.h"
+#include "ui/text/value_text.h"
 
 namespace axiscomp::ui {
 
@@ -79,7 +80,7 @@ QString JudgementTableModel::spoken(int row) const
         if (const QString words = text(row, column); !words.isEmpty())
             parts +=
                 heading(column).isEmpty() ? words : heading(column) + QStringLiteral(": ") + words;
-    return parts.join(QStringLiteral(", "));
+    return listText(parts);
 }
 
 QVariant JudgementTableModel::data(const QModelIndex& index, int role) const

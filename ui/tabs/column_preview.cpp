@@ -137,7 +137,7 @@ QString ColumnPreview::mappingText(const std::vector<ColumnMapping>& columns)
     QStringList words;
     for (const ColumnMapping& mapped : columns)
         words += tr("%1 in column %2").arg(roleText(mapped.role.c_str()), qString(mapped.column));
-    return words.join(QStringLiteral(", "));
+    return listText(words);
 }
 
 void ColumnPreview::addList(int column)

@@ -48,7 +48,7 @@ QString largestCorrection(const LoadedTable& table, bool isAngular)
             + translated(placeOf(position[n], isAngular));
     const double value = static_cast<double>(table.table->values[table.largestElement]);
     return FitResults::tr("Largest correction: %1 at %2.")
-        .arg(fineText(value, isAngular), places.join(QStringLiteral(", ")));
+        .arg(fineText(value, isAngular), listText(places));
 }
 
 FitResults::FitResults(QWidget* parent)

@@ -44,7 +44,7 @@ QString figuresWith(const ComparisonState& state, VerdictResult result)
                                        .arg(name, scale.textWithUnit(*verdict.value), limit)
                                  : ProvePage::tr("%1 not defined (tolerance %2)").arg(name, limit);
     }
-    return figures.join(QStringLiteral(", "));
+    return listText(figures);
 }
 
 bool has(const Comparison& comparison, VerdictResult result)

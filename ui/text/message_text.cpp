@@ -2,6 +2,7 @@
 #include "ui/text/message_text.h"
 
 #include "ui/text/translated_text.h"
+#include "ui/text/value_text.h"
 
 #include <QCoreApplication>
 
@@ -68,9 +69,9 @@ QString asSentence(const QString& text)
         && firstWord.mid(1).toString() == firstWord.mid(1).toString().toLower();
     if (isWord)
         sentence[0] = sentence[0].toUpper();
-    static const QString ends = QStringLiteral(".!?:");
+    static const QString ends = QStringLiteral(".!?:。！？：");
     if (!ends.contains(sentence.back()))
-        sentence += u'.';
+        sentence += sentenceEnd();
     return sentence;
 }
 

@@ -128,7 +128,7 @@ private:
             parts.append(dimensionName(m_table.grid, n) + u' '
                 + withUnit(number, QString::fromStdString(m_table.grid.axes[n].unit)));
         }
-        return parts.join(QStringLiteral(", "));
+        return listText(parts);
     }
 
     [[nodiscard]] QString positionUnit(std::size_t dimension) const

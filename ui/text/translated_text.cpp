@@ -2,6 +2,7 @@
 #include "ui/text/translated_text.h"
 
 #include "core/text/utf8.h"
+#include "ui/text/value_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -40,7 +41,7 @@ struct ArgumentText {
         QStringList items;
         for (const Text& item : list)
             items += translated(item);
-        return items.join(QStringLiteral(", "));
+        return listText(items);
     }
 };
 

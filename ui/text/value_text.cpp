@@ -151,6 +151,16 @@ QString percentageText(double share)
     return text.replace(u'.', QLocale().decimalPoint()) + QStringLiteral(" %");
 }
 
+QString listText(const QStringList& items)
+{
+    return items.join(QCoreApplication::translate("ValueText", ", ", "between items of a list"));
+}
+
+QString sentenceEnd()
+{
+    return QCoreApplication::translate("ValueText", ".", "ends a sentence");
+}
+
 QString durationText(int seconds)
 {
     return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QChar(u'0'));

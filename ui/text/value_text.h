@@ -7,6 +7,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 #include <span>
 #include <string>
@@ -43,6 +44,10 @@ namespace axiscomp::ui {
 [[nodiscard]] QString percentageText(double share);
 /// "3:12"
 [[nodiscard]] QString durationText(int seconds);
+/// "X, Y, Z"
+[[nodiscard]] QString listText(const QStringList& items);
+/// What a sentence ends with: a full stop.
+[[nodiscard]] QString sentenceEnd();
 
 /// Date and time as people here write them.
 [[nodiscard]] QString localTimeText(WallTime time);

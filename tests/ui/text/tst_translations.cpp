@@ -5,7 +5,9 @@
 #include "ui/text/language.h"
 #include "ui/text/translated_text.h"
 
+#include <QDir>
 #include <QHash>
+#include <QMap>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -19,9 +21,19 @@ namespace {
 
 const QString sources = QStringLiteral(AXISCOMP_SOURCE_FOLDER);
 
-QString germanFile()
+using Messages = QHash<QString, Message>;
+
+/// By language: "de".
+QMap<QString, Messages> readTranslations()
 {
-    return sources + QStringLiteral("/translations/axiscomp_de.ts");
+    QMap<QString, Messages> translations;
+    const QDir folder(sources + QStringLiteral("/translations"));
+    for (const QString& file : folder.entryList({QStringLiteral("axiscomp_*.ts")})) {
+        Messages& messages = translations[file.section(u'_', 1).section(u'.', 0, 0)];
+        for (const Message& message : test::readTranslationFile(folder.filePath(file)))
+            messages.insert(message.id(), message);
+    }
+    return translations;
 }
 
 QStringList captured(const QString& text, const QRegularExpression& expression)
@@ -47,9 +59,11 @@ bool hasMnemonic(QString text)
     return text.remove(notAMnemonic).contains(u'&');
 }
 
-QStringList edgesOf(const QString& text)
+/// Chinese and Japanese have marks of their own for the same.
+QStringList edgesOf(QString text)
 {
     static const QRegularExpression edge(QStringLiteral("^\\s+|\\s+$|(…|\\.\\.\\.|[.?!])$"));
+    text.replace(u'。', u'.').replace(u'？', u'?').replace(u'！', u'!');
     return captured(text, edge);
 }
 
@@ -67,8 +81,8 @@ private Q_SLOTS:
     void initTestCase()
     {
         m_sources = test::findSourceMessages();
-        for (const Message& message : test::readTranslationFile(germanFile()))
-            m_german.insert(message.id(), message);
+        m_translations = readTranslations();
+        QCOMPARE(m_translations.keys(), QStringList(Language::available().mid(1)));
         QVERIFY(m_sources.messages.size() > 1500);
     }
     void init() { test::failOnWarnings(); }
@@ -79,39 +93,46 @@ private Q_SLOTS:
         QVERIFY2(m_sources.complaints.isEmpty(), m_sources.complaints.constData());
     }
 
+    void everyTextOfTheSourcesIsTranslated_data() { addLanguages(); }
     void everyTextOfTheSourcesIsTranslated()
     {
+        const Messages& translation = ofTheRow();
         QStringList missing;
         for (const Message& message : m_sources.messages) {
-            const auto german = m_german.constFind(message.id());
-            if (german == m_german.constEnd() || !german->isFinished
-                || german->translations.isEmpty())
+            const auto found = translation.constFind(message.id());
+            if (found == translation.constEnd() || !found->isFinished
+                || found->translations.isEmpty())
                 missing += message.described();
         }
         QVERIFY2(missing.isEmpty(),
             "build the target update-translations, then translate:\n" + joined(missing));
     }
 
+    void everyTranslationIsOfATextOfTheSources_data() { addLanguages(); }
     void everyTranslationIsOfATextOfTheSources()
     {
+        const Messages& translation = ofTheRow();
         QSet<QString> known;
         for (const Message& message : m_sources.messages)
             known.insert(message.id());
         QStringList left;
-        for (const Message& message : std::as_const(m_german)) {
+        for (const Message& message : translation) {
             if (!known.contains(message.id()))
                 left += message.described();
         }
         QVERIFY2(left.isEmpty(), "build the target update-translations:\n" + joined(left));
     }
 
+    void placeholdersAreTheSameOnBothSides_data() { addLanguages(); }
     void placeholdersAreTheSameOnBothSides()
     {
+        const Messages& translation = ofTheRow();
         QStringList wrong;
-        for (const Message& message : std::as_const(m_german)) {
+        for (const Message& message : translation) {
             for (const QString& text : message.translations) {
                 // The form for one may say the number in words.
-                const bool isForOne = message.isCounted && text == message.translations.front();
+                const bool isForOne = message.translations.size() > 1
+                    && text == message.translations.front();
                 QStringList wanted = placeholdersOf(message.source);
                 QStringList found = placeholdersOf(text);
                 if (isForOne) {
@@ -125,10 +146,12 @@ private Q_SLOTS:
         QVERIFY2(wrong.isEmpty(), joined(wrong));
     }
 
-    void whatHasAKeyHasOneInGerman()
+    void whatHasAKeyHasOneInTheTranslation_data() { addLanguages(); }
+    void whatHasAKeyHasOneInTheTranslation()
     {
+        const Messages& translation = ofTheRow();
         QStringList wrong;
-        for (const Message& message : std::as_const(m_german)) {
+        for (const Message& message : translation) {
             for (const QString& text : message.translations) {
                 if (hasMnemonic(text) != hasMnemonic(message.source))
                     wrong += message.described() + QStringLiteral(" -> ") + text;
@@ -137,10 +160,12 @@ private Q_SLOTS:
         QVERIFY2(wrong.isEmpty(), joined(wrong));
     }
 
+    void textsEndAsTheyDoInEnglish_data() { addLanguages(); }
     void textsEndAsTheyDoInEnglish()
     {
+        const Messages& translation = ofTheRow();
         QStringList wrong;
-        for (const Message& message : std::as_const(m_german)) {
+        for (const Message& message : translation) {
             for (const QString& text : message.translations) {
                 // The reader has taken the blanks around a translation away.
                 if (edgesOf(text) != edgesOf(message.source.trimmed()))
@@ -152,8 +177,11 @@ private Q_SLOTS:
 
     void theLanguagesOfTheLibraryAreOffered()
     {
-        QCOMPARE(Language::available(), (QStringList{QStringLiteral("en"), QStringLiteral("de")}));
+        QCOMPARE(Language::available(),
+            (QStringList{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("fr"),
+                QStringLiteral("ja"), QStringLiteral("zh")}));
         QCOMPARE(Language::nativeName(QStringLiteral("de")), QStringLiteral("Deutsch"));
+        QCOMPARE(Language::nativeName(QStringLiteral("zh")), QStringLiteral("简体中文"));
         QCOMPARE(Language::nativeName(QStringLiteral("en")), QStringLiteral("English"));
     }
 
@@ -177,8 +205,20 @@ private Q_SLOTS:
     }
 
 private:
+    void addLanguages() const
+    {
+        QTest::addColumn<QString>("language");
+        for (const QString& language : m_translations.keys())
+            QTest::addRow("%s", qPrintable(language)) << language;
+    }
+    [[nodiscard]] const Messages& ofTheRow() const
+    {
+        QFETCH(const QString, language);
+        return *m_translations.constFind(language);
+    }
+
     test::SourceMessages m_sources;
-    QHash<QString, Message> m_german;
+    QMap<QString, Messages> m_translations;
 };
 
 AXISCOMP_TEST(TestTranslations)
