@@ -60,7 +60,11 @@ Result<TablesOfFile> readTables(
             name, read.data->tables, std::string(positionUnit(measurement)), layout);
     const auto problem = std::ranges::find(read.problems, Severity::Error, &Diagnostic::severity);
     Text reason = AXISCOMP_TEXT("Error", "its content cannot be used");
-    if (read.refusal)
+    if (read.refusal && read.refusal->code == ErrorCode::SignNotStated)
+        reason = AXISCOMP_TEXT("Error",
+            "nobody has published the sign of its format. Import it on Write, where you state the "
+            "sign, export it from there as a calibration file, and choose that");
+    else if (read.refusal)
         reason = textOf(*read.refusal);
     else if (problem != read.problems.end())
         reason = textOf(*problem);

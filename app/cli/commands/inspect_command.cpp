@@ -90,7 +90,7 @@ std::string tablesText(const CalibrationData& data)
     return table.text();
 }
 
-Json neutralJson(const NeutralTable& table)
+Json neutralJson(const NeutralTable& table, const FormatFacts& facts)
 {
     Json axes = Json::array();
     for (const SourceAxis& axis : table.axes)
@@ -110,7 +110,8 @@ Json neutralJson(const NeutralTable& table)
             {"filled", filledJson(column.filled, sizes)}});
     }
     return {{"name", table.name}, {"dimensions", table.axes.size()}, {"axes", std::move(axes)},
-        {"columns", std::move(columns)}, {"sign", signName(table.sign)}, {"notes", table.notes}};
+        {"columns", std::move(columns)}, {"sign", signName(table.sign)},
+        {"signEvidence", evidenceName(facts.signEvidence)}, {"notes", table.notes}};
 }
 
 std::string neutralText(const NeutralTable& table)
@@ -142,7 +143,7 @@ ExitCode reportOther(
 {
     Json tables = Json::array();
     for (const NeutralTable& table : input.tables)
-        tables.push_back(neutralJson(table));
+        tables.push_back(neutralJson(table, input.format->facts));
     environment.document({{"format", input.format->facts.name}, {"tables", std::move(tables)},
         {"warnings", diagnosticsJson(input.diagnostics, Severity::Warning)},
         {"errors", diagnosticsJson(input.diagnostics, Severity::Error)}});
@@ -152,7 +153,8 @@ ExitCode reportOther(
     environment.print(displayName(options.file) + ": " + std::string(input.format->facts.name)
         + " (" + std::string(input.format->facts.controller) + "), "
         + plural(input.tables.size(), "table", "tables") + ", sign "
-        + std::string(signName(first.sign)) + "\n");
+        + std::string(signName(first.sign)) + (input.format->facts.needsSign() ? " (assumed)" : "")
+        + "\n");
     for (const NeutralTable& table : input.tables) {
         environment.print(neutralText(table));
         for (const std::string& note : table.notes)

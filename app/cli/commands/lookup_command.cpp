@@ -134,6 +134,7 @@ Result<ExitCode> lookUpForController(
             options.input.command);
     return answer(environment, options, controllerEvaluation(table, as->facts.behaviour),
         {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},
+            {"signEvidence", evidenceName(as->facts.signEvidence)},
             {"column", columnText(table, table.columns.front()).english()},
             {"unit", table.columns.front().unit}});
 }

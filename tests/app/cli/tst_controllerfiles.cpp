@@ -117,6 +117,7 @@ private Q_SLOTS:
         QCOMPARE(document.value("format").toString(), "softmc");
         const QJsonObject table = document.value("tables").toArray().at(0).toObject();
         QCOMPARE(table.value("sign").toString(), "command");
+        QCOMPARE(table.value("signEvidence").toString(), "published");
         QCOMPARE(table.value("axes").toArray().at(0).toObject().value("unit").toString(), "mm");
         QCOMPARE(table.value("columns").toArray().at(0).toObject().value("min").toDouble(), -0.02);
     }

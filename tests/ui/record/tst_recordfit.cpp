@@ -285,6 +285,26 @@ private Q_SLOTS:
             isRefused(model, ErrorCode::InvalidArgument, "none.csv cannot be used as the table"));
     }
 
+    void aTableWhoseSignNobodyHasPublishedSaysWhereTheSignIsStated()
+    {
+        RecordModel model;
+        QTemporaryDir folder;
+        const QString table = folder.filePath(QStringLiteral("old.pmc"));
+        QFile file(table);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("#1\nDEFINE COMP 4,#1D,#1,4000\n1\n2\n2\n1\n");
+        file.close();
+        model.addFiles({publicMeasurement("b02_x")});
+        FitChoices choices = asSpecified();
+        choices.measuredWith = FitChoices::MeasuredWith::On;
+        choices.onto = FitChoices::Onto::File;
+        choices.ontoFile = table;
+        model.setFit(choices, {});
+        QVERIFY(settled(model));
+        QVERIFY(isRefused(
+            model, ErrorCode::InvalidArgument, "Import it on Write, where you state the sign"));
+    }
+
     /// What was chosen for points is kept, and does not stand in the way of runs.
     void choicesForAnotherKindOfMeasurementAreKept()
     {
