@@ -123,7 +123,9 @@ private:
 
 void Fitting::chooseSettings()
 {
-    FitSettings settings = m_choices.settings;
+    FitSettings settings = m_choices.areLengthsAngles == m_measurement.isAngular
+        ? m_choices.settings
+        : withoutLengths(m_choices.settings);
     if (!settings.lookupAt)
         settings.lookupAt = m_request.drive.lookupAt();
     // A limit of 10 um is none of an angle.

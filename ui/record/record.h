@@ -43,6 +43,7 @@ struct FitChoices {
     /// Without what is said elsewhere: tolerances, uncertainty, rule for outliers, most points.
     /// lookupAt none: as the source of the current axis says it.
     FitSettings settings;
+    bool areLengthsAngles = false; ///< lengths of the settings are in deg, else in mm
     /// What was active while it was measured, where the file does not say it.
     enum class MeasuredWith { NotSaid, Off, On, File } measuredWith = MeasuredWith::NotSaid;
     QString measuredWithFile; ///< the table that was active, with File; absolute

@@ -190,6 +190,7 @@ OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration)
     // A table over temperature is made by the command line alone.
     if (calibration->fit && !calibration->fit->settings.isByTemperature)
         result.record.fit.settings = chosenSettings(calibration->fit->settings);
+    result.record.fit.areLengthsAngles = areLimitsAngles(*calibration);
     if (work && work->after) {
         openMeasurement(calibration, *work->after, result.after);
         result.after.isTableStated = work->isTableStated;

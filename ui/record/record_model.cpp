@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/record_model.h"
 
+#include "core/metrology/fit/fit_fields.h"
 #include "ui/text/value_text.h"
 
 #include <QFileInfo>
@@ -358,10 +359,22 @@ void RecordModel::setUncertainty(std::optional<double> value)
     change(std::move(next), StepKind::Uncertainty);
 }
 
+FitChoices RecordModel::fitChoices() const
+{
+    FitChoices choices = m_record.fit;
+    if (m_state.measurement && m_state.measurement->isAngular != choices.areLengthsAngles) {
+        choices.settings = withoutLengths(std::move(choices.settings));
+        choices.areLengthsAngles = m_state.measurement->isAngular;
+    }
+    return choices;
+}
+
 void RecordModel::setFit(const FitChoices& choices, const QString& name)
 {
     Record next = m_record;
     next.fit = choices;
+    if (m_state.measurement)
+        next.fit.areLengthsAngles = m_state.measurement->isAngular;
     change(std::move(next), StepKind::Fit, name);
 }
 

@@ -66,6 +66,8 @@ public:
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
+    /// Those of the record, without lengths that are none of the measurement's axis.
+    [[nodiscard]] FitChoices fitChoices() const;
     /// name: of what is changed, translated; for the history.
     void setFit(const FitChoices& choices, const QString& name);
     void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);

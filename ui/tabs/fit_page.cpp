@@ -145,7 +145,7 @@ void FitPage::connectParts()
 
 void FitPage::takeFile(const QString& path, bool isOnto)
 {
-    FitChoices choices = m_record.record().fit;
+    FitChoices choices = m_record.fitChoices();
     if (isOnto) {
         choices.onto = FitChoices::Onto::File;
         choices.ontoFile = path;
@@ -181,7 +181,7 @@ FitPage::State FitPage::state() const
 
 void FitPage::follow()
 {
-    m_form->show(m_record.record().fit, m_record.state(), m_record.drive());
+    m_form->show(m_record.fitChoices(), m_record.state(), m_record.drive());
     const bool isOld = isPending();
     m_busy->setBusy(isOld);
     showOutcome();

@@ -126,4 +126,18 @@ FitSettings settingsFor(const Measurement& measurement, FitSettings settings)
     return settings;
 }
 
+FitSettings withoutLengths(FitSettings settings)
+{
+    settings.home.reset();
+    settings.zeroPosition.clear();
+    if (settings.zero == FitZero::Position)
+        settings.zero = FitZero::Automatic;
+    settings.turn.reset();
+    settings.periods.periods.clear();
+    settings.grid.clear();
+    settings.within.reset();
+    settings.speed.reset();
+    return settings;
+}
+
 } // namespace axiscomp

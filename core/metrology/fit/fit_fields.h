@@ -33,4 +33,8 @@ struct FitFields {
 /// what was chosen for another one does not stand in the way.
 [[nodiscard]] FitSettings settingsFor(const Measurement& measurement, FitSettings settings);
 
+/// The settings without lengths of the axis: home, the position of the zero, a turn, periods, the
+/// grid and what it may lose, and the speed. 10 mm say nothing of an axis in degrees.
+[[nodiscard]] FitSettings withoutLengths(FitSettings settings);
+
 } // namespace axiscomp

@@ -154,6 +154,41 @@ private Q_SLOTS:
         QVERIFY(model.state().fit->request.record.fit == choices);
     }
 
+    void lengthsOfALinearAxisAreNoneOfARotaryOne()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("b02_x")});
+        QVERIFY(settled(model));
+        FitChoices choices = asSpecified();
+        choices.settings.zero = FitZero::Position;
+        choices.settings.zeroPosition = {90.0};
+        choices.settings.home = 90.0;
+        choices.settings.grid = {{.distance = 45.0}};
+        model.setFit(choices, {});
+        QTemporaryDir folder;
+        const QString angle = folder.filePath(QStringLiteral("angle.csv"));
+        QFile file(angle);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("// compensation: off\ntarget [deg],direction,run,deviation [arcsec]\n"
+                   "0,+,1,1\n90,+,1,2\n180,+,1,4\n0,-,1,1\n90,-,1,2\n180,-,1,4\n");
+        file.close();
+        while (!model.record().files.empty())
+            model.removeFile(0);
+        model.addFiles({angle});
+        QVERIFY(settled(model));
+        QVERIFY(model.fitChoices().settings.zeroPosition.empty());
+        const auto& fit = model.state().fit;
+        QVERIFY2(fit->report, fit->refusal ? textOf(*fit->refusal).english().c_str() : "");
+        QCOMPARE(fit->tables.front().table->values.size(), std::size_t{3});
+        QCOMPARE(fit->tables.front().table->values.front(), 0.0);
+        // Those that are said of it are its own.
+        choices = model.fitChoices();
+        choices.settings.grid = {{.distance = 45.0}};
+        model.setFit(choices, {});
+        QVERIFY(settled(model));
+        QCOMPARE(model.state().fit->tables.front().table->values.size(), std::size_t{5});
+    }
+
     /// "Off" was said of the measurement that was there.
     void whatWasActiveIsAskedOfEveryMeasurementAnew()
     {
