@@ -7070,6 +7070,10 @@
         <source>the table is {length} long, but a turn of the axis is {turn}: a prediction needs a table of one turn</source>
         <translation>die Tabelle ist {length} lang, eine Umdrehung der Achse aber {turn}: eine Vorhersage braucht eine Tabelle über eine Umdrehung</translation>
     </message>
+    <message>
+        <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
+        <translation>niemand hat das Vorzeichen seines Formats veröffentlicht. Auf „Schreiben“ importieren, dort das Vorzeichen angeben, von dort als Kalibrierdatei exportieren und diese wählen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -7084,6 +7088,1053 @@
     <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Record of the compensation (axiscomp write --record), which notes the proof</source>
+        <translation>Protokoll der Kompensation (axiscomp write --record), das den Nachweis festhält</translation>
+    </message>
+    <message>
+        <source>List the axes of one or several drives</source>
+        <translation>Die Achsen eines oder mehrerer Antriebe auflisten</translation>
+    </message>
+    <message>
+        <source>Also try all serial ports of this computer; without --drive, the connections of the window too</source>
+        <translation>Auch alle seriellen Anschlüsse dieses Rechners versuchen; ohne --drive auch die Verbindungen des Fensters</translation>
+    </message>
+    <message>
+        <source>Try the usual baud rates at every serial port</source>
+        <translation>Die üblichen Baudraten an jedem seriellen Anschluss versuchen</translation>
+    </message>
+    <message>
+        <source>Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024, with :PORT for another port than 80</source>
+        <translation>Auch diese Adressen über http fragen: 192.168.1.0/24, 192.168.1.10-40 oder eine Adresse, höchstens 1024, mit :PORT für einen anderen Port als 80</translation>
+    </message>
+    <message>
+        <source>Save everything that this program can change on a whole drive, all axes, to one file</source>
+        <translation>Alles, was dieses Programm an einem ganzen Antrieb ändern kann, mit allen Achsen in eine Datei sichern</translation>
+    </message>
+    <message>
+        <source>File to write; standard output without it, or with -</source>
+        <translation>Zu schreibende Datei; ohne Angabe oder mit - die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Restore a whole drive from a backup file, with verified writes; all of them are planned first</source>
+        <translation>Einen ganzen Antrieb aus einer Sicherung wiederherstellen, mit verifizierten Schreibvorgängen; zuerst werden alle geplant</translation>
+    </message>
+    <message>
+        <source>File that `axiscomp backup` wrote</source>
+        <translation>Datei, die `axiscomp backup` geschrieben hat</translation>
+    </message>
+    <message>
+        <source>Restore to a drive with another serial number, such as a replacement</source>
+        <translation>Auf einem Antrieb mit anderer Seriennummer wiederherstellen, etwa einem Ersatz</translation>
+    </message>
+    <message>
+        <source>Show what would be written without writing it</source>
+        <translation>Zeigen, was geschrieben würde, ohne es zu schreiben</translation>
+    </message>
+    <message>
+        <source>Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, - for lines on standard input, or typed</source>
+        <translation>Wo die Achse wirklich ist: ein Register des Antriebs, serial:/dev/ttyUSB1?baud=9600, - für Zeilen der Standardeingabe, oder typed für die Eingabe von Hand</translation>
+    </message>
+    <message>
+        <source>Unit of the instrument; of a register it is that of the axis, of lines the one behind the number unless given</source>
+        <translation>Einheit des Messgeräts; ohne Angabe bei einem Register die der Achse, bei Zeilen die hinter der Zahl</translation>
+    </message>
+    <message>
+        <source>The instrument counts the other way</source>
+        <translation>Das Messgerät zählt andersherum</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0 (0 unless given)</source>
+        <translation>Position der Achse, wo das Messgerät 0 sagt (Standard: 0)</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line, its first group or all of it; the first number of the line unless given</source>
+        <translation>Regulärer Ausdruck für die Zahl in einer Zeile, seine erste Gruppe oder der ganze Treffer; ohne Angabe die erste Zahl der Zeile</translation>
+    </message>
+    <message>
+        <source>Send this to the serial instrument before each reading, with \r and \n for line ends</source>
+        <translation>Dies vor jeder Ablesung an das serielle Messgerät senden, mit \r und \n für Zeilenenden</translation>
+    </message>
+    <message>
+        <source>Register of the raw position; the profile&apos;s unless given</source>
+        <translation>Register der Rohposition; ohne Angabe das des Profils</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within so many mm or deg, and readings may differ by as much (0.001 unless given)</source>
+        <translation>Die Achse steht, solange ihr Geber innerhalb so vieler mm oder Grad bleibt, und so viel dürfen Ablesungen sich unterscheiden (Standard: 0.001)</translation>
+    </message>
+    <message>
+        <source>So many seconds, before anything is taken (1 unless given)</source>
+        <translation>Verweilzeit in Sekunden, bevor ein Wert genommen wird (Standard: 1)</translation>
+    </message>
+    <message>
+        <source>Readings that make a value (10 unless given)</source>
+        <translation>Ablesungen, die einen Wert ergeben (Standard: 10)</translation>
+    </message>
+    <message>
+        <source>Readings per second, 10 to 50 (20 unless given)</source>
+        <translation>Ablesungen je Sekunde, 10 bis 50 (Standard: 20)</translation>
+    </message>
+    <message>
+        <source>Take the values of a measuring plan while something else moves the axis</source>
+        <translation>Die Werte eines Messplans erfassen, während etwas anderes die Achse bewegt</translation>
+    </message>
+    <message>
+        <source>Plan as axiscomp targets writes it</source>
+        <translation>Messplan, wie ihn axiscomp targets schreibt</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>Datei der Werte; eine vorhandene geht weiter, wo sie endet</translation>
+    </message>
+    <message>
+        <source>axiscomp never moves an axis: the machine&apos;s control or a person does.</source>
+        <translation>axiscomp bewegt nie eine Achse: das tut die Steuerung der Maschine oder ein Mensch.</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>Beispiele:</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to a servo drive, activates them, and checks the drive&apos;s output against the table.</source>
+        <translation>Schreibt Kompensationstabellen für gemessene Achsfehler in einen Servoantrieb, aktiviert sie und vergleicht den Ausgang des Antriebs mit der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Show the version</source>
+        <translation>Die Version zeigen</translation>
+    </message>
+    <message>
+        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT ist http://host[:port], https://host[:port] oder demo: (ein virtueller Antrieb im Programm). AXISCOMP_DRIVE ist der Standard für --drive. Mehr zeigt `axiscomp COMMAND --help`.</translation>
+    </message>
+    <message>
+        <source>Print one JSON document on standard output</source>
+        <translation>Ein JSON-Dokument auf die Standardausgabe schreiben</translation>
+    </message>
+    <message>
+        <source>Files on this computer</source>
+        <translation>Dateien auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>Compare measurements before and after a compensation, and with what was promised</source>
+        <translation>Messungen vor und nach einer Kompensation vergleichen, auch mit der Vorhersage</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: its prediction, table and tolerances</source>
+        <translation>Protokoll der Kompensation: seine Vorhersage, Tabelle und Toleranzen</translation>
+    </message>
+    <message>
+        <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
+        <translation>on: bei der zweiten Messung war die Tabelle des Protokolls aktiv, wenn ihre Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>Add the second measurement and the verdict to the record</source>
+        <translation>Die zweite Messung und das Urteil in das Protokoll aufnehmen</translation>
+    </message>
+    <message>
+        <source>Compensation parameters of a TAM configuration: show them, take them from a drive, or bring them to one</source>
+        <translation>Kompensationsparameter einer TAM-Konfiguration: zeigen, aus einem Antrieb übernehmen oder in einen schreiben</translation>
+    </message>
+    <message>
+        <source>show, export (to the file) or import (from it)</source>
+        <translation>show (zeigen), export (in die Datei) oder import (aus ihr)</translation>
+    </message>
+    <message>
+        <source>TAM configuration (.TAMcfg)</source>
+        <translation>TAM-Konfiguration (.TAMcfg)</translation>
+    </message>
+    <message>
+        <source>export: take the parameters from this configuration in place of a drive</source>
+        <translation>export: die Parameter aus dieser Konfiguration nehmen statt aus einem Antrieb</translation>
+    </message>
+    <message>
+        <source>export: write this file instead, and leave the other one as it is</source>
+        <translation>export: stattdessen diese Datei schreiben und die andere lassen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Name or serial number of the station in the file; without it the one with the drive&apos;s serial number</source>
+        <translation>Name oder Seriennummer der Station in der Datei; ohne Angabe die mit der Seriennummer des Antriebs</translation>
+    </message>
+    <message>
+        <source>Accept a station with another serial number than the drive&apos;s</source>
+        <translation>Eine Station mit anderer Seriennummer als der des Antriebs annehmen</translation>
+    </message>
+    <message>
+        <source>Only the registers Table and Dim1Source to Dim3Source of the axes are read and written. Everything else in the file stays as it is, and tables stay on the drive. Importing never switches a compensation on.</source>
+        <translation>Gelesen und geschrieben werden nur die Register Table und Dim1Source bis Dim3Source der Achsen. Alles andere in der Datei bleibt, wie es ist, und Tabellen bleiben im Antrieb. Der Import schaltet nie eine Kompensation ein.</translation>
+    </message>
+    <message>
+        <source>Example:</source>
+        <translation>Beispiel:</translation>
+    </message>
+    <message>
+        <source>Convert a table file to another format</source>
+        <translation>Eine Tabellendatei in ein anderes Format umwandeln</translation>
+    </message>
+    <message>
+        <source>File to read; - for standard input</source>
+        <translation>Zu lesende Datei; - für die Standardeingabe</translation>
+    </message>
+    <message>
+        <source>File to write, replaced if it exists; - for standard output</source>
+        <translation>Zu schreibende Datei, eine vorhandene wird ersetzt; - für die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Format of the output, if its name leaves it open</source>
+        <translation>Format der Ausgabe, wenn ihr Name es offenlässt</translation>
+    </message>
+    <message>
+        <source>Unit of the values in a .TAMtbl, which does not say it; by default that of the positions</source>
+        <translation>Einheit der Werte in einer .TAMtbl, die sie nicht nennt; Standard ist die der Positionen</translation>
+    </message>
+    <message>
+        <source>Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl</source>
+        <translation>Auch Korrekturen über 1 % des Bereichs oder mit einer Steigung über 0,1 in eine .TAMtbl schreiben</translation>
+    </message>
+    <message>
+        <source>Mark the table persistent: the drive stores it</source>
+        <translation>Die Tabelle als dauerhaft kennzeichnen: der Antrieb speichert sie</translation>
+    </message>
+    <message>
+        <source>Mark the table volatile (without either: as the input is)</source>
+        <translation>Die Tabelle als flüchtig kennzeichnen (ohne beides: wie die Eingabe)</translation>
+    </message>
+    <message>
+        <source>Name of the table</source>
+        <translation>Name der Tabelle</translation>
+    </message>
+    <message>
+        <source>Delete the table of an axis, or one that no axis uses, and free its slot</source>
+        <translation>Die Tabelle einer Achse löschen, oder eine, die keine Achse verwendet, und ihren Tabellenplatz freigeben</translation>
+    </message>
+    <message>
+        <source>Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses</source>
+        <translation>Die Tabelle auf diesem Tabellenplatz löschen, small1 bis small8, large1 oder large2; keine Achse darf sie verwenden</translation>
+    </message>
+    <message>
+        <source>Show what would be deleted without deleting it</source>
+        <translation>Zeigen, was gelöscht würde, ohne es zu löschen</translation>
+    </message>
+    <message>
+        <source>The compensation must be off. The axis then uses no table, also after a reboot; its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.</source>
+        <translation>Die Kompensation muss ausgeschaltet sein. Die Achse verwendet danach keine Tabelle, auch nach einem Neustart; ihre Quellen bleiben. Gelöschtes bleibt in einer Sicherung erhalten: `axiscomp restore` bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>Write an example calibration file (CSV)</source>
+        <translation>Eine Kalibrierdatei (CSV) als Beispiel schreiben</translation>
+    </message>
+    <message>
+        <source>Number of dimensions: 1, 2 or 3</source>
+        <translation>Anzahl der Dimensionen: 1, 2 oder 3</translation>
+    </message>
+    <message>
+        <source>Number of tables (2 unless given)</source>
+        <translation>Anzahl der Tabellen (Standard: 2)</translation>
+    </message>
+    <message>
+        <source>Table file to write, replaced if it exists; - for standard output. Without it nothing is written</source>
+        <translation>Zu schreibende Tabellendatei, eine vorhandene wird ersetzt; - für die Standardausgabe. Ohne Angabe wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Begin a record of the compensation (.axcal): measurement, table and what it promises, for compare and report</source>
+        <translation>Ein Protokoll der Kompensation (.axcal) beginnen: Messung, Tabelle und deren Vorhersage, für compare und report</translation>
+    </message>
+    <message>
+        <source>Write this column of points only, where the format holds one table</source>
+        <translation>Von Punkten nur diese Spalte schreiben, wenn das Format nur eine Tabelle fasst</translation>
+    </message>
+    <message>
+        <source>Curve and grid</source>
+        <translation>Kurve und Gitter</translation>
+    </message>
+    <message>
+        <source>Curve through the means: linear (the default), cubic, spline, smooth or harmonic</source>
+        <translation>Kurve durch die Mittelwerte: linear (Standard), cubic, spline, smooth oder harmonic</translation>
+    </message>
+    <message>
+        <source>Of the method smooth, and of points and tracks; by cross-validation unless given</source>
+        <translation>Glätte für das Verfahren smooth sowie für Punkte und Bahnen; ohne Angabe durch Kreuzvalidierung</translation>
+    </message>
+    <message>
+        <source>Known periods, such as the lead of the screw, fitted by the method smooth</source>
+        <translation>Bekannte Perioden, etwa die Steigung der Spindel, angepasst mit dem Verfahren smooth</translation>
+    </message>
+    <message>
+        <source>Harmonics of each period, and of harmonic (1)</source>
+        <translation>Oberwellen jeder Periode und von harmonic (Standard: 1)</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>Länge einer Umdrehung einer Moduloachse, etwa 360: die Tabelle endet, wie sie beginnt</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of: mean of both (the default), positive or negative; both makes a table for each, for controllers that keep two</source>
+        <translation>Durchläufe, aus denen die Tabelle entsteht: mean (Mittel beider Richtungen, Standard), positive oder negative; both macht für jede eine Tabelle, für Steuerungen, die zwei haben</translation>
+    </message>
+    <message>
+        <source>temperature: a table over position and temperature, from runs in several thermal states; --points and --distance take a second number for it</source>
+        <translation>temperature: eine Tabelle über Position und Temperatur, aus Durchläufen in mehreren thermischen Zuständen; --points und --distance nehmen dafür eine zweite Zahl</translation>
+    </message>
+    <message>
+        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
+        <translation>Gleichmäßiges Gitter mit N Stützstellen, für jede Achse oder für alle; ohne Angabe die Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Even grid with spacing D, for each axis or for all</source>
+        <translation>Gleichmäßiges Gitter mit Abstand D, für jede Achse oder für alle</translation>
+    </message>
+    <message>
+        <source>The fewest points that leave no more than this to the curve, in mm or deg</source>
+        <translation>So wenige Stützstellen, wie diese Abweichung von der Kurve erlaubt, in mm oder Grad</translation>
+    </message>
+    <message>
+        <source>Let the grid extend beyond the targets, where the end values are held</source>
+        <translation>Das Gitter darf über die Zielpositionen hinausgehen, wo die Endwerte gehalten werden</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told</source>
+        <translation>Geschwindigkeit der Achse in mm/s oder Grad/s, für die Angabe der Geschwindigkeitssprünge</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>Nullstelle, Steigung und Drift</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
+        <translation>Wo die Tabelle 0 ist: home, first (erste Zielposition), mean, keep oder eine Position; ohne Angabe home, wenn die Referenzposition bekannt und gemessen ist, sonst first</translation>
+    </message>
+    <message>
+        <source>Home position of the axis</source>
+        <translation>Referenzposition der Achse</translation>
+    </message>
+    <message>
+        <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
+        <translation>Die Steigung herausnehmen, für Geradheit: lsq (kleinste Quadrate) oder ends</translation>
+    </message>
+    <message>
+        <source>Take the drift of the runs out before they are averaged: offset or trend</source>
+        <translation>Die Drift der Durchläufe herausnehmen, bevor sie gemittelt werden: offset oder trend</translation>
+    </message>
+    <message>
+        <source>State of the drive</source>
+        <translation>Zustand des Antriebs</translation>
+    </message>
+    <message>
+        <source>Where the drive looks the table up: encoder (before the compensation) or set (after it); with --onto drive by its source</source>
+        <translation>Wo der Antrieb in der Tabelle nachschlägt: encoder (vor der Kompensation) oder set (danach); mit --onto drive nach ihrer Quelle</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, where the file does not say it: off, on, or the file of the table</source>
+        <translation>Was während der Messung aktiv war, wenn die Datei es nicht sagt: off, on oder die Datei der Tabelle</translation>
+    </message>
+    <message>
+        <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
+        <translation>Restabweichungen mit der Tabelle verbinden, die aktiv war: ihre Datei, oder drive für die, die die Achse verwendet (--drive, --axis)</translation>
+    </message>
+    <message>
+        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
+        <translation>Faktor der verbundenen Restabweichungen (Standard: 1); üblich ist 0.7, wo die Maschine spät antwortet</translation>
+    </message>
+    <message>
+        <source>Points and tracks</source>
+        <translation>Punkte und Bahnen</translation>
+    </message>
+    <message>
+        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
+        <translation>Herausnehmen, wie das Normal lag: rigid, rigid:X (Geraden entlang X behalten keine Steigung) oder scale</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
+        <translation>Stützstellen, die weit von jedem gemessenen Punkt entfernt sind: smooth oder nearest; ohne Angabe werden sie abgelehnt</translation>
+    </message>
+    <message>
+        <source>Give values that do not fit the others less weight</source>
+        <translation>Werten, die nicht zu den anderen passen, weniger Gewicht geben</translation>
+    </message>
+    <message>
+        <source>Make a compensation table of a measurement, and foretell what it does</source>
+        <translation>Aus einer Messung eine Kompensationstabelle machen und vorhersagen, was sie bewirkt</translation>
+    </message>
+    <message>
+        <source>List the table formats, or describe one: its limits, rules and settings</source>
+        <translation>Die Tabellenformate auflisten oder eines beschreiben: Grenzen, Regeln und Angaben</translation>
+    </message>
+    <message>
+        <source>One format: its rules, limits and settings</source>
+        <translation>Ein Format: Regeln, Grenzen und Angaben</translation>
+    </message>
+    <message>
+        <source>All of them, as the page docs/formats.md</source>
+        <translation>Alle, als Seite docs/formats.md</translation>
+    </message>
+    <message>
+        <source>The formats of measurements instead of those of tables</source>
+        <translation>Die Formate von Messungen statt der von Tabellen</translation>
+    </message>
+    <message>
+        <source>Check a file and report its format, grid, tables and problems</source>
+        <translation>Eine Datei prüfen und Format, Gitter, Tabellen und Probleme nennen</translation>
+    </message>
+    <message>
+        <source>Calibration file or table; - for standard input</source>
+        <translation>Kalibrierdatei oder Tabelle; - für die Standardeingabe</translation>
+    </message>
+    <message>
+        <source>Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances</source>
+        <translation>Eine Messung beurteilen: Kennwerte nach ISO 230-2, Drift, Ausreißer, Toleranzen</translation>
+    </message>
+    <message>
+        <source>Rule that proposes outliers: mad (the default), grubbs or none</source>
+        <translation>Regel, die Ausreißer vorschlägt: mad (Standard), grubbs oder none</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw, in mm or deg</source>
+        <translation>Bekannte Periode der Achse, etwa die Steigung ihrer Spindel, in mm oder Grad</translation>
+    </message>
+    <message>
+        <source>Show the figures of VDI/DGQ 3441 as well</source>
+        <translation>Auch die Kennwerte nach VDI/DGQ 3441 zeigen</translation>
+    </message>
+    <message>
+        <source>Print the interpolated value at a position, as the drive computes it</source>
+        <translation>Den interpolierten Wert an einer Position ausgeben, wie ihn der Antrieb berechnet</translation>
+    </message>
+    <message>
+        <source>Calibration file or table</source>
+        <translation>Kalibrierdatei oder Tabelle</translation>
+    </message>
+    <message>
+        <source>X [Y [Z]], one number per dimension; may be negative</source>
+        <translation>X [Y [Z]], eine Zahl je Dimension, auch negativ</translation>
+    </message>
+    <message>
+        <source>File with one position per line, - for standard input; prints one result per line</source>
+        <translation>Datei mit einer Position je Zeile, - für die Standardeingabe; gibt je Zeile ein Ergebnis aus</translation>
+    </message>
+    <message>
+        <source>Value outside the table: hold (as the drive does; the default), zero, wrap, extrapolate or error</source>
+        <translation>Wert außerhalb der Tabelle: hold (wie der Antrieb; Standard), zero, wrap, extrapolate oder error</translation>
+    </message>
+    <message>
+        <source>Print the value that the controller of this format would apply, after conversion</source>
+        <translation>Den Wert ausgeben, den die Steuerung dieses Formats nach der Umwandlung anwenden würde</translation>
+    </message>
+    <message>
+        <source>Machine file (.toml)</source>
+        <translation>Maschinendatei (.toml)</translation>
+    </message>
+    <message>
+        <source>Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be given several times</source>
+        <translation>Nur diese Achse, wie die Datei sie nennt, oder SERIAL/AXIS für die eines bestimmten Antriebs; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Drives at the same time (16 unless given)</source>
+        <translation>Antriebe gleichzeitig (Standard: 16)</translation>
+    </message>
+    <message>
+        <source>Leave drives out that do not answer, which is an error otherwise</source>
+        <translation>Antriebe übergehen, die nicht antworten; sonst ist das ein Fehler</translation>
+    </message>
+    <message>
+        <source>Compare the drives of a machine with its machine file, and change nothing</source>
+        <translation>Die Antriebe einer Maschine mit ihrer Maschinendatei vergleichen, ohne etwas zu ändern</translation>
+    </message>
+    <message>
+        <source>The exit code is 0 when all drives have what the file says, and 9 when something differs.</source>
+        <translation>Der Exit-Code ist 0, wenn alle Antriebe haben, was in der Datei steht, und 9, wenn etwas abweicht.</translation>
+    </message>
+    <message>
+        <source>Write what a machine file says to the drives of the machine, where they differ</source>
+        <translation>Den Inhalt einer Maschinendatei in die Antriebe der Maschine schreiben, wo sie davon abweichen</translation>
+    </message>
+    <message>
+        <source>Switch the compensation of axes on and off where the file says so (active), and prove it</source>
+        <translation>Die Kompensation von Achsen ein- und ausschalten, wo die Datei es sagt (active), und nachweisen</translation>
+    </message>
+    <message>
+        <source>All drives are planned first, and nothing is written unless all of it is possible. Each write is safe as that of `axiscomp write`. A second apply finds nothing to do.</source>
+        <translation>Zuerst werden alle Antriebe geplant, und nichts wird geschrieben, wenn nicht alles möglich ist. Jeder Schreibvorgang ist so sicher wie der von `axiscomp write`. Ein zweites apply hat nichts mehr zu tun.</translation>
+    </message>
+    <message>
+        <source>Print output, indices and sources of an axis as CSV until stopped</source>
+        <translation>Ausgang, Indizes und Quellen einer Achse als CSV ausgeben, bis zum Abbruch</translation>
+    </message>
+    <message>
+        <source>Lines per second, 1 to 100 (10 unless given)</source>
+        <translation>Zeilen je Sekunde, 1 bis 100 (Standard: 10)</translation>
+    </message>
+    <message>
+        <source>Number of lines; without end unless given</source>
+        <translation>Anzahl der Zeilen; ohne Angabe endlos</translation>
+    </message>
+    <message>
+        <source>Download the table that an axis uses</source>
+        <translation>Die Tabelle herunterladen, die eine Achse verwendet</translation>
+    </message>
+    <message>
+        <source>File to write, .csv, .TAMtbl or that of another controller; CSV on standard output without it</source>
+        <translation>Zu schreibende Datei, .csv, .TAMtbl oder die einer anderen Steuerung; ohne Angabe CSV auf die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Finish or undo an interrupted write; without an option, say which is possible</source>
+        <translation>Einen unterbrochenen Schreibvorgang vollenden oder rückgängig machen; ohne Option sagen, was möglich ist</translation>
+    </message>
+    <message>
+        <source>Bring the complete new state about, from whatever there is now</source>
+        <translation>Den vollständigen neuen Zustand herstellen, gleich was jetzt vorhanden ist</translation>
+    </message>
+    <message>
+        <source>Bring back the complete state before the write</source>
+        <translation>Den vollständigen Zustand vor dem Schreiben wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Write the report of a record: by how much an axis became better, on one page</source>
+        <translation>Den Bericht eines Protokolls schreiben: um wie viel eine Achse besser wurde, auf einer Seite</translation>
+    </message>
+    <message>
+        <source>Record of the compensation (.axcal)</source>
+        <translation>Protokoll der Kompensation (.axcal)</translation>
+    </message>
+    <message>
+        <source>The report; its extension says whether it is PDF or HTML</source>
+        <translation>Der Bericht; seine Endung sagt, ob er PDF oder HTML ist</translation>
+    </message>
+    <message>
+        <source>Language of the report: en, de, fr, ja or zh</source>
+        <translation>Sprache des Berichts: en, de, fr, ja oder zh</translation>
+    </message>
+    <message>
+        <source>Add pages with every target and every value that is left out</source>
+        <translation>Seiten mit jeder Zielposition und jedem weggelassenen Wert hinzufügen</translation>
+    </message>
+    <message>
+        <source>Show what is in measurement files, join them, and write them as one CSV</source>
+        <translation>Den Inhalt von Messdateien zeigen, sie verbinden und als eine CSV-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>CSV file to write, replaced if it exists; - for standard output</source>
+        <translation>Zu schreibende CSV-Datei, eine vorhandene wird ersetzt; - für die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Write a machine file with all tables from running drives</source>
+        <translation>Eine Maschinendatei mit allen Tabellen aus laufenden Antrieben schreiben</translation>
+    </message>
+    <message>
+        <source>Folder for machine.toml and the tables; files of the same names are replaced</source>
+        <translation>Ordner für machine.toml und die Tabellen; Dateien mit denselben Namen werden ersetzt</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>Applied to drives with the same serial numbers and without tables, the file gives the same state, and a snapshot of them the same bytes.</source>
+        <translation>Auf Antriebe mit denselben Seriennummern und ohne Tabellen angewendet, ergibt die Datei denselben Zustand, und ein snapshot von ihnen dieselben Bytes.</translation>
+    </message>
+    <message>
+        <source>Print the states of drives as OpenMetrics text, for a collector</source>
+        <translation>Die Zustände von Antrieben als OpenMetrics-Text ausgeben, für einen Collector</translation>
+    </message>
+    <message>
+        <source>Machine file: its drives, and whether they differ from it</source>
+        <translation>Maschinendatei: ihre Antriebe, und ob sie davon abweichen</translation>
+    </message>
+    <message>
+        <source>Compare the outputs of active compensations with their tables now</source>
+        <translation>Die Ausgänge aktiver Kompensationen jetzt mit ihren Tabellen vergleichen</translation>
+    </message>
+    <message>
+        <source>File to write, whole or not at all; standard output without it</source>
+        <translation>Zu schreibende Datei, ganz oder gar nicht; ohne Angabe die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Show the compensation of an axis, and the outcome of an interrupted write</source>
+        <translation>Die Kompensation einer Achse zeigen, und wie ein unterbrochener Schreibvorgang ausging</translation>
+    </message>
+    <message>
+        <source>Count the drive&apos;s flash operations again after their record was damaged; first wait as long as the drive counts them</source>
+        <translation>Die Flash-Vorgänge des Antriebs neu zählen, nachdem ihre Aufzeichnung beschädigt wurde; vorher so lange warten, wie der Antrieb sie zählt</translation>
+    </message>
+    <message>
+        <source>First target</source>
+        <translation>Erste Zielposition</translation>
+    </message>
+    <message>
+        <source>Last target, above the first</source>
+        <translation>Letzte Zielposition, über der ersten</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>Anzahl der Zielpositionen</translation>
+    </message>
+    <message>
+        <source>Mean distance of targets, instead of --count</source>
+        <translation>Mittlerer Abstand der Zielpositionen, statt --count</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw: targets are spread over it</source>
+        <translation>Bekannte Periode der Achse, etwa die Steigung ihrer Spindel: Zielpositionen werden darüber verteilt</translation>
+    </message>
+    <message>
+        <source>Runs in each direction (5 unless given)</source>
+        <translation>Durchläufe in jeder Richtung (Standard: 5)</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same (1 unless given)</source>
+        <translation>Eine andere Zahl gibt andere Zielpositionen, dieselbe dieselben (Standard: 1)</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target (1 % of the range unless given, at most a third of the spacing)</source>
+        <translation>Wie weit die Achse vor der ersten Zielposition eines Durchlaufs in dessen Richtung fährt (Standard: 1 % des Bereichs, höchstens ein Drittel des Abstands)</translation>
+    </message>
+    <message>
+        <source>Feed in mm or deg per minute (1000 unless given)</source>
+        <translation>Vorschub in mm oder Grad je Minute (Standard: 1000)</translation>
+    </message>
+    <message>
+        <source>Seconds at each target (5 unless given): time to stand still and be measured</source>
+        <translation>Sekunden an jeder Zielposition (Standard: 5): Zeit, um zur Ruhe zu kommen und gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>Choose the targets of a measurement: a plan, or a program for the machine&apos;s control</source>
+        <translation>Die Zielpositionen einer Messung wählen: ein Messplan oder ein Programm für die Steuerung der Maschine</translation>
+    </message>
+    <message>
+        <source>Name of the axis (X unless given)</source>
+        <translation>Name der Achse (Standard: X)</translation>
+    </message>
+    <message>
+        <source>Unit of all positions: mm (the default) or deg</source>
+        <translation>Einheit aller Positionen: mm (Standard) oder deg</translation>
+    </message>
+    <message>
+        <source>Write G-code for this control: linuxcnc, fanuc or siemens</source>
+        <translation>G-Code für diese Steuerung schreiben: linuxcnc, fanuc oder siemens</translation>
+    </message>
+    <message>
+        <source>List the table files of a drive</source>
+        <translation>Die Tabellendateien eines Antriebs auflisten</translation>
+    </message>
+    <message>
+        <source>Upload a file unchanged and verify it, for drive programs that use tables</source>
+        <translation>Eine Datei unverändert übertragen und verifizieren, für Antriebsprogramme, die Tabellen verwenden</translation>
+    </message>
+    <message>
+        <source>File on this computer</source>
+        <translation>Datei auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Path in the drive, such as tables/small1.TAMtbl</source>
+        <translation>Pfad im Antrieb, etwa tables/small1.TAMtbl</translation>
+    </message>
+    <message>
+        <source>Download a file unchanged</source>
+        <translation>Eine Datei unverändert herunterladen</translation>
+    </message>
+    <message>
+        <source>Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)</source>
+        <translation>Register, das die Position für Dimension 1 liefert: Pfad, tam://-URI oder Adresse (0x1234)</translation>
+    </message>
+    <message>
+        <source>The same for dimension 2</source>
+        <translation>Dasselbe für Dimension 2</translation>
+    </message>
+    <message>
+        <source>The same for dimension 3</source>
+        <translation>Dasselbe für Dimension 3</translation>
+    </message>
+    <message>
+        <source>The source is the axis&apos;s own position, for tables of one dimension; with --map each axis&apos;s own</source>
+        <translation>Die Quelle ist die eigene Position der Achse, für Tabellen mit einer Dimension; mit --map die eigene jeder Achse</translation>
+    </message>
+    <message>
+        <source>Write a compensation table to an axis in the safe order, and verify it</source>
+        <translation>Eine Kompensationstabelle in sicherer Reihenfolge auf eine Achse schreiben und verifizieren</translation>
+    </message>
+    <message>
+        <source>Calibration file (.csv), table (.TAMtbl), or file of another controller; without it the axis keeps its table</source>
+        <translation>Kalibrierdatei (.csv), Tabelle (.TAMtbl) oder Datei einer anderen Steuerung; ohne Angabe behält die Achse ihre Tabelle</translation>
+    </message>
+    <message>
+        <source>Record of a compensation in place of --data: its table is written, and it notes drive, slot and CRC</source>
+        <translation>Protokoll einer Kompensation statt --data: seine Tabelle wird geschrieben, und es hält Antrieb, Tabellenplatz und CRC fest</translation>
+    </message>
+    <message>
+        <source>Store the table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>Die Tabelle im Flash-Speicher des Antriebs ablegen, sodass sie einen Neustart übersteht</translation>
+    </message>
+    <message>
+        <source>Keep the table in memory until the next reboot (the default for a new table)</source>
+        <translation>Die Tabelle bis zum nächsten Neustart im Arbeitsspeicher halten (Standard für eine neue Tabelle)</translation>
+    </message>
+    <message>
+        <source>Unit of the values in place of what the file says, such as um; drive for the drive&apos;s own</source>
+        <translation>Einheit der Werte statt der in der Datei genannten, etwa um; drive für die des Antriebs</translation>
+    </message>
+    <message>
+        <source>The same for the positions</source>
+        <translation>Dasselbe für die Positionen</translation>
+    </message>
+    <message>
+        <source>Slot to use, small1 to small8, large1 or large2; chosen unless given</source>
+        <translation>Zu verwendender Tabellenplatz, small1 bis small8, large1 oder large2; ohne Angabe wird einer gewählt</translation>
+    </message>
+    <message>
+        <source>Write this column of the file (name or number) to this axis; AXIS alone is the column that is named as the axis. May be given several times. Nothing is written unless all of the writes are possible</source>
+        <translation>Diese Spalte der Datei (Name oder Nummer) auf diese Achse schreiben; AXIS allein ist die Spalte, die wie die Achse heißt. Mehrfach möglich. Nichts wird geschrieben, wenn nicht alle Schreibvorgänge möglich sind</translation>
+    </message>
+    <message>
+        <source>Write corrections above 1 % of the range, or with a slope above 0.1, which without this are taken for a wrong unit</source>
+        <translation>Auch Korrekturen über 1 % des Bereichs oder mit einer Steigung über 0,1 schreiben, die sonst als Zeichen einer falschen Einheit gelten</translation>
+    </message>
+    <message>
+        <source>Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp activate` switches it on.</source>
+        <translation>Ohne --source1 behält die Achse ihre Quellen. Die Kompensation bleibt ausgeschaltet: `axiscomp activate` schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>Axis that the values correct, for each column or for all: its name, #1 for the first source, or other for an axis that is no source; by default as the file says</source>
+        <translation>Achse, die von den Werten korrigiert wird, für jede Spalte oder für alle: ihr Name, #1 für die erste Quelle oder other für eine Achse, die keine Quelle ist; Standard ist, was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>Conversion</source>
+        <translation>Umwandlung</translation>
+    </message>
+    <message>
+        <source>Convention of the input: feedback (added to the encoder position) or command (added to the commanded position); by default that of its format, needed where that is assumed</source>
+        <translation>Konvention der Eingabe: feedback (zur Geberposition addiert) oder command (zur Sollposition addiert); Standard ist die ihres Formats, nötig, wo diese nur angenommen wird</translation>
+    </message>
+    <message>
+        <source>Which values to use if the file has both directions of motion: mean, positive or negative</source>
+        <translation>Zu verwendende Werte, wenn die Datei beide Bewegungsrichtungen enthält: mean, positive oder negative</translation>
+    </message>
+    <message>
+        <source>Multiply the values by this number, before anything else</source>
+        <translation>Die Werte vor allem anderen mit dieser Zahl multiplizieren</translation>
+    </message>
+    <message>
+        <source>Add this to the values, in their unit</source>
+        <translation>Dies zu den Werten addieren, in ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Shift the values so that they are 0 at this position</source>
+        <translation>Die Werte so verschieben, dass sie an dieser Position 0 sind</translation>
+    </message>
+    <message>
+        <source>Treat a modulo axis as a linear one</source>
+        <translation>Eine Moduloachse als lineare Achse behandeln</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with N points, for each source or for all</source>
+        <translation>Auf ein gleichmäßiges Gitter mit N Stützstellen umrechnen, für jede Quelle oder für alle</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with spacing D, for each source or for all</source>
+        <translation>Auf ein gleichmäßiges Gitter mit Abstand D umrechnen, für jede Quelle oder für alle</translation>
+    </message>
+    <message>
+        <source>Resample onto the coarsest even grid within this deviation, in the unit of the values</source>
+        <translation>Auf das gröbste gleichmäßige Gitter innerhalb dieser Abweichung umrechnen, in der Einheit der Werte</translation>
+    </message>
+    <message>
+        <source>Between the points of the source: linear (the default), cubic (monotone), spline (natural cubic) or smooth (smoothing spline)</source>
+        <translation>Zwischen den Punkten der Quelle: linear (Standard), cubic (monoton), spline (natürlich kubisch) oder smooth (Glättungsspline)</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in positions per second: says the steps of the velocity that are left with spline and smooth</source>
+        <translation>Geschwindigkeit der Achse in Positionseinheiten je Sekunde: nennt die Geschwindigkeitssprünge, die mit spline und smooth bleiben</translation>
+    </message>
+    <message>
+        <source>Let the even grid extend beyond the data, where the end values are held</source>
+        <translation>Das gleichmäßige Gitter darf über die Daten hinausgehen, wo die Endwerte gehalten werden</translation>
+    </message>
+    <message>
+        <source>Convention of the output: feedback or command; by default that of its format, needed where that is assumed</source>
+        <translation>Konvention der Ausgabe: feedback oder command; Standard ist die ihres Formats, nötig, wo diese nur angenommen wird</translation>
+    </message>
+    <message>
+        <source>Setting that the output format needs; `axiscomp formats NAME` lists them</source>
+        <translation>Angabe, die das Ausgabeformat braucht; `axiscomp formats NAME` listet sie auf</translation>
+    </message>
+    <message>
+        <source>Corrections, made only when asked for</source>
+        <translation>Korrekturen, nur auf Wunsch</translation>
+    </message>
+    <message>
+        <source>Temperature of the axis&apos;s scale in C</source>
+        <translation>Temperatur des Maßstabs der Achse in °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of expansion of the axis&apos;s scale in 1/K, such as 11.5e-6</source>
+        <translation>Ausdehnungskoeffizient des Maßstabs der Achse in 1/K, etwa 11.5e-6</translation>
+    </message>
+    <message>
+        <source>Temperature of the reference in C</source>
+        <translation>Temperatur der Referenz in °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation</source>
+        <translation>Ausdehnungskoeffizient der Referenz in 1/K; 0 für einen Laser mit Wellenlängenkompensation</translation>
+    </message>
+    <message>
+        <source>Position in mm that does not move with temperature; the first target unless given</source>
+        <translation>Position in mm, die sich mit der Temperatur nicht bewegt; ohne Angabe die erste Zielposition</translation>
+    </message>
+    <message>
+        <source>The values are not corrected to 20 C, where the file does not say it</source>
+        <translation>Die Werte sind nicht auf 20 °C korrigiert, wenn die Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>Dead path of the interferometer: a JSON file with its length and the air of each run</source>
+        <translation>Totstrecke des Interferometers: eine JSON-Datei mit ihrer Länge und der Luft jedes Durchlaufs</translation>
+    </message>
+    <message>
+        <source>Limits, such as A=10um,R=4um; exit code 8 when one is not met</source>
+        <translation>Grenzen, etwa A=10um,R=4um; Exit-Code 8, wenn eine nicht eingehalten ist</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms</source>
+        <translation>Messunsicherheit mit k = 2: U=2.1um, oder eine JSON-Datei mit ihren Anteilen</translation>
+    </message>
+    <message>
+        <source>Measurement files, joined when there are several; - for standard input</source>
+        <translation>Messdateien, mehrere werden verbunden; - für die Standardeingabe</translation>
+    </message>
+    <message>
+        <source>Format of the files, if their content leaves it open</source>
+        <translation>Format der Dateien, wenn ihr Inhalt es offenlässt</translation>
+    </message>
+    <message>
+        <source>Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>Werte weglassen: down:1:1 (Richtung, Zielposition, Durchlauf), run:up:3 oder target:7, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Exchange up and down</source>
+        <translation>Aufwärts und abwärts tauschen</translation>
+    </message>
+    <message>
+        <source>What a file leaves open</source>
+        <translation>Was eine Datei offenlässt</translation>
+    </message>
+    <message>
+        <source>Which column of a CSV file is what, by number or name: &apos;target=1,direction=3,deviation=5&apos;</source>
+        <translation>Welche Spalte einer CSV-Datei was ist, nach Nummer oder Name: &apos;target=1,direction=3,deviation=5&apos;</translation>
+    </message>
+    <message>
+        <source>Lines before the header of a CSV file</source>
+        <translation>Zeilen vor der Kopfzeile einer CSV-Datei</translation>
+    </message>
+    <message>
+        <source>Unit of targets and encoder</source>
+        <translation>Einheit von Zielpositionen und Geber</translation>
+    </message>
+    <message>
+        <source>Unit of deviations and reference</source>
+        <translation>Einheit von Abweichungen und Referenz</translation>
+    </message>
+    <message>
+        <source>What the values are: deviation (reference minus target) or reference (positions)</source>
+        <translation>Was die Werte sind: deviation (Referenz minus Zielposition) oder reference (Positionen)</translation>
+    </message>
+    <message>
+        <source>order: the direction of a run follows from the order of its targets</source>
+        <translation>order: die Richtung eines Durchlaufs folgt aus der Reihenfolge seiner Zielpositionen</translation>
+    </message>
+    <message>
+        <source>How far a track moves after a turn before its samples count, in mm or deg; 1 % of the range unless given</source>
+        <translation>Wie weit die Achse einer Bahn nach einer Umkehr fährt, bevor Messpunkte zählen, in mm oder Grad; Standard: 1 % des Bereichs</translation>
+    </message>
+    <message>
+        <source>Number of dimensions of a CSV file: its first D columns are positions</source>
+        <translation>Anzahl der Dimensionen einer CSV-Datei: ihre ersten D Spalten sind Positionen</translation>
+    </message>
+    <message>
+        <source>Format of the input, if content and name leave it open</source>
+        <translation>Format der Eingabe, wenn Inhalt und Name es offenlassen</translation>
+    </message>
+    <message>
+        <source>Setting that the file leaves open; `axiscomp formats NAME` lists them</source>
+        <translation>Angabe, die die Datei offenlässt; `axiscomp formats NAME` listet sie auf</translation>
+    </message>
+    <message>
+        <source>Incomplete grids</source>
+        <translation>Unvollständige Gitter</translation>
+    </message>
+    <message>
+        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <translation>Punkten ohne Wert den des nächsten gemessenen Punkts geben (nearest), den der Ebene durch alle Punkte (plane) oder die Werte mit der kleinsten Krümmung (smooth)</translation>
+    </message>
+    <message>
+        <source>Cut the grid to the largest part in which every point has a value</source>
+        <translation>Das Gitter auf den größten Teil beschneiden, in dem jeder Punkt einen Wert hat</translation>
+    </message>
+    <message>
+        <source>Take positions of a calibration file that are this close to the grid for grid positions, in their unit</source>
+        <translation>Positionen einer Kalibrierdatei auf das Gitter legen, wenn sie ihm so nahe sind, in ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Table of the file, by name or by number from 1 (name:TEXT, #N where that could be either); not needed if there is only one</source>
+        <translation>Tabelle der Datei, nach Name oder Nummer ab 1 (name:TEXT, #N, wenn es beides sein könnte); bei nur einer nicht nötig</translation>
+    </message>
+    <message>
+        <source>Drive profile (JSON) in place of the built-in one, generic</source>
+        <translation>Antriebsprofil (JSON) statt des eingebauten, generic</translation>
+    </message>
+    <message>
+        <source>Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given</source>
+        <translation>Adresse des Antriebs, mehrfach möglich; ohne Angabe $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Address of the drive; $AXISCOMP_DRIVE unless given</source>
+        <translation>Adresse des Antriebs; ohne Angabe $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Trust the https certificate with this fingerprint from now on; any other one is refused</source>
+        <translation>Dem https-Zertifikat mit diesem Fingerabdruck von nun an vertrauen; jedes andere wird abgelehnt</translation>
+    </message>
+    <message>
+        <source>Time limit for one exchange with the drive (5 unless given)</source>
+        <translation>Zeitlimit für einen Austausch mit dem Antrieb (Standard: 5)</translation>
+    </message>
+    <message>
+        <source>Index or name of the axis; not needed if the drive has only one</source>
+        <translation>Index oder Name der Achse; nicht nötig, wenn der Antrieb nur eine hat</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>Show this help</source>
+        <translation>Diese Hilfe zeigen</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Argumente</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>Optionen</translation>
+    </message>
+    <message>
+        <source>COMMAND</source>
+        <translation>COMMAND</translation>
+    </message>
+    <message>
+        <source>usage</source>
+        <translation>Aufruf</translation>
+    </message>
+    <message>
+        <source>Serve the drive&apos;s web pages here; port 0 picks a free one (127.0.0.1:0 unless this or --serial is given). Several drives take ports in a row</source>
+        <translation>Die Webseiten des Antriebs hier bereitstellen; Port 0 wählt einen freien (127.0.0.1:0, wenn weder dies noch --serial angegeben ist). Mehrere Antriebe belegen aufeinanderfolgende Ports</translation>
+    </message>
+    <message>
+        <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
+        <translation>Die serielle Verbindung auf einem Pseudoterminal bereitstellen und LINK als symbolischen Link darauf anlegen. Mehrere Antriebe belegen LINK, LINK-2, ...</translation>
+    </message>
+    <message>
+        <source>Make the serial link as slow as a line of this speed (as fast as it can unless given)</source>
+        <translation>Die serielle Verbindung so langsam machen wie eine Leitung dieser Geschwindigkeit (ohne Angabe so schnell wie möglich)</translation>
+    </message>
+    <message>
+        <source>Name of the drive (Virtual-1 unless given)</source>
+        <translation>Name des Antriebs (Standard: Virtual-1)</translation>
+    </message>
+    <message>
+        <source>Number of axes, 1 to 16 (2 unless given)</source>
+        <translation>Anzahl der Achsen, 1 bis 16 (Standard: 2)</translation>
+    </message>
+    <message>
+        <source>Take names, axes and parameters from a TAM configuration; several drives in it are several virtual drives</source>
+        <translation>Namen, Achsen und Parameter aus einer TAM-Konfiguration nehmen; mehrere Antriebe darin ergeben mehrere virtuelle Antriebe</translation>
+    </message>
+    <message>
+        <source>Move the machine of this file (JSON): axes with errors that nobody knows, and an instrument that measures them</source>
+        <translation>Die Maschine dieser Datei (JSON) bewegen: Achsen mit Fehlern, die niemand kennt, und ein Messgerät, das sie misst</translation>
+    </message>
+    <message>
+        <source>Play this measuring plan (axiscomp targets) as the machine&apos;s control would, from 10 s after the start</source>
+        <translation>Diesen Messplan (axiscomp targets) abspielen, wie es die Steuerung der Maschine täte, ab 10 s nach dem Start</translation>
+    </message>
+    <message>
+        <source>Begin the program so many seconds after the start, whatever --speed is; unless given, after 10 s of the machine&apos;s time</source>
+        <translation>Das Programm so viele Sekunden nach dem Start beginnen, gleich was --speed ist; ohne Angabe nach 10 s Maschinenzeit</translation>
+    </message>
+    <message>
+        <source>Serve the instrument&apos;s lines on a pseudo-terminal, and make LINK a symbolic link to it</source>
+        <translation>Die Zeilen des Messgeräts auf einem Pseudoterminal bereitstellen und LINK als symbolischen Link darauf anlegen</translation>
+    </message>
+    <message>
+        <source>Keep flash and saved parameters here across runs, a folder per drive</source>
+        <translation>Flash-Speicher und gespeicherte Parameter hier von Aufruf zu Aufruf aufbewahren, ein Ordner je Antrieb</translation>
+    </message>
+    <message>
+        <source>Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N or reject=CODE; may be given several times</source>
+        <translation>Fehlverhalten: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N oder reject=CODE; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Simulated seconds per second (1 unless given)</source>
+        <translation>Simulierte Sekunden je Sekunde (Standard: 1)</translation>
+    </message>
+    <message>
+        <source>Start with axes that are not homed</source>
+        <translation>Mit nicht referenzierten Achsen beginnen</translation>
+    </message>
+    <message>
+        <source>Ask for this user name</source>
+        <translation>Diesen Benutzernamen verlangen</translation>
+    </message>
+    <message>
+        <source>File whose first line is the password of --user</source>
+        <translation>Datei, deren erste Zeile das Passwort zu --user ist</translation>
+    </message>
+    <message>
+        <source>Serve https with this certificate</source>
+        <translation>https mit diesem Zertifikat bereitstellen</translation>
+    </message>
+    <message>
+        <source>Private key of --certificate</source>
+        <translation>Privater Schlüssel zu --certificate</translation>
+    </message>
+    <message>
+        <source>A servo drive in software, with the web pages, registers and behaviour of a real one.</source>
+        <translation>Ein Servoantrieb in Software, mit den Webseiten, den Registern und dem Verhalten eines echten.</translation>
+    </message>
+    <message>
+        <source>Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs until Ctrl-C.</source>
+        <translation>Gibt für jeden Antrieb eine Zeile `ready http=URL serial=DEVICE drive=NAME` aus und läuft bis Strg+C.</translation>
+    </message>
+    <message>
+        <source>Use this drive in place of the remembered ones; may be given several times: http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</source>
+        <translation>Diesen Antrieb statt der gemerkten verwenden; mehrfach möglich: http://[benutzer:passwort@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</translation>
+    </message>
+    <message>
+        <source>Open this file of compensation data</source>
+        <translation>Diese Datei mit Kompensationsdaten öffnen</translation>
+    </message>
+    <message>
+        <source>Open this record of a compensation (.axcal)</source>
+        <translation>Dieses Protokoll einer Kompensation (.axcal) öffnen</translation>
+    </message>
+    <message>
+        <source>How long one exchange with a drive may take (5 unless given)</source>
+        <translation>Wie lange ein Austausch mit einem Antrieb dauern darf (Standard: 5)</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to servo drives, in a window.</source>
+        <translation>Schreibt Kompensationstabellen für gemessene Achsfehler in Servoantriebe, in einem Fenster.</translation>
+    </message>
+    <message>
+        <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
+        <translation>Ohne --drive verwendet es die Antriebe vom letzten Mal oder den eingebauten Demo-Antrieb.</translation>
     </message>
 </context>
 <context>
@@ -8881,6 +9932,16 @@
     <message>
         <source>%1 points</source>
         <translation>%1 Stützstellen</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>.</source>
+        <comment>ends a sentence</comment>
+        <translation>.</translation>
     </message>
 </context>
 <context>

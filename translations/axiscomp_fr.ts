@@ -80,23 +80,23 @@
     </message>
     <message>
         <source>{expected} (or is the dimensionality {dimensions}?)</source>
-        <translation>{expected} (ou la dimensionnalité est-elle {dimensions} ?)</translation>
+        <translation>{expected} (ou la dimensionnalité est-elle {dimensions}&#xa0;?)</translation>
     </message>
     <message>
         <source>{expected}; separate the columns with , or ;</source>
-        <translation>{expected} ; séparer les colonnes par , ou ;</translation>
+        <translation>{expected}&#xa0;; séparer les colonnes par , ou&#xa0;;</translation>
     </message>
     <message>
         <source>{expected}; if the commas are decimal commas, separate the columns with ; in every line</source>
-        <translation>{expected} ; si les virgules sont des virgules décimales, séparer les colonnes par ; dans chaque ligne</translation>
+        <translation>{expected}&#xa0;; si les virgules sont des virgules décimales, séparer les colonnes par&#xa0;; dans chaque ligne</translation>
     </message>
     <message>
         <source>{expected}; the header separates its columns with {separator}, so every line must</source>
-        <translation>{expected} ; l&apos;en-tête sépare ses colonnes par {separator}, chaque ligne doit en faire autant</translation>
+        <translation>{expected}&#xa0;; l&apos;en-tête sépare ses colonnes par {separator}, chaque ligne doit en faire autant</translation>
     </message>
     <message>
         <source>{expected}; decimal commas need the separator ; in every line</source>
-        <translation>{expected} ; les virgules décimales exigent le séparateur ; dans chaque ligne</translation>
+        <translation>{expected}&#xa0;; les virgules décimales exigent le séparateur&#xa0;; dans chaque ligne</translation>
     </message>
     <message>
         <source>{count} as in the header (line {line})</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>the table cannot be kept in this drive&apos;s table file: {reason}</source>
-        <translation>la table ne peut pas être conservée dans le fichier de table de ce variateur : {reason}</translation>
+        <translation>la table ne peut pas être conservée dans le fichier de table de ce variateur&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{value} does not fit into the field {field}, which is of type {type}</source>
@@ -376,55 +376,55 @@
     </message>
     <message>
         <source>{file} cannot be read: {reason}</source>
-        <translation>lecture de {file} impossible : {reason}</translation>
+        <translation>lecture de {file} impossible&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{file} cannot be written: {reason}</source>
-        <translation>écriture de {file} impossible : {reason}</translation>
+        <translation>écriture de {file} impossible&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{file} has {size} bytes, more than the {limit} that such a file can have</source>
-        <translation>{file} fait {size} octets ; un tel fichier peut en avoir {limit} au plus</translation>
+        <translation>{file} fait {size} octets&#xa0;; un tel fichier peut en avoir {limit} au plus</translation>
     </message>
     <message>
         <source>this is not a valid TAM table: {field} at offset {offset} is {found}, expected {expected}</source>
-        <translation>ce n&apos;est pas une table TAM valide : {field} à l&apos;octet {offset} est {found}, attendu : {expected}</translation>
+        <translation>ce n&apos;est pas une table TAM valide&#xa0;: {field} à l&apos;octet {offset} est {found}, attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>the drive profile {file} is wrong at {path}: {reason}</source>
-        <translation>erreur dans le profil de variateur {file}, à {path} : {reason}</translation>
+        <translation>erreur dans le profil de variateur {file}, à {path}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the TAM configuration {file} is wrong in line {line}: {reason}</source>
-        <translation>erreur dans la configuration TAM {file}, ligne {line} : {reason}</translation>
+        <translation>erreur dans la configuration TAM {file}, ligne {line}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{file} is not a valid backup: {reason}</source>
-        <translation>{file} n&apos;est pas une sauvegarde valide : {reason}</translation>
+        <translation>{file} n&apos;est pas une sauvegarde valide&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the format of {file} is not known; name one of: {known}</source>
-        <translation>le format de {file} est inconnu ; en indiquer un parmi : {known}</translation>
+        <translation>le format de {file} est inconnu&#xa0;; en indiquer un parmi&#xa0;: {known}</translation>
     </message>
     <message>
         <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
-        <translation>le format de {file} est inconnu ; en indiquer un parmi : {known} ; pour tout autre fichier CSV, indiquer le rôle des colonnes</translation>
+        <translation>le format de {file} est inconnu&#xa0;; en indiquer un parmi&#xa0;: {known}&#xa0;; pour tout autre fichier CSV, indiquer le rôle des colonnes</translation>
     </message>
     <message>
         <source>there is no table {table} in the file; it has: {known}</source>
-        <translation>le fichier ne contient pas de table {table} ; tables présentes : {known}</translation>
+        <translation>le fichier ne contient pas de table {table}&#xa0;; tables présentes&#xa0;: {known}</translation>
     </message>
     <message>
         <source>{endpoint} is not the address of a drive: {reason}</source>
-        <translation>{endpoint} n&apos;est pas l&apos;adresse d&apos;un variateur : {reason}</translation>
+        <translation>{endpoint} n&apos;est pas l&apos;adresse d&apos;un variateur&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>no connection to {endpoint}: {reason}</source>
-        <translation>pas de connexion à {endpoint} : {reason}</translation>
+        <translation>pas de connexion à {endpoint}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the connection to {endpoint} was lost: {reason}</source>
-        <translation>la connexion à {endpoint} a été perdue : {reason}</translation>
+        <translation>la connexion à {endpoint} a été perdue&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{endpoint} did not answer within {seconds} s</source>
@@ -432,15 +432,15 @@
     </message>
     <message>
         <source>{endpoint} did not answer as a drive does: expected {expected}, got {quote}</source>
-        <translation>{endpoint} ne répond pas comme un variateur : attendu {expected}, reçu {quote}</translation>
+        <translation>{endpoint} ne répond pas comme un variateur&#xa0;: attendu {expected}, reçu {quote}</translation>
     </message>
     <message>
         <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
-        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe ; les indiquer sous la forme http://utilisateur:motdepasse@hôte</translation>
+        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe&#xa0;; les indiquer sous la forme http://utilisateur:motdepasse@hôte</translation>
     </message>
     <message>
         <source>the drive refused: {reason}</source>
-        <translation>refusé par le variateur : {reason}</translation>
+        <translation>refusé par le variateur&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the drive has no register {path}</source>
@@ -452,31 +452,31 @@
     </message>
     <message>
         <source>the drive does not allow this now: {reason}</source>
-        <translation>le variateur ne le permet pas actuellement : {reason}</translation>
+        <translation>le variateur ne le permet pas actuellement&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the table does not fit: {reason}</source>
-        <translation>la table ne convient pas : {reason}</translation>
+        <translation>la table ne convient pas&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the drive refused the table: {reason}</source>
-        <translation>le variateur a refusé la table : {reason}</translation>
+        <translation>le variateur a refusé la table&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>too many flash operations in a short time; wait {seconds} s, or write volatile</source>
-        <translation>trop d&apos;opérations flash en peu de temps ; attendre {seconds} s ou écrire en volatil</translation>
+        <translation>trop d&apos;opérations flash en peu de temps&#xa0;; attendre {seconds} s ou écrire en volatil</translation>
     </message>
     <message>
         <source>the compensation of axis {axis} is in error {error}: {hint}</source>
-        <translation>la compensation de l&apos;axe {axis} est en erreur {error} : {hint}</translation>
+        <translation>la compensation de l&apos;axe {axis} est en erreur {error}&#xa0;: {hint}</translation>
     </message>
     <message>
         <source>the drive has no axis {axis}; it has: {known}</source>
-        <translation>le variateur n&apos;a pas d&apos;axe {axis} ; axes présents : {known}</translation>
+        <translation>le variateur n&apos;a pas d&apos;axe {axis}&#xa0;; axes présents&#xa0;: {known}</translation>
     </message>
     <message>
         <source>several axes are named {axis}: give the index, one of {matches}</source>
-        <translation>plusieurs axes s&apos;appellent {axis} : indiquer l&apos;indice, parmi {matches}</translation>
+        <translation>plusieurs axes s&apos;appellent {axis}&#xa0;: indiquer l&apos;indice, parmi {matches}</translation>
     </message>
     <message>
         <source>axis {axis} of this drive has no compensation registers</source>
@@ -492,11 +492,11 @@
     </message>
     <message>
         <source>{source} is of type {type}; a dimension source must be one of {allowed}</source>
-        <translation>{source} est de type {type} ; une source de dimension doit être de l&apos;un de ces types : {allowed}</translation>
+        <translation>{source} est de type {type}&#xa0;; une source de dimension doit être de l&apos;un de ces types&#xa0;: {allowed}</translation>
     </message>
     <message>
         <source>{source} is a register of the drive {other}; a source must be on the drive itself, {drive}</source>
-        <translation>{source} est un registre du variateur {other} ; une source doit être sur le variateur lui-même, {drive}</translation>
+        <translation>{source} est un registre du variateur {other}&#xa0;; une source doit être sur le variateur lui-même, {drive}</translation>
     </message>
     <message>
         <source>{source} is the source of both dimension {first} and dimension {second}</source>
@@ -508,27 +508,27 @@
     </message>
     <message>
         <source>the drive has no slot {slot}; it has: {known}</source>
-        <translation>le variateur n&apos;a pas d&apos;emplacement {slot} ; emplacements présents : {known}</translation>
+        <translation>le variateur n&apos;a pas d&apos;emplacement {slot}&#xa0;; emplacements présents&#xa0;: {known}</translation>
     </message>
     <message>
         <source>slot {slot} is in use by {user}</source>
-        <translation>l&apos;emplacement {slot} est déjà utilisé : {user}</translation>
+        <translation>l&apos;emplacement {slot} est déjà utilisé&#xa0;: {user}</translation>
     </message>
     <message>
         <source>no slot is free for a table of {size} bytes: {slots}; name one to overwrite it</source>
-        <translation>aucun emplacement n&apos;est libre pour une table de {size} octets : {slots} ; en indiquer un à écraser</translation>
+        <translation>aucun emplacement n&apos;est libre pour une table de {size} octets&#xa0;: {slots}&#xa0;; en indiquer un à écraser</translation>
     </message>
     <message>
         <source>axis {axis} has no table on the drive; write one first</source>
-        <translation>l&apos;axe {axis} n&apos;a pas de table sur le variateur ; en écrire d&apos;abord une</translation>
+        <translation>l&apos;axe {axis} n&apos;a pas de table sur le variateur&#xa0;; en écrire d&apos;abord une</translation>
     </message>
     <message>
         <source>axis {axis} already has all of this; there is nothing to write</source>
-        <translation>l&apos;axe {axis} a déjà tout cela ; il n&apos;y a rien à écrire</translation>
+        <translation>l&apos;axe {axis} a déjà tout cela&#xa0;; il n&apos;y a rien à écrire</translation>
     </message>
     <message>
         <source>the compensation of axis {axis} is active; deactivate it first</source>
-        <translation>la compensation de l&apos;axe {axis} est active ; la désactiver d&apos;abord</translation>
+        <translation>la compensation de l&apos;axe {axis} est active&#xa0;; la désactiver d&apos;abord</translation>
     </message>
     <message>
         <source>axis {axis} must be homed first</source>
@@ -536,27 +536,27 @@
     </message>
     <message>
         <source>this is another drive: expected serial number {expected}, found {found}</source>
-        <translation>c&apos;est un autre variateur : numéro de série attendu {expected}, trouvé {found}</translation>
+        <translation>c&apos;est un autre variateur&#xa0;: numéro de série attendu {expected}, trouvé {found}</translation>
     </message>
     <message>
         <source>somebody else changed {what} from {before} to {now}; nothing was written, look again</source>
-        <translation>modifié entre-temps : {what}, avant {before}, maintenant {now} ; rien n&apos;a été écrit, vérifier de nouveau</translation>
+        <translation>modifié entre-temps&#xa0;: {what}, avant {before}, maintenant {now}&#xa0;; rien n&apos;a été écrit, vérifier de nouveau</translation>
     </message>
     <message>
         <source>{what} read back as {found}, but {expected} was written</source>
-        <translation>{what} : relu {found}, mais écrit {expected}</translation>
+        <translation>{what}&#xa0;: relu {found}, mais écrit {expected}</translation>
     </message>
     <message>
         <source>the drive does not add what it should: {what} at {position} is {found}, expected {expected}</source>
-        <translation>le variateur n&apos;ajoute pas ce qu&apos;il devrait : {what} à {position} est {found}, attendu : {expected}</translation>
+        <translation>le variateur n&apos;ajoute pas ce qu&apos;il devrait&#xa0;: {what} à {position} est {found}, attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>{reason}. The drive holds the complete old or the complete new state; ask for the status when it answers again. The old state is kept in {backup}</source>
-        <translation>{reason}. Le variateur est entièrement dans l&apos;ancien ou entièrement dans le nouvel état ; demander l&apos;état dès qu&apos;il répond de nouveau. L&apos;ancien état est conservé dans {backup}</translation>
+        <translation>{reason}. Le variateur est entièrement dans l&apos;ancien ou entièrement dans le nouvel état&#xa0;; demander l&apos;état dès qu&apos;il répond de nouveau. L&apos;ancien état est conservé dans {backup}</translation>
     </message>
     <message>
         <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis; restore it from {backup}</source>
-        <translation>{reason} ; la restauration de l&apos;ancien état a échoué elle aussi ({rollback}). Ne pas activer l&apos;axe ; le restaurer depuis {backup}</translation>
+        <translation>{reason}&#xa0;; la restauration de l&apos;ancien état a échoué elle aussi ({rollback}). Ne pas activer l&apos;axe&#xa0;; le restaurer depuis {backup}</translation>
     </message>
     <message>
         <source>it does not exist</source>
@@ -616,11 +616,11 @@
     </message>
     <message>
         <source>another program is using it; try again when that one has finished</source>
-        <translation>un autre programme l&apos;utilise ; réessayer quand il aura terminé</translation>
+        <translation>un autre programme l&apos;utilise&#xa0;; réessayer quand il aura terminé</translation>
     </message>
     <message>
         <source>it cannot be locked: {reason}</source>
-        <translation>verrouillage impossible : {reason}</translation>
+        <translation>verrouillage impossible&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>this is not JSON</source>
@@ -636,15 +636,15 @@
     </message>
     <message>
         <source>{place}: {problem}</source>
-        <translation>{place} : {problem}</translation>
+        <translation>{place}&#xa0;: {problem}</translation>
     </message>
     <message>
         <source>the member &quot;{name}&quot; is there twice in one object</source>
-        <translation>l&apos;élément « {name} » figure deux fois dans un objet</translation>
+        <translation>l&apos;élément «&#xa0;{name}&#xa0;» figure deux fois dans un objet</translation>
     </message>
     <message>
         <source>the member &quot;{name}&quot; is not known</source>
-        <translation>l&apos;élément « {name} » est inconnu</translation>
+        <translation>l&apos;élément «&#xa0;{name}&#xa0;» est inconnu</translation>
     </message>
     <message>
         <source>it has more than {count} values</source>
@@ -656,7 +656,7 @@
     </message>
     <message>
         <source>it has {size} bytes, more than the {limit} that such a file can have</source>
-        <translation>{size} octets ; un tel fichier peut en avoir {limit} au plus</translation>
+        <translation>{size} octets&#xa0;; un tel fichier peut en avoir {limit} au plus</translation>
     </message>
     <message>
         <source>an object is expected, not {found}</source>
@@ -720,11 +720,11 @@
     </message>
     <message>
         <source>&quot;{format}&quot; is expected</source>
-        <translation>attendu : « {format} »</translation>
+        <translation>attendu&#xa0;: «&#xa0;{format}&#xa0;»</translation>
     </message>
     <message>
         <source>only version {version} can be read; a newer version of this program may have written it</source>
-        <translation>seule la version {version} est lisible ; le fichier provient peut-être d&apos;une version plus récente de ce programme</translation>
+        <translation>seule la version {version} est lisible&#xa0;; le fichier provient peut-être d&apos;une version plus récente de ce programme</translation>
     </message>
     <message>
         <source>one of Boolean, Int32, UInt32, Single, Double, Enum is expected</source>
@@ -744,7 +744,7 @@
     </message>
     <message>
         <source>nothing listens there; is the drive switched on, and is the address right?</source>
-        <translation>rien ne répond à cet endroit ; le variateur est-il sous tension et l&apos;adresse est-elle correcte ?</translation>
+        <translation>rien ne répond à cet endroit&#xa0;; le variateur est-il sous tension et l&apos;adresse est-elle correcte&#xa0;?</translation>
     </message>
     <message>
         <source>the network does not know the name {name}</source>
@@ -752,7 +752,7 @@
     </message>
     <message>
         <source>there is no https; try http://, or another port</source>
-        <translation>pas de https ; essayer http:// ou un autre port</translation>
+        <translation>pas de https&#xa0;; essayer http:// ou un autre port</translation>
     </message>
     <message>
         <source>write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or demo:</source>
@@ -760,7 +760,7 @@
     </message>
     <message>
         <source>the host is missing; write http://192.168.1.20 or http://host:8080</source>
-        <translation>l&apos;hôte manque ; écrire http://192.168.1.20 ou http://hôte:8080</translation>
+        <translation>l&apos;hôte manque&#xa0;; écrire http://192.168.1.20 ou http://hôte:8080</translation>
     </message>
     <message>
         <source>only host and port belong here, no path</source>
@@ -780,11 +780,11 @@
     </message>
     <message>
         <source>you have no permission to use the port, and no group has it; ask the administrator</source>
-        <translation>droits insuffisants sur le port, qu&apos;aucun groupe ne possède ; s&apos;adresser à l&apos;administrateur</translation>
+        <translation>droits insuffisants sur le port, qu&apos;aucun groupe ne possède&#xa0;; s&apos;adresser à l&apos;administrateur</translation>
     </message>
     <message>
         <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
-        <translation>droits insuffisants sur le port ; rejoindre le groupe {group} (sudo usermod -aG {name} $USER) et rouvrir la session</translation>
+        <translation>droits insuffisants sur le port&#xa0;; rejoindre le groupe {group} (sudo usermod -aG {name} $USER) et rouvrir la session</translation>
     </message>
     <message>
         <source>you have no permission to look into its folder</source>
@@ -792,7 +792,7 @@
     </message>
     <message>
         <source>there is no such port; is the cable or the adapter plugged in?</source>
-        <translation>ce port n&apos;existe pas ; le câble ou l&apos;adaptateur est-il branché ?</translation>
+        <translation>ce port n&apos;existe pas&#xa0;; le câble ou l&apos;adaptateur est-il branché&#xa0;?</translation>
     </message>
     <message>
         <source>the port cannot be used</source>
@@ -800,11 +800,11 @@
     </message>
     <message>
         <source>the serial port is gone; was the cable or the adapter unplugged?</source>
-        <translation>le port série a disparu ; le câble ou l&apos;adaptateur a-t-il été débranché ?</translation>
+        <translation>le port série a disparu&#xa0;; le câble ou l&apos;adaptateur a-t-il été débranché&#xa0;?</translation>
     </message>
     <message>
         <source>another program is using the port; close it there</source>
-        <translation>un autre programme utilise le port ; le libérer dans ce programme</translation>
+        <translation>un autre programme utilise le port&#xa0;; le libérer dans ce programme</translation>
     </message>
     <message>
         <source>this is no serial port ({reason})</source>
@@ -828,7 +828,7 @@
     </message>
     <message>
         <source>the line garbles too much; check the cable, or try a lower baud rate</source>
-        <translation>la ligne perturbe trop les données ; vérifier le câble ou essayer un débit plus faible</translation>
+        <translation>la ligne perturbe trop les données&#xa0;; vérifier le câble ou essayer un débit plus faible</translation>
     </message>
     <message>
         <source>the drive began anew</source>
@@ -872,7 +872,7 @@
     </message>
     <message>
         <source>a redirect to {address}; give its address with https://</source>
-        <translation>une redirection vers {address} ; indiquer l&apos;adresse avec https://</translation>
+        <translation>une redirection vers {address}&#xa0;; indiquer l&apos;adresse avec https://</translation>
     </message>
     <message>
         <source>the answer itself</source>
@@ -1040,7 +1040,7 @@
     </message>
     <message>
         <source>the compensation of {axis} is on, so {what} must stay; deactivate it</source>
-        <translation>la compensation est activée ({axis}), donc non modifiable : {what} ; la désactiver d&apos;abord</translation>
+        <translation>la compensation est activée ({axis}), donc non modifiable&#xa0;: {what}&#xa0;; la désactiver d&apos;abord</translation>
     </message>
     <message>
         <source>its homing</source>
@@ -1064,7 +1064,7 @@
     </message>
     <message>
         <source>the drive&apos;s flash failed: {reason}</source>
-        <translation>défaillance de la mémoire flash du variateur : {reason}</translation>
+        <translation>défaillance de la mémoire flash du variateur&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the axis must be homed first</source>
@@ -1072,7 +1072,7 @@
     </message>
     <message>
         <source>the axis has no table; write one first</source>
-        <translation>l&apos;axe n&apos;a pas de table ; en écrire d&apos;abord une</translation>
+        <translation>l&apos;axe n&apos;a pas de table&#xa0;; en écrire d&apos;abord une</translation>
     </message>
     <message>
         <source>the number of sources must equal the table&apos;s dimensions</source>
@@ -1084,7 +1084,7 @@
     </message>
     <message>
         <source>the drive cannot use the table; write it again</source>
-        <translation>le variateur ne peut pas utiliser la table ; l&apos;écrire de nouveau</translation>
+        <translation>le variateur ne peut pas utiliser la table&#xa0;; l&apos;écrire de nouveau</translation>
     </message>
     <message>
         <source>see the drive&apos;s manual</source>
@@ -1104,7 +1104,7 @@
     </message>
     <message>
         <source>No other slot is free: the table in {slot} is overwritten. A copy is kept in the backup.</source>
-        <translation>Aucun autre emplacement n&apos;est libre : la table dans {slot} sera écrasée. Une copie est conservée dans la sauvegarde.</translation>
+        <translation>Aucun autre emplacement n&apos;est libre&#xa0;: la table dans {slot} sera écrasée. Une copie est conservée dans la sauvegarde.</translation>
     </message>
     <message>
         <source>What {slot} holds now is overwritten. A copy is kept in the backup.</source>
@@ -1112,23 +1112,23 @@
     </message>
     <message>
         <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
-        <translation>La nouvelle table est volatile : après un redémarrage, l&apos;axe retrouve l&apos;ancienne table persistante.</translation>
+        <translation>La nouvelle table est volatile&#xa0;: après un redémarrage, l&apos;axe retrouve l&apos;ancienne table persistante.</translation>
     </message>
     <message>
         <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
-        <translation>Les paramètres de tous les axes sont enregistrés, mais une table est volatile ({axis}, {slot}) : après un redémarrage, cet axe n&apos;a plus de table.</translation>
+        <translation>Les paramètres de tous les axes sont enregistrés, mais une table est volatile ({axis}, {slot})&#xa0;: après un redémarrage, cet axe n&apos;a plus de table.</translation>
     </message>
     <message>
         <source>The new table is volatile and covers an older one that flash holds in {slot}: after a reboot the axis may have that one again, until the parameters are saved, which deletes it.</source>
-        <translation>La nouvelle table est volatile et masque une table plus ancienne en mémoire flash dans {slot} : après un redémarrage, l&apos;axe peut retrouver cette dernière, jusqu&apos;à l&apos;enregistrement des paramètres, qui la supprime.</translation>
+        <translation>La nouvelle table est volatile et masque une table plus ancienne en mémoire flash dans {slot}&#xa0;: après un redémarrage, l&apos;axe peut retrouver cette dernière, jusqu&apos;à l&apos;enregistrement des paramètres, qui la supprime.</translation>
     </message>
     <message>
         <source>After a reboot the drive would look for another table in {slot}: the parameters are saved once before the new one goes into flash. When the write is interrupted then, the axis may have no table after a reboot.</source>
-        <translation>Après un redémarrage, le variateur chercherait une autre table dans {slot} : les paramètres sont enregistrés une fois avant que la nouvelle passe en mémoire flash. Si l&apos;écriture est interrompue à ce moment, l&apos;axe peut se trouver sans table après un redémarrage.</translation>
+        <translation>Après un redémarrage, le variateur chercherait une autre table dans {slot}&#xa0;: les paramètres sont enregistrés une fois avant que la nouvelle passe en mémoire flash. Si l&apos;écriture est interrompue à ce moment, l&apos;axe peut se trouver sans table après un redémarrage.</translation>
     </message>
     <message>
         <source>Flash may hold an older table in {slot}: it is deleted before the parameters are saved.</source>
-        <translation>La mémoire flash contient peut-être une table plus ancienne dans {slot} : elle est supprimée avant l&apos;enregistrement des paramètres.</translation>
+        <translation>La mémoire flash contient peut-être une table plus ancienne dans {slot}&#xa0;: elle est supprimée avant l&apos;enregistrement des paramètres.</translation>
     </message>
     <message>
         <source>the settings of {axis}</source>
@@ -1204,19 +1204,19 @@
     </message>
     <message>
         <source>; a URI is written tam://mc/&lt;drive&gt;/&lt;path&gt;</source>
-        <translation> ; une URI s&apos;écrit tam://mc/&lt;variateur&gt;/&lt;chemin&gt;</translation>
+        <translation>&#xa0;; une URI s&apos;écrit tam://mc/&lt;variateur&gt;/&lt;chemin&gt;</translation>
     </message>
     <message>
         <source>; an address is written 0x and 1 to 8 hex digits</source>
-        <translation> ; une adresse s&apos;écrit 0x suivi de 1 à 8 chiffres hexadécimaux</translation>
+        <translation>&#xa0;; une adresse s&apos;écrit 0x suivi de 1 à 8 chiffres hexadécimaux</translation>
     </message>
     <message>
         <source>: no register has this address</source>
-        <translation> : aucun registre n&apos;a cette adresse</translation>
+        <translation>&#xa0;: aucun registre n&apos;a cette adresse</translation>
     </message>
     <message>
         <source>; the nearest are {names}</source>
-        <translation> ; les plus proches sont {names}</translation>
+        <translation>&#xa0;; les plus proches sont {names}</translation>
     </message>
     <message>
         <source>there is no backup that differs from what the axis has now</source>
@@ -1236,11 +1236,11 @@
     </message>
     <message>
         <source>{expected}; separate the columns with {separator} instead of tabs</source>
-        <translation>{expected} ; séparer les colonnes par {separator} et non par des tabulations</translation>
+        <translation>{expected}&#xa0;; séparer les colonnes par {separator} et non par des tabulations</translation>
     </message>
     <message>
         <source>{expected}; separate the columns with , or ; instead of tabs</source>
-        <translation>{expected} ; séparer les colonnes par , ou ; et non par des tabulations</translation>
+        <translation>{expected}&#xa0;; séparer les colonnes par , ou&#xa0;; et non par des tabulations</translation>
     </message>
     <message>
         <source>{path} of type Int32</source>
@@ -1252,7 +1252,7 @@
     </message>
     <message>
         <source>the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is {fingerprint}; trust it under Connections, or with --trust-certificate, if the drive has the same</source>
-        <translation>le certificat de {endpoint} n&apos;est pas fiable : {reason}. Son empreinte SHA-256 est {fingerprint} ; si le variateur a la même, l&apos;accepter dans Connexions ou avec --trust-certificate</translation>
+        <translation>le certificat de {endpoint} n&apos;est pas fiable&#xa0;: {reason}. Son empreinte SHA-256 est {fingerprint}&#xa0;; si le variateur a la même, l&apos;accepter dans Connexions ou avec --trust-certificate</translation>
     </message>
     <message>
         <source>it has CHANGED and is not the one that was trusted</source>
@@ -1260,11 +1260,11 @@
     </message>
     <message>
         <source>no write to axis {axis} is unfinished; there is nothing to finish or to undo</source>
-        <translation>aucune écriture interrompue pour l&apos;axe {axis} ; il n&apos;y a rien à achever ni à annuler</translation>
+        <translation>aucune écriture interrompue pour l&apos;axe {axis}&#xa0;; il n&apos;y a rien à achever ni à annuler</translation>
     </message>
     <message>
         <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
-        <translation>la nouvelle table de l&apos;écriture interrompue de l&apos;axe {axis} n&apos;a pas été conservée sur cet ordinateur : l&apos;écrire de nouveau ou annuler l&apos;écriture</translation>
+        <translation>la nouvelle table de l&apos;écriture interrompue de l&apos;axe {axis} n&apos;a pas été conservée sur cet ordinateur&#xa0;: l&apos;écrire de nouveau ou annuler l&apos;écriture</translation>
     </message>
     <message>
         <source>slot {slot}</source>
@@ -1308,19 +1308,19 @@
     </message>
     <message>
         <source>{file} can be one of several formats: {candidates}; say which one it is</source>
-        <translation>{file} peut être de plusieurs formats : {candidates} ; indiquer lequel</translation>
+        <translation>{file} peut être de plusieurs formats&#xa0;: {candidates}&#xa0;; indiquer lequel</translation>
     </message>
     <message>
         <source>the format {format} cannot hold this table: {reason}; {wayOut}</source>
-        <translation>le format {format} ne peut pas contenir cette table : {reason} ; {wayOut}</translation>
+        <translation>le format {format} ne peut pas contenir cette table&#xa0;: {reason}&#xa0;; {wayOut}</translation>
     </message>
     <message>
         <source>the sign cannot be converted at {position}: {reason}</source>
-        <translation>le signe ne peut pas être converti à {position} : {reason}</translation>
+        <translation>le signe ne peut pas être converti à {position}&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the table cannot be resampled: {reason}</source>
-        <translation>la table ne peut pas être rééchantillonnée : {reason}</translation>
+        <translation>la table ne peut pas être rééchantillonnée&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the numbers of the file are taken as they are</source>
@@ -1328,7 +1328,7 @@
     </message>
     <message>
         <source>sign: {from}; {example}</source>
-        <translation>signe : {from} ; {example}</translation>
+        <translation>signe&#xa0;: {from}&#xa0;; {example}</translation>
     </message>
     <message>
         <source>{format} holds feedback values</source>
@@ -1348,15 +1348,15 @@
     </message>
     <message>
         <source>{example}: the feedback file says {value}</source>
-        <translation>{example} : le fichier côté codeur indique {value}</translation>
+        <translation>{example}&#xa0;: le fichier côté codeur indique {value}</translation>
     </message>
     <message>
         <source>{example}: the command file says {value}</source>
-        <translation>{example} : le fichier côté consigne indique {value}</translation>
+        <translation>{example}&#xa0;: le fichier côté consigne indique {value}</translation>
     </message>
     <message>
         <source>{example}: the feedback file says {value}, the command file {other}</source>
-        <translation>{example} : le fichier côté codeur indique {value}, le fichier côté consigne {other}</translation>
+        <translation>{example}&#xa0;: le fichier côté codeur indique {value}, le fichier côté consigne {other}</translation>
     </message>
     <message>
         <source>all values are 0, in either sign</source>
@@ -1420,23 +1420,23 @@
     </message>
     <message>
         <source>resampled from {before} points to {after} points: at the positions of the source it is off by at most {largest}, {rms} rms</source>
-        <translation>rééchantillonné de {before} à {after} points : aux positions de la source, l&apos;écart est d&apos;au plus {largest}, {rms} RMS</translation>
+        <translation>rééchantillonné de {before} à {after} points&#xa0;: aux positions de la source, l&apos;écart est d&apos;au plus {largest}, {rms} RMS</translation>
     </message>
     <message>
         <source>the numbers of the file are rounded: values by up to {value}</source>
-        <translation>les nombres du fichier sont arrondis : valeurs de {value} au plus</translation>
+        <translation>les nombres du fichier sont arrondis&#xa0;: valeurs de {value} au plus</translation>
     </message>
     <message>
         <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
-        <translation>les nombres du fichier sont arrondis : valeurs de {value} au plus, positions de {position} au plus</translation>
+        <translation>les nombres du fichier sont arrondis&#xa0;: valeurs de {value} au plus, positions de {position} au plus</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
-        <translation>comparé à {count} positions, chacune selon les règles de sa commande : {difference}</translation>
+        <translation>comparé à {count} positions, chacune selon les règles de sa commande&#xa0;: {difference}</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules ({column}): {difference}</source>
-        <translation>comparé à {count} positions, chacune selon les règles de sa commande ({column}) : {difference}</translation>
+        <translation>comparé à {count} positions, chacune selon les règles de sa commande ({column})&#xa0;: {difference}</translation>
     </message>
     <message>
         <source>they differ by at most {largest} at {place}</source>
@@ -1452,7 +1452,7 @@
     </message>
     <message>
         <source>the {what} have no unit; they are taken to be {unit}</source>
-        <translation>unité manquante ({what}) ; {unit} est supposée</translation>
+        <translation>unité manquante ({what})&#xa0;; {unit} est supposée</translation>
     </message>
     <message>
         <source>the positions are in {unit}</source>
@@ -1472,11 +1472,11 @@
     </message>
     <message>
         <source>{range}: the grid ends at {end}, {distance} behind it</source>
-        <translation>{range} : la grille se termine à {end}, soit {distance} au-delà</translation>
+        <translation>{range}&#xa0;: la grille se termine à {end}, soit {distance} au-delà</translation>
     </message>
     <message>
         <source>{range}: the grid ends at {end}, {distance} before its end</source>
-        <translation>{range} : la grille se termine à {end}, soit {distance} avant sa fin</translation>
+        <translation>{range}&#xa0;: la grille se termine à {end}, soit {distance} avant sa fin</translation>
     </message>
     <message>
         <source>the range of {axis} from {from} to {to} is no whole multiple of {distance}</source>
@@ -1504,7 +1504,7 @@
     </message>
     <message>
         <source>the setting {key} is &quot;{value}&quot;, expected {expected} ({meaning})</source>
-        <translation>le réglage {key} est « {value} », attendu : {expected} ({meaning})</translation>
+        <translation>le réglage {key} est «&#xa0;{value}&#xa0;», attendu&#xa0;: {expected} ({meaning})</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -1588,23 +1588,23 @@
     </message>
     <message>
         <source>the positions of {axis} are not evenly spaced; give a number of points or a distance</source>
-        <translation>les positions de {axis} ne sont pas équidistantes ; indiquer un nombre de points ou un pas</translation>
+        <translation>les positions de {axis} ne sont pas équidistantes&#xa0;; indiquer un nombre de points ou un pas</translation>
     </message>
     <message>
         <source>the full turn of {axis}, {turn}, is no whole multiple of {distance}; possible are {fewer} or {more}</source>
-        <translation>le tour complet de {axis}, {turn}, n&apos;est pas un multiple entier de {distance} ; possibles : {fewer} ou {more}</translation>
+        <translation>le tour complet de {axis}, {turn}, n&apos;est pas un multiple entier de {distance}&#xa0;; possibles&#xa0;: {fewer} ou {more}</translation>
     </message>
     <message>
         <source>a distance of {distance} is longer than the range of {axis} from {from} to {to}; take a shorter one, or let the end values be held</source>
-        <translation>un pas de {distance} dépasse l&apos;étendue de {axis} de {from} à {to} ; en choisir un plus court ou maintenir les valeurs d&apos;extrémité</translation>
+        <translation>un pas de {distance} dépasse l&apos;étendue de {axis} de {from} à {to}&#xa0;; en choisir un plus court ou maintenir les valeurs d&apos;extrémité</translation>
     </message>
     <message>
         <source>the grid would have more than {count} points; take fewer along an axis</source>
-        <translation>la grille aurait plus de {count} points ; en prendre moins suivant un axe</translation>
+        <translation>la grille aurait plus de {count} points&#xa0;; en prendre moins suivant un axe</translation>
     </message>
     <message>
         <source>calibration file: reference positions and compensation values</source>
-        <translation>fichier d&apos;étalonnage : positions de référence et valeurs de compensation</translation>
+        <translation>fichier d&apos;étalonnage&#xa0;: positions de référence et valeurs de compensation</translation>
     </message>
     <message>
         <source>table file of the drive, laid out as the drive profile says</source>
@@ -1628,7 +1628,7 @@
     </message>
     <message>
         <source>compensation file of a joint: nominal forward reverse</source>
-        <translation>fichier de compensation d&apos;une articulation : consigne aller retour</translation>
+        <translation>fichier de compensation d&apos;une articulation&#xa0;: consigne aller retour</translation>
     </message>
     <message>
         <source>CSV file of this program with the table of a compensator</source>
@@ -1656,7 +1656,7 @@
     </message>
     <message>
         <source>of a rotary axis: the range after which its position begins again, such as 360</source>
-        <translation>pour un axe rotatif : l&apos;étendue après laquelle sa position recommence, par exemple 360</translation>
+        <translation>pour un axe rotatif&#xa0;: l&apos;étendue après laquelle sa position recommence, par exemple 360</translation>
     </message>
     <message>
         <source>logical number of the axis whose position counts, for master_ax_nr</source>
@@ -1668,7 +1668,7 @@
     </message>
     <message>
         <source>the master is a modulo axis: the first and the last point are one place</source>
-        <translation>l&apos;axe maître est un axe modulo : le premier et le dernier point sont le même endroit</translation>
+        <translation>l&apos;axe maître est un axe modulo&#xa0;: le premier et le dernier point sont le même endroit</translation>
     </message>
     <message>
         <source>whether the master axis is linear (mm) or rotary (deg)</source>
@@ -1684,7 +1684,7 @@
     </message>
     <message>
         <source>metric: 0.1 um and 0.0001 deg; increments: of the encoder</source>
-        <translation>metric : 0,1 µm et 0,0001 degré ; increments : incréments du codeur</translation>
+        <translation>metric&#xa0;: 0,1 µm et 0,0001 degré&#xa0;; increments&#xa0;: incréments du codeur</translation>
     </message>
     <message>
         <source>encoder increments for one mm or degree, of a list in increments</source>
@@ -1700,11 +1700,11 @@
     </message>
     <message>
         <source>COMP_FILE_TYPE: 0 for measured positions, 1 for trims; 0 is assumed</source>
-        <translation>COMP_FILE_TYPE : 0 pour des positions mesurées, 1 pour des corrections ; 0 est supposé</translation>
+        <translation>COMP_FILE_TYPE&#xa0;: 0 pour des positions mesurées, 1 pour des corrections&#xa0;; 0 est supposé</translation>
     </message>
     <message>
         <source>COMP_FILE_TYPE: 0 for measured positions, 1 for trims</source>
-        <translation>COMP_FILE_TYPE : 0 pour des positions mesurées, 1 pour des corrections</translation>
+        <translation>COMP_FILE_TYPE&#xa0;: 0 pour des positions mesurées, 1 pour des corrections</translation>
     </message>
     <message>
         <source>raw counts of the output axis for one unit of the values</source>
@@ -1720,7 +1720,7 @@
     </message>
     <message>
         <source>unit of the values, the user unit of the output axis; otherwise that of the positions</source>
-        <translation>unité des valeurs, l&apos;unité utilisateur de l&apos;axe de sortie ; sinon celle des positions</translation>
+        <translation>unité des valeurs, l&apos;unité utilisateur de l&apos;axe de sortie&#xa0;; sinon celle des positions</translation>
     </message>
     <message>
         <source>namespace of the constants, a C++ name</source>
@@ -1764,19 +1764,19 @@
     </message>
     <message>
         <source>one value for both directions of motion, {choice}: they are the same</source>
-        <translation>une seule valeur pour les deux sens de déplacement, {choice} : elles sont identiques</translation>
+        <translation>une seule valeur pour les deux sens de déplacement, {choice}&#xa0;: elles sont identiques</translation>
     </message>
     <message>
         <source>one value for both directions of motion, {choice}, for {target}: they are the same</source>
-        <translation>une seule valeur pour les deux sens de déplacement, {choice}, pour {target} : elles sont identiques</translation>
+        <translation>une seule valeur pour les deux sens de déplacement, {choice}, pour {target}&#xa0;: elles sont identiques</translation>
     </message>
     <message>
         <source>one value for both directions of motion, {choice}: half their difference is up to {loss}, at {place}</source>
-        <translation>une seule valeur pour les deux sens de déplacement, {choice} : leur demi-différence atteint {loss}, à {place}</translation>
+        <translation>une seule valeur pour les deux sens de déplacement, {choice}&#xa0;: leur demi-différence atteint {loss}, à {place}</translation>
     </message>
     <message>
         <source>one value for both directions of motion, {choice}, for {target}: half their difference is up to {loss}, at {place}</source>
-        <translation>une seule valeur pour les deux sens de déplacement, {choice}, pour {target} : leur demi-différence atteint {loss}, à {place}</translation>
+        <translation>une seule valeur pour les deux sens de déplacement, {choice}, pour {target}&#xa0;: leur demi-différence atteint {loss}, à {place}</translation>
     </message>
     <message>
         <source>they do not differ</source>
@@ -1800,7 +1800,7 @@
     </message>
     <message>
         <source>numbers of the axes for which METRIC means degrees, such as 4,5; all others mm</source>
-        <translation>numéros des axes pour lesquels METRIC signifie degrés, par exemple 4,5 ; mm pour tous les autres</translation>
+        <translation>numéros des axes pour lesquels METRIC signifie degrés, par exemple 4,5&#xa0;; mm pour tous les autres</translation>
     </message>
     <message>
         <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
@@ -1808,19 +1808,19 @@
     </message>
     <message>
         <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
-        <translation>METRIC (mm et degrés) ou PRIMARY : les unités de la table sont celles des axes</translation>
+        <translation>METRIC (mm et degrés) ou PRIMARY&#xa0;: les unités de la table sont celles des axes</translation>
     </message>
     <message>
         <source>[bed_mesh NAME] sections of printer.cfg: heights of the bed</source>
-        <translation>sections [bed_mesh NAME] de printer.cfg : hauteurs du plateau</translation>
+        <translation>sections [bed_mesh NAME] de printer.cfg&#xa0;: hauteurs du plateau</translation>
     </message>
     <message>
         <source>heightmap.csv, version 2: heights of the bed</source>
-        <translation>heightmap.csv, version 2 : hauteurs du plateau</translation>
+        <translation>heightmap.csv, version 2&#xa0;: hauteurs du plateau</translation>
     </message>
     <message>
         <source>names of the axes in degrees, such as C,B; all others are in mm, and modulo axes in degrees anyway</source>
-        <translation>noms des axes en degrés, par exemple C,B ; tous les autres sont en mm, et les axes modulo toujours en degrés</translation>
+        <translation>noms des axes en degrés, par exemple C,B&#xa0;; tous les autres sont en mm, et les axes modulo toujours en degrés</translation>
     </message>
     <message>
         <source>leadscrew compensation of one source (DEFINE COMP)</source>
@@ -1836,11 +1836,11 @@
     </message>
     <message>
         <source>encoder counts for one unit; without it tables are in counts</source>
-        <translation>incréments du codeur par unité ; à défaut, les tables sont en incréments</translation>
+        <translation>incréments du codeur par unité&#xa0;; à défaut, les tables sont en incréments</translation>
     </message>
     <message>
         <source>position of the sources that counts: desired (written with D) or actual</source>
-        <translation>position des sources qui compte : consigne (desired, écrite avec D) ou réelle (actual)</translation>
+        <translation>position des sources qui compte&#xa0;: consigne (desired, écrite avec D) ou réelle (actual)</translation>
     </message>
     <message>
         <source>encoder counts for one unit of the positions</source>
@@ -1900,11 +1900,11 @@
     </message>
     <message>
         <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>ensemble, ces écritures nécessitent {cost} opérations flash, et {left} sont possibles actuellement ; écrire en volatil ou moins à la fois</translation>
+        <translation>ensemble, ces écritures nécessitent {cost} opérations flash, et {left} sont possibles actuellement&#xa0;; écrire en volatil ou moins à la fois</translation>
     </message>
     <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
-        <translation>les opérations flash restantes suffiraient à la modification, mais pas à tout remettre en état en cas d&apos;échec ; attendre {seconds} s ou écrire en volatil</translation>
+        <translation>les opérations flash restantes suffiraient à la modification, mais pas à tout remettre en état en cas d&apos;échec&#xa0;; attendre {seconds} s ou écrire en volatil</translation>
     </message>
     <message>
         <source>{axis} has fewer than two positions</source>
@@ -1936,7 +1936,7 @@
     </message>
     <message>
         <source>columns {first} and {second} both correct {axis} in the same direction; keep one of them</source>
-        <translation>les colonnes {first} et {second} corrigent toutes deux {axis} dans le même sens ; n&apos;en garder qu&apos;une</translation>
+        <translation>les colonnes {first} et {second} corrigent toutes deux {axis} dans le même sens&#xa0;; n&apos;en garder qu&apos;une</translation>
     </message>
     <message>
         <source>values for {column}</source>
@@ -1952,7 +1952,7 @@
     </message>
     <message>
         <source>table {number} of {count}:</source>
-        <translation>table {number} sur {count} :</translation>
+        <translation>table {number} sur {count}&#xa0;:</translation>
     </message>
     <message>
         <source>the target without a name</source>
@@ -1960,35 +1960,35 @@
     </message>
     <message>
         <source>there are two columns for {target} in positive direction; keep one of them</source>
-        <translation>il y a deux colonnes pour {target} en sens positif ; n&apos;en garder qu&apos;une</translation>
+        <translation>il y a deux colonnes pour {target} en sens positif&#xa0;; n&apos;en garder qu&apos;une</translation>
     </message>
     <message>
         <source>there are two columns for {target} in negative direction; keep one of them</source>
-        <translation>il y a deux colonnes pour {target} en sens négatif ; n&apos;en garder qu&apos;une</translation>
+        <translation>il y a deux colonnes pour {target} en sens négatif&#xa0;; n&apos;en garder qu&apos;une</translation>
     </message>
     <message>
         <source>for {target} there are values for both directions and others for one; keep one of them</source>
-        <translation>pour {target}, il y a des valeurs pour les deux sens et d&apos;autres pour un seul ; n&apos;en garder qu&apos;une sorte</translation>
+        <translation>pour {target}, il y a des valeurs pour les deux sens et d&apos;autres pour un seul&#xa0;; n&apos;en garder qu&apos;une sorte</translation>
     </message>
     <message>
         <source>{target} has values for the positive direction only, so that there is no mean; choose the positive direction</source>
-        <translation>{target} n&apos;a de valeurs que pour le sens positif, donc pas de moyenne ; choisir le sens positif</translation>
+        <translation>{target} n&apos;a de valeurs que pour le sens positif, donc pas de moyenne&#xa0;; choisir le sens positif</translation>
     </message>
     <message>
         <source>{target} has values for the positive direction only, so that there is no negative one; choose the positive direction</source>
-        <translation>{target} n&apos;a de valeurs que pour le sens positif, donc aucune pour le sens négatif ; choisir le sens positif</translation>
+        <translation>{target} n&apos;a de valeurs que pour le sens positif, donc aucune pour le sens négatif&#xa0;; choisir le sens positif</translation>
     </message>
     <message>
         <source>{target} has values for the negative direction only, so that there is no mean; choose the negative direction</source>
-        <translation>{target} n&apos;a de valeurs que pour le sens négatif, donc pas de moyenne ; choisir le sens négatif</translation>
+        <translation>{target} n&apos;a de valeurs que pour le sens négatif, donc pas de moyenne&#xa0;; choisir le sens négatif</translation>
     </message>
     <message>
         <source>{target} has values for the negative direction only, so that there is no positive one; choose the negative direction</source>
-        <translation>{target} n&apos;a de valeurs que pour le sens négatif, donc aucune pour le sens positif ; choisir le sens négatif</translation>
+        <translation>{target} n&apos;a de valeurs que pour le sens négatif, donc aucune pour le sens positif&#xa0;; choisir le sens négatif</translation>
     </message>
     <message>
         <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>un tour complet de {axis} commence par la correction {begin} et finit par {end} ; rendre les deux égales ou traiter l&apos;axe comme linéaire (--no-wrap)</translation>
+        <translation>un tour complet de {axis} commence par la correction {begin} et finit par {end}&#xa0;; rendre les deux égales ou traiter l&apos;axe comme linéaire (--no-wrap)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -1996,15 +1996,15 @@
     </message>
     <message>
         <source>from there to {place} the correction changes by {change}, so that positions would change their order; check the unit of the values</source>
-        <translation>de là à {place}, la correction varie de {change}, si bien que l&apos;ordre des positions s&apos;inverserait ; vérifier l&apos;unité des valeurs</translation>
+        <translation>de là à {place}, la correction varie de {change}, si bien que l&apos;ordre des positions s&apos;inverserait&#xa0;; vérifier l&apos;unité des valeurs</translation>
     </message>
     <message>
         <source>the correction of {axis} changes by {change} for each unit of the way, too much for several axes that are corrected together; check the unit of the values</source>
-        <translation>la correction de {axis} varie de {change} par unité de déplacement, trop pour plusieurs axes corrigés ensemble ; vérifier l&apos;unité des valeurs</translation>
+        <translation>la correction de {axis} varie de {change} par unité de déplacement, trop pour plusieurs axes corrigés ensemble&#xa0;; vérifier l&apos;unité des valeurs</translation>
     </message>
     <message>
         <source>the corrections are so steep that {count} steps do not find the place that belongs to it; check the unit of the values</source>
-        <translation>les corrections sont si raides que {count} itérations ne suffisent pas à trouver l&apos;endroit correspondant ; vérifier l&apos;unité des valeurs</translation>
+        <translation>les corrections sont si raides que {count} itérations ne suffisent pas à trouver l&apos;endroit correspondant&#xa0;; vérifier l&apos;unité des valeurs</translation>
     </message>
     <message>
         <source>the second table has no column for {column}</source>
@@ -2016,15 +2016,15 @@
     </message>
     <message>
         <source>a deviation of {deviation} takes more than {count} points along {axis}; with {most} it is {found}; allow more points or a larger deviation</source>
-        <translation>un écart de {deviation} nécessite plus de {count} points suivant {axis} ; avec {most}, il est de {found} ; autoriser plus de points ou un écart plus grand</translation>
+        <translation>un écart de {deviation} nécessite plus de {count} points suivant {axis}&#xa0;; avec {most}, il est de {found}&#xa0;; autoriser plus de points ou un écart plus grand</translation>
     </message>
     <message>
         <source>a deviation of {deviation} takes more points than allowed; with {sizes} points it is {found}; allow more points or a larger deviation</source>
-        <translation>un écart de {deviation} nécessite plus de points que permis ; avec {sizes} points, il est de {found} ; autoriser plus de points ou un écart plus grand</translation>
+        <translation>un écart de {deviation} nécessite plus de points que permis&#xa0;; avec {sizes} points, il est de {found}&#xa0;; autoriser plus de points ou un écart plus grand</translation>
     </message>
     <message>
         <source>a deviation of {deviation} takes more points than allowed; it takes at least {sizes} points; allow more points or a larger deviation</source>
-        <translation>un écart de {deviation} nécessite plus de points que permis, au moins {sizes} ; autoriser plus de points ou un écart plus grand</translation>
+        <translation>un écart de {deviation} nécessite plus de points que permis, au moins {sizes}&#xa0;; autoriser plus de points ou un écart plus grand</translation>
     </message>
     <message>
         <source>the wanted deviation must be a number of 0 or more</source>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>a grid has at least two points along each axis; allow as many</source>
-        <translation>une grille a au moins deux points suivant chaque axe ; en autoriser autant</translation>
+        <translation>une grille a au moins deux points suivant chaque axe&#xa0;; en autoriser autant</translation>
     </message>
     <message>
         <source>a full turn of {axis} begins with {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>un tour complet de {axis} commence par {begin} et finit par {end} ; rendre les deux égaux ou traiter l&apos;axe comme linéaire (--no-wrap)</translation>
+        <translation>un tour complet de {axis} commence par {begin} et finit par {end}&#xa0;; rendre les deux égaux ou traiter l&apos;axe comme linéaire (--no-wrap)</translation>
     </message>
     <message>
         <source>the values for {column} are too large to be interpolated</source>
@@ -2052,7 +2052,7 @@
     </message>
     <message>
         <source>the points along {axis} would be so close that positions cannot tell them apart; take fewer</source>
-        <translation>les points suivant {axis} seraient trop proches pour que leurs positions se distinguent ; en prendre moins</translation>
+        <translation>les points suivant {axis} seraient trop proches pour que leurs positions se distinguent&#xa0;; en prendre moins</translation>
     </message>
     <message>
         <source>for {axis} both a number of points and a distance are given</source>
@@ -2076,11 +2076,11 @@
     </message>
     <message>
         <source>the grid along {axis} begins at {from}, before the data at {data}; stay within the data, or let the end values be held</source>
-        <translation>la grille suivant {axis} commence à {from}, avant les données à {data} ; rester dans les données ou maintenir les valeurs d&apos;extrémité</translation>
+        <translation>la grille suivant {axis} commence à {from}, avant les données à {data}&#xa0;; rester dans les données ou maintenir les valeurs d&apos;extrémité</translation>
     </message>
     <message>
         <source>the grid along {axis} ends at {to}, behind the data at {data}; stay within the data, or let the end values be held</source>
-        <translation>la grille suivant {axis} finit à {to}, après les données à {data} ; rester dans les données ou maintenir les valeurs d&apos;extrémité</translation>
+        <translation>la grille suivant {axis} finit à {to}, après les données à {data}&#xa0;; rester dans les données ou maintenir les valeurs d&apos;extrémité</translation>
     </message>
     <message>
         <source>a distance of {distance} along {axis} makes more than {count} points</source>
@@ -2116,7 +2116,7 @@
     </message>
     <message>
         <source>activate it in the axis list of axis {axis}: {parameter} 1</source>
-        <translation>l&apos;activer dans la liste de l&apos;axe {axis} : {parameter} 1</translation>
+        <translation>l&apos;activer dans la liste de l&apos;axe {axis}&#xa0;: {parameter} 1</translation>
     </message>
     <message>
         <source>QUADRATIC or RECTANGULAR</source>
@@ -2132,7 +2132,7 @@
     </message>
     <message>
         <source>the same values: a modulo axis is at the same place there</source>
-        <translation>les mêmes valeurs : un axe modulo y est au même endroit</translation>
+        <translation>les mêmes valeurs&#xa0;: un axe modulo y est au même endroit</translation>
     </message>
     <message>
         <source>the same values, since modulo is 1</source>
@@ -2160,7 +2160,7 @@
     </message>
     <message>
         <source>the setting {key}, linear or rotary; linear is assumed, so that it is mm</source>
-        <translation>le réglage {key}, linear ou rotary ; linear est supposé, donc mm</translation>
+        <translation>le réglage {key}, linear ou rotary&#xa0;; linear est supposé, donc mm</translation>
     </message>
     <message>
         <source>numbers in encoder increments</source>
@@ -2204,11 +2204,11 @@
     </message>
     <message>
         <source>0 or 1; 0 is assumed</source>
-        <translation>0 ou 1 ; 0 est supposé</translation>
+        <translation>0 ou 1&#xa0;; 0 est supposé</translation>
     </message>
     <message>
         <source>0 or 1; 1 is assumed</source>
-        <translation>0 ou 1 ; 1 est supposé</translation>
+        <translation>0 ou 1&#xa0;; 1 est supposé</translation>
     </message>
     <message>
         <source>the logical number of the axis, from 1</source>
@@ -2228,7 +2228,7 @@
     </message>
     <message>
         <source>{number} of them; there are {number2}</source>
-        <translation>{number} ; il y en a {number2}</translation>
+        <translation>{number}&#xa0;; il y en a {number2}</translation>
     </message>
     <message>
         <source>0, or a distance above 0</source>
@@ -2248,7 +2248,7 @@
     </message>
     <message>
         <source>values pos only; neg is left out</source>
-        <translation>des valeurs pos seulement ; neg est ignoré</translation>
+        <translation>des valeurs pos seulement&#xa0;; neg est ignoré</translation>
     </message>
     <message>
         <source>the index of a table, 0 to {number}</source>
@@ -2260,7 +2260,7 @@
     </message>
     <message>
         <source>each variable once; the first is in line {line}</source>
-        <translation>chaque variable une seule fois ; la première est à la ligne {line}</translation>
+        <translation>chaque variable une seule fois&#xa0;; la première est à la ligne {line}</translation>
     </message>
     <message>
         <source>tables {name} besides {other}</source>
@@ -2268,19 +2268,19 @@
     </message>
     <message>
         <source>one index: [table]</source>
-        <translation>un indice : [table]</translation>
+        <translation>un indice&#xa0;: [table]</translation>
     </message>
     <message>
         <source>two indices: [table,point]</source>
-        <translation>deux indices : [table,point]</translation>
+        <translation>deux indices&#xa0;: [table,point]</translation>
     </message>
     <message>
         <source>two indices: [encoder,axis]</source>
-        <translation>deux indices : [système de mesure,axe]</translation>
+        <translation>deux indices&#xa0;: [système de mesure,axe]</translation>
     </message>
     <message>
         <source>three indices: [encoder,point,axis]</source>
-        <translation>trois indices : [système de mesure,point,axe]</translation>
+        <translation>trois indices&#xa0;: [système de mesure,point,axe]</translation>
     </message>
     <message>
         <source>0, 1 or -1</source>
@@ -2296,7 +2296,7 @@
     </message>
     <message>
         <source>a table by itself; the product is left out</source>
-        <translation>une table seule ; le produit est ignoré</translation>
+        <translation>une table seule&#xa0;; le produit est ignoré</translation>
     </message>
     <message>
         <source>variables {name}, of which there are none</source>
@@ -2332,7 +2332,7 @@
     </message>
     <message>
         <source>axis {axis} needs $MA_MM_ENC_COMP_MAX_POINTS (MD38000) of at least {count}; load the file with $MA_ENC_COMP_ENABLE (MD32700) 0, then set it to 1</source>
-        <translation>l&apos;axe {axis} exige $MA_MM_ENC_COMP_MAX_POINTS (MD38000) d&apos;au moins {count} ; charger le fichier avec $MA_ENC_COMP_ENABLE (MD32700) à 0, puis le mettre à 1</translation>
+        <translation>l&apos;axe {axis} exige $MA_MM_ENC_COMP_MAX_POINTS (MD38000) d&apos;au moins {count}&#xa0;; charger le fichier avec $MA_ENC_COMP_ENABLE (MD32700) à 0, puis le mettre à 1</translation>
     </message>
     <message>
         <source>an index in [ ] behind the name</source>
@@ -2400,7 +2400,7 @@
     </message>
     <message>
         <source>{number} points, which MIN, MAX and STEP give; there are {number2}</source>
-        <translation>{number} points, d&apos;après MIN, MAX et STEP ; il y en a {number2}</translation>
+        <translation>{number} points, d&apos;après MIN, MAX et STEP&#xa0;; il y en a {number2}</translation>
     </message>
     <message>
         <source>{number} at MAX of {curve}</source>
@@ -2412,11 +2412,11 @@
     </message>
     <message>
         <source>&quot;{axis}&quot; is no axis name for the format {format}, such as X1; give the setting {key}</source>
-        <translation>« {axis} » n&apos;est pas un nom d&apos;axe pour le format {format}, tel que X1 ; indiquer le réglage {key}</translation>
+        <translation>«&#xa0;{axis}&#xa0;» n&apos;est pas un nom d&apos;axe pour le format {format}, tel que X1&#xa0;; indiquer le réglage {key}</translation>
     </message>
     <message>
         <source>three numbers: nominal forward reverse; the controller stops reading here without a message</source>
-        <translation>trois nombres : nominal forward reverse ; la commande arrête ici la lecture sans message</translation>
+        <translation>trois nombres&#xa0;: nominal forward reverse&#xa0;; la commande arrête ici la lecture sans message</translation>
     </message>
     <message>
         <source>{text} after three numbers</source>
@@ -2424,11 +2424,11 @@
     </message>
     <message>
         <source>nothing; it is left out, as the controller does</source>
-        <translation>rien ; c&apos;est ignoré, comme par la commande</translation>
+        <translation>rien&#xa0;; c&apos;est ignoré, comme par la commande</translation>
     </message>
     <message>
         <source>at most 256; the controller leaves out the others</source>
-        <translation>au plus 256 ; la commande ignore les autres</translation>
+        <translation>au plus 256&#xa0;; la commande ignore les autres</translation>
     </message>
     <message>
         <source>a measured position that does not increase</source>
@@ -2436,7 +2436,7 @@
     </message>
     <message>
         <source>increasing ones; if these are trims, the setting type=1</source>
-        <translation>des positions croissantes ; s&apos;il s&apos;agit de corrections, le réglage type=1</translation>
+        <translation>des positions croissantes&#xa0;; s&apos;il s&apos;agit de corrections, le réglage type=1</translation>
     </message>
     <message>
         <source>measured positions (COMP_FILE_TYPE 0)</source>
@@ -2448,7 +2448,7 @@
     </message>
     <message>
         <source>increasing ones; perhaps these are trims (type=1)</source>
-        <translation>des positions croissantes ; ce sont peut-être des corrections (type=1)</translation>
+        <translation>des positions croissantes&#xa0;; ce sont peut-être des corrections (type=1)</translation>
     </message>
     <message>
         <source>trims that change by {change}</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>less than the positions do; perhaps these are measured positions (type=0)</source>
-        <translation>moins que les positions ; ce sont peut-être des positions mesurées (type=0)</translation>
+        <translation>moins que les positions&#xa0;; ce sont peut-être des positions mesurées (type=0)</translation>
     </message>
     <message>
         <source>a measured position at {position} is beyond what a number can be</source>
@@ -2468,11 +2468,11 @@
     </message>
     <message>
         <source>in the section [JOINT_n] of the INI file: COMP_FILE = {file} and COMP_FILE_TYPE = {type}</source>
-        <translation>dans la section [JOINT_n] du fichier INI : COMP_FILE = {file} et COMP_FILE_TYPE = {type}</translation>
+        <translation>dans la section [JOINT_n] du fichier INI&#xa0;: COMP_FILE = {file} et COMP_FILE_TYPE = {type}</translation>
     </message>
     <message>
         <source>in the section [JOINT_n] of the INI file: COMP_FILE = the file and COMP_FILE_TYPE = {type}</source>
-        <translation>dans la section [JOINT_n] du fichier INI : COMP_FILE = le fichier et COMP_FILE_TYPE = {type}</translation>
+        <translation>dans la section [JOINT_n] du fichier INI&#xa0;: COMP_FILE = le fichier et COMP_FILE_TYPE = {type}</translation>
     </message>
     <message>
         <source>BACKLASH of the joint is not used any more</source>
@@ -2504,7 +2504,7 @@
     </message>
     <message>
         <source>1; the firmware does not use other versions</source>
-        <translation>1 ; le firmware n&apos;utilise pas d&apos;autre version</translation>
+        <translation>1&#xa0;; le firmware n&apos;utilise pas d&apos;autre version</translation>
     </message>
     <message>
         <source>a height in mm</source>
@@ -2540,7 +2540,7 @@
     </message>
     <message>
         <source>the axes &quot;{first}&quot; and &quot;{second}&quot;</source>
-        <translation>les axes « {first} » et « {second} »</translation>
+        <translation>les axes «&#xa0;{first}&#xa0;» et «&#xa0;{second}&#xa0;»</translation>
     </message>
     <message>
         <source>two different letters</source>
@@ -2588,7 +2588,7 @@
     </message>
     <message>
         <source>7 numbers behind :START2D: row axis, column axis, two output axes, distance along rows, distance along columns, number of columns</source>
-        <translation>7 nombres après :START2D : axe des lignes, axe des colonnes, deux axes de sortie, pas le long des lignes, pas le long des colonnes, nombre de colonnes</translation>
+        <translation>7 nombres après :START2D&#xa0;: axe des lignes, axe des colonnes, deux axes de sortie, pas le long des lignes, pas le long des colonnes, nombre de colonnes</translation>
     </message>
     <message>
         <source>a distance</source>
@@ -2640,7 +2640,7 @@
     </message>
     <message>
         <source>{directive} or :END; tables of one and of two dimensions are in separate files</source>
-        <translation>{directive} ou :END ; les tables à une et à deux dimensions sont dans des fichiers séparés</translation>
+        <translation>{directive} ou :END&#xa0;; les tables à une et à deux dimensions sont dans des fichiers séparés</translation>
     </message>
     <message>
         <source>each option once</source>
@@ -2652,7 +2652,7 @@
     </message>
     <message>
         <source>positions in the coordinates of the axis after homing; it is left out</source>
-        <translation>des positions dans les coordonnées de l&apos;axe après la prise d&apos;origine ; l&apos;option est ignorée</translation>
+        <translation>des positions dans les coordonnées de l&apos;axe après la prise d&apos;origine&#xa0;; l&apos;option est ignorée</translation>
     </message>
     <message>
         <source>a table without {key}</source>
@@ -2672,7 +2672,7 @@
     </message>
     <message>
         <source>two numbers such as 0.25,0.001: position and offset</source>
-        <translation>deux nombres tels que 0.25,0.001 : position et décalage</translation>
+        <translation>deux nombres tels que 0.25,0.001&#xa0;: position et décalage</translation>
     </message>
     <message>
         <source>a position such as 0.25</source>
@@ -2688,7 +2688,7 @@
     </message>
     <message>
         <source>&quot;{line}&quot;, which is taken to be a header</source>
-        <translation>« {line} », interprété comme un en-tête</translation>
+        <translation>«&#xa0;{line}&#xa0;», interprété comme un en-tête</translation>
     </message>
     <message>
         <source>{expected}, if it is a point</source>
@@ -2736,7 +2736,7 @@
     </message>
     <message>
         <source>the setting wrap-range is {value}, expected more than 0</source>
-        <translation>le réglage wrap-range est {value}, attendu : plus de 0</translation>
+        <translation>le réglage wrap-range est {value}, attendu&#xa0;: plus de 0</translation>
     </message>
     <message>
         <source>the setting wrap-range is {value}, and the table repeats after {period}</source>
@@ -2744,7 +2744,7 @@
     </message>
     <message>
         <source>at {position} position + offset {sum} after {before} does not increase (error 4900 of the controller)</source>
-        <translation>à {position}, position + décalage ne croît pas : {sum} après {before} (erreur 4900 de la commande)</translation>
+        <translation>à {position}, position + décalage ne croît pas&#xa0;: {sum} après {before} (erreur 4900 de la commande)</translation>
     </message>
     <message>
         <source>check the unit of the values, or smooth them</source>
@@ -2808,7 +2808,7 @@
     </message>
     <message>
         <source>the motor that is addressed when the file is loaded; name it with #</source>
-        <translation>le moteur adressé au chargement du fichier ; le nommer avec #</translation>
+        <translation>le moteur adressé au chargement du fichier&#xa0;; le nommer avec #</translation>
     </message>
     <message>
         <source>a table of one dimension</source>
@@ -2820,7 +2820,7 @@
     </message>
     <message>
         <source>further entries: {entries}</source>
-        <translation>d&apos;autres entrées : {entries}</translation>
+        <translation>d&apos;autres entrées&#xa0;: {entries}</translation>
     </message>
     <message>
         <source>DEFINE COMP in front of them</source>
@@ -2848,7 +2848,7 @@
     </message>
     <message>
         <source>the same: the table rolls over there</source>
-        <translation>les mêmes : la table y recommence</translation>
+        <translation>les mêmes&#xa0;: la table y recommence</translation>
     </message>
     <message>
         <source>entries that are too large in these units</source>
@@ -2860,7 +2860,7 @@
     </message>
     <message>
         <source>the setting {key} of the format {format} is {value}, expected a number above 0</source>
-        <translation>le réglage {key} du format {format} est {value}, attendu : un nombre supérieur à 0</translation>
+        <translation>le réglage {key} du format {format} est {value}, attendu&#xa0;: un nombre supérieur à 0</translation>
     </message>
     <message>
         <source>position 0, where its tables begin, is no point of source {number}</source>
@@ -2908,11 +2908,11 @@
     </message>
     <message>
         <source>switch the table on with I51=1; outside of its span it rolls over</source>
-        <translation>activer la table par I51=1 ; hors de son étendue, elle recommence</translation>
+        <translation>activer la table par I51=1&#xa0;; hors de son étendue, elle recommence</translation>
     </message>
     <message>
         <source>a line &quot;# {key} = NUMBER&quot; before the counts</source>
-        <translation>une ligne « # {key} = NOMBRE » avant les incréments</translation>
+        <translation>une ligne «&#xa0;# {key} = NOMBRE&#xa0;» avant les incréments</translation>
     </message>
     <message>
         <source>{number} to {number2} by {number3}</source>
@@ -2936,7 +2936,7 @@
     </message>
     <message>
         <source>a line &quot;# output.counts-per-unit = NUMBER&quot;, or the setting counts-per-unit</source>
-        <translation>une ligne « # output.counts-per-unit = NOMBRE » ou le réglage counts-per-unit</translation>
+        <translation>une ligne «&#xa0;# output.counts-per-unit = NOMBRE&#xa0;» ou le réglage counts-per-unit</translation>
     </message>
     <message>
         <source>a number of counts</source>
@@ -2964,7 +2964,7 @@
     </message>
     <message>
         <source>the setting name is &quot;{name}&quot;, expected a C++ name: letters, digits and _</source>
-        <translation>le réglage name est « {name} », attendu : un nom C++ : lettres, chiffres et _</translation>
+        <translation>le réglage name est «&#xa0;{name}&#xa0;», attendu&#xa0;: un nom C++&#xa0;: lettres, chiffres et _</translation>
     </message>
     <message>
         <source>the value {value} is {count} counts, and at most 2147483647 can be held</source>
@@ -2972,7 +2972,7 @@
     </message>
     <message>
         <source>the setting counts-per-unit is 0, expected a number of counts</source>
-        <translation>le réglage counts-per-unit est 0, attendu : un nombre d&apos;incréments</translation>
+        <translation>le réglage counts-per-unit est 0, attendu&#xa0;: un nombre d&apos;incréments</translation>
     </message>
     <message>
         <source>counts-per-unit is understood as {count} counts for 1 {unit}</source>
@@ -2984,11 +2984,11 @@
     </message>
     <message>
         <source>an input axis is the output axis: its command position must be the input, the actual position is not possible</source>
-        <translation>un axe d&apos;entrée est l&apos;axe de sortie : l&apos;entrée doit être sa position de consigne, sa position réelle n&apos;est pas possible</translation>
+        <translation>un axe d&apos;entrée est l&apos;axe de sortie&#xa0;: l&apos;entrée doit être sa position de consigne, sa position réelle n&apos;est pas possible</translation>
     </message>
     <message>
         <source>the inputs are other axes: their command or their actual positions can be the inputs</source>
-        <translation>les entrées sont d&apos;autres axes : leurs positions de consigne ou réelles peuvent servir d&apos;entrées</translation>
+        <translation>les entrées sont d&apos;autres axes&#xa0;: leurs positions de consigne ou réelles peuvent servir d&apos;entrées</translation>
     </message>
     <message>
         <source>the number of source axes, 1 to 3</source>
@@ -3020,7 +3020,7 @@
     </message>
     <message>
         <source>{number}: the first source changes fastest</source>
-        <translation>{number} : la première source varie le plus vite</translation>
+        <translation>{number}&#xa0;: la première source varie le plus vite</translation>
     </message>
     <message>
         <source>positions of source {axis} from {first} to {last}</source>
@@ -3040,7 +3040,7 @@
     </message>
     <message>
         <source>the setting name is &quot;{name}&quot;, expected letters, digits and _, beginning with a letter</source>
-        <translation>le réglage name est « {name} », attendu : lettres, chiffres et _, en commençant par une lettre</translation>
+        <translation>le réglage name est «&#xa0;{name}&#xa0;», attendu&#xa0;: lettres, chiffres et _, en commençant par une lettre</translation>
     </message>
     <message>
         <source>the table {name} must be defined in the program, with {count} points, and not be in use (CompActive = 0) while the lines run</source>
@@ -3068,7 +3068,7 @@
     </message>
     <message>
         <source>numbers that a computer can tell from each other; check their size</source>
-        <translation>des nombres qu&apos;un ordinateur peut distinguer entre eux ; vérifier leur grandeur</translation>
+        <translation>des nombres qu&apos;un ordinateur peut distinguer entre eux&#xa0;; vérifier leur grandeur</translation>
     </message>
     <message>
         <source>values of {target}</source>
@@ -3080,7 +3080,7 @@
     </message>
     <message>
         <source>numbers that a computer can hold; check their size</source>
-        <translation>des nombres qu&apos;un ordinateur peut représenter ; vérifier leur grandeur</translation>
+        <translation>des nombres qu&apos;un ordinateur peut représenter&#xa0;; vérifier leur grandeur</translation>
     </message>
     <message>
         <source>axis {number}</source>
@@ -3152,7 +3152,7 @@
     </message>
     <message>
         <source>each entry once; the first is in line {line}</source>
-        <translation>chaque élément une seule fois ; le premier est à la ligne {line}</translation>
+        <translation>chaque élément une seule fois&#xa0;; le premier est à la ligne {line}</translation>
     </message>
     <message>
         <source>each point once</source>
@@ -3172,11 +3172,11 @@
     </message>
     <message>
         <source>the format {format} to read it; it is left out here</source>
-        <translation>le format {format} pour la lire ; elle est ignorée ici</translation>
+        <translation>le format {format} pour la lire&#xa0;; elle est ignorée ici</translation>
     </message>
     <message>
         <source>the format {format} to read them; they are left out here</source>
-        <translation>le format {format} pour les lire ; elles sont ignorées ici</translation>
+        <translation>le format {format} pour les lire&#xa0;; elles sont ignorées ici</translation>
     </message>
     <message>
         <source>numbers in {from} cannot be given in {to}</source>
@@ -3212,7 +3212,7 @@
     </message>
     <message>
         <source>not all units are said: the values are taken to be in the unit of the positions</source>
-        <translation>toutes les unités ne sont pas indiquées : pour les valeurs, l&apos;unité des positions est supposée</translation>
+        <translation>toutes les unités ne sont pas indiquées&#xa0;: pour les valeurs, l&apos;unité des positions est supposée</translation>
     </message>
     <message>
         <source>the values were in {before} and are now in {unit}, the unit of the positions</source>
@@ -3228,7 +3228,7 @@
     </message>
     <message>
         <source>{units}: the format {format} has one unit for both</source>
-        <translation>{units} : le format {format} a une seule unité pour les deux</translation>
+        <translation>{units}&#xa0;: le format {format} a une seule unité pour les deux</translation>
     </message>
     <message>
         <source>choose a format for cross compensation</source>
@@ -3244,7 +3244,7 @@
     </message>
     <message>
         <source>the {what} are in {from}, which cannot be given in {to}; correct the units</source>
-        <translation>l&apos;unité {from} ne peut pas être convertie en {to} ({what}) ; corriger les unités</translation>
+        <translation>l&apos;unité {from} ne peut pas être convertie en {to} ({what})&#xa0;; corriger les unités</translation>
     </message>
     <message>
         <source>a text</source>
@@ -3256,11 +3256,11 @@
     </message>
     <message>
         <source>the format {format} has no setting {key} for writing; it has: {known}</source>
-        <translation>le format {format} n&apos;a pas de réglage {key} à l&apos;écriture ; réglages possibles : {known}</translation>
+        <translation>le format {format} n&apos;a pas de réglage {key} à l&apos;écriture&#xa0;; réglages possibles&#xa0;: {known}</translation>
     </message>
     <message>
         <source>the format {format} has no setting {key} for reading; it has: {known}</source>
-        <translation>le format {format} n&apos;a pas de réglage {key} à la lecture ; réglages possibles : {known}</translation>
+        <translation>le format {format} n&apos;a pas de réglage {key} à la lecture&#xa0;; réglages possibles&#xa0;: {known}</translation>
     </message>
     <message>
         <source>the format {format} can be read, not written</source>
@@ -3268,11 +3268,11 @@
     </message>
     <message>
         <source>the format {format} names its axes by numbers from 1; the setting {key} is {value}</source>
-        <translation>le format {format} désigne ses axes par des numéros à partir de 1 ; le réglage {key} est {value}</translation>
+        <translation>le format {format} désigne ses axes par des numéros à partir de 1&#xa0;; le réglage {key} est {value}</translation>
     </message>
     <message>
         <source>the format {format} names its axes by numbers from 1 and there is no number in the axis name &quot;{name}&quot;; give the setting {key}</source>
-        <translation>le format {format} désigne ses axes par des numéros à partir de 1, et le nom d&apos;axe « {name} » n&apos;en contient pas ; indiquer le réglage {key}</translation>
+        <translation>le format {format} désigne ses axes par des numéros à partir de 1, et le nom d&apos;axe «&#xa0;{name}&#xa0;» n&apos;en contient pas&#xa0;; indiquer le réglage {key}</translation>
     </message>
     <message>
         <source>its positions of source {number} span {span}, and a modulo axis needs exactly one period of {period}</source>
@@ -3288,7 +3288,7 @@
     </message>
     <message>
         <source>make both ends equal: they are the same place</source>
-        <translation>rendre les deux extrémités égales : elles sont le même endroit</translation>
+        <translation>rendre les deux extrémités égales&#xa0;: elles sont le même endroit</translation>
     </message>
     <message>
         <source>its modulo axis is not rotary</source>
@@ -3344,7 +3344,7 @@
     </message>
     <message>
         <source>a calibration file needs the number of its dimensions: 1, 2 or 3</source>
-        <translation>un fichier d&apos;étalonnage exige le nombre de ses dimensions : 1, 2 ou 3</translation>
+        <translation>un fichier d&apos;étalonnage exige le nombre de ses dimensions&#xa0;: 1, 2 ou 3</translation>
     </message>
     <message>
         <source>a table kw.{name} besides kw.{other}</source>
@@ -3378,8 +3378,8 @@
         <source>{file} is not a valid calibration file: {count} problems</source>
         <comment>{file} is not a valid calibration file: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide : 1 problème</numerusform>
-            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide : {count} problèmes</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide&#xa0;: 1 problème</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
     <message>
@@ -3396,7 +3396,7 @@
     </message>
     <message>
         <source>sign: {from}, {to}; {example}</source>
-        <translation>signe : {from}, {to} ; {example}</translation>
+        <translation>signe&#xa0;: {from}, {to}&#xa0;; {example}</translation>
     </message>
     <message>
         <source>positive</source>
@@ -3412,7 +3412,7 @@
     </message>
     <message>
         <source>{first}; {next}</source>
-        <translation>{first} ; {next}</translation>
+        <translation>{first}&#xa0;; {next}</translation>
     </message>
     <message>
         <source>position {number} = {position}</source>
@@ -3428,7 +3428,7 @@
     </message>
     <message>
         <source>&quot;{text}&quot; is not a value of type {type}; expected {expected}</source>
-        <translation>« {text} » n&apos;est pas une valeur de type {type} ; attendu : {expected}</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas une valeur de type {type}&#xa0;; attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>a number such as 12.5, at most {most} in magnitude</source>
@@ -3478,8 +3478,8 @@
         <source>it has {count} source axes, possible are {range}</source>
         <comment>it has 1 source axis, possible are {range}</comment>
         <translation>
-            <numerusform>elle a 1 axe source, possible : {range}</numerusform>
-            <numerusform>elle a {count} axes sources, possible : {range}</numerusform>
+            <numerusform>elle a 1 axe source, possible&#xa0;: {range}</numerusform>
+            <numerusform>elle a {count} axes sources, possible&#xa0;: {range}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -3508,11 +3508,11 @@
     </message>
     <message>
         <source>master axis 1 is a modulo axis: its ends are one place</source>
-        <translation>l&apos;axe maître 1 est un axe modulo : ses extrémités sont le même endroit</translation>
+        <translation>l&apos;axe maître 1 est un axe modulo&#xa0;: ses extrémités sont le même endroit</translation>
     </message>
     <message>
         <source>master axis 2 is a modulo axis: its ends are one place</source>
-        <translation>l&apos;axe maître 2 est un axe modulo : ses extrémités sont le même endroit</translation>
+        <translation>l&apos;axe maître 2 est un axe modulo&#xa0;: ses extrémités sont le même endroit</translation>
     </message>
     <message numerus="yes">
         <source>{count} points</source>
@@ -3568,7 +3568,7 @@
     </message>
     <message>
         <source>{number}: {names}</source>
-        <translation>{number} : {names}</translation>
+        <translation>{number}&#xa0;: {names}</translation>
     </message>
     <message numerus="yes">
         <source>{count} lines of heights</source>
@@ -3580,7 +3580,7 @@
     </message>
     <message>
         <source>table {index} needs $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) of at least {count}; switch it on with $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 and $MA_CEC_ENABLE (MD32710) 1 of axis {axis}</source>
-        <translation>la table {index} exige $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) d&apos;au moins {count} ; l&apos;activer par $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 et $MA_CEC_ENABLE (MD32710) 1 de l&apos;axe {axis}</translation>
+        <translation>la table {index} exige $MN_MM_CEC_MAX_POINTS[{index}] (MD18342) d&apos;au moins {count}&#xa0;; l&apos;activer par $SN_CEC_TABLE_ENABLE[{index}] (SD41300) 1 et $MA_CEC_ENABLE (MD32710) 1 de l&apos;axe {axis}</translation>
     </message>
     <message>
         <source>no {variable} of {curve}</source>
@@ -3624,7 +3624,7 @@
     </message>
     <message>
         <source>it cannot be of type {type}; expected {expected}</source>
-        <translation>le type {type} n&apos;est pas possible ; attendu : {expected}</translation>
+        <translation>le type {type} n&apos;est pas possible&#xa0;; attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>f32 or f64</source>
@@ -3636,15 +3636,15 @@
     </message>
     <message>
         <source>its count is {found}, expected the length of the magic text, {expected}, which is at least 1</source>
-        <translation>le nombre d&apos;éléments est {found}, attendu : la longueur du texte d&apos;identification (magic), {expected}, au moins 1</translation>
+        <translation>le nombre d&apos;éléments est {found}, attendu&#xa0;: la longueur du texte d&apos;identification (magic), {expected}, au moins 1</translation>
     </message>
     <message>
         <source>its count is 0, expected at least 1</source>
-        <translation>le nombre d&apos;éléments est 0, attendu : au moins 1</translation>
+        <translation>le nombre d&apos;éléments est 0, attendu&#xa0;: au moins 1</translation>
     </message>
     <message>
         <source>its count is {found}, expected {expected}</source>
-        <translation>le nombre d&apos;éléments est {found}, attendu : {expected}</translation>
+        <translation>le nombre d&apos;éléments est {found}, attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>its type {type} cannot hold {value}</source>
@@ -3664,11 +3664,11 @@
     </message>
     <message>
         <source>it is {size}, expected 1 to {limit} bytes</source>
-        <translation>la taille est {size}, attendu : 1 à {limit} octets</translation>
+        <translation>la taille est {size}, attendu&#xa0;: 1 à {limit} octets</translation>
     </message>
     <message>
         <source>it is missing; a table cannot be read without it</source>
-        <translation>champ manquant ; sans lui, aucune table n&apos;est lisible</translation>
+        <translation>champ manquant&#xa0;; sans lui, aucune table n&apos;est lisible</translation>
     </message>
     <message numerus="yes">
         <source>{count} positions</source>
@@ -3712,11 +3712,11 @@
     </message>
     <message>
         <source>the body must be an object with &quot;value&quot;: a number, a text, true, false or null</source>
-        <translation>le corps doit être un objet avec &quot;value&quot; : un nombre, un texte, true, false ou null</translation>
+        <translation>le corps doit être un objet avec &quot;value&quot;&#xa0;: un nombre, un texte, true, false ou null</translation>
     </message>
     <message>
         <source>one of u8, u16, u32, i32, f32, f64 or char is expected, with a count in brackets where there are several: char[32]</source>
-        <translation>un type parmi u8, u16, u32, i32, f32, f64 ou char est attendu, avec le nombre entre crochets s&apos;il y en a plusieurs : char[32]</translation>
+        <translation>un type parmi u8, u16, u32, i32, f32, f64 ou char est attendu, avec le nombre entre crochets s&apos;il y en a plusieurs&#xa0;: char[32]</translation>
     </message>
     <message>
         <source>the count is given twice, here and in the type</source>
@@ -3724,7 +3724,7 @@
     </message>
     <message>
         <source>the number of characters is missing: char[32]</source>
-        <translation>le nombre de caractères manque : char[32]</translation>
+        <translation>le nombre de caractères manque&#xa0;: char[32]</translation>
     </message>
     <message>
         <source>there is no field {name} to hold it</source>
@@ -3792,7 +3792,7 @@
     </message>
     <message>
         <source>it is empty; a register path is expected</source>
-        <translation>c&apos;est vide ; un chemin de registre est attendu</translation>
+        <translation>c&apos;est vide&#xa0;; un chemin de registre est attendu</translation>
     </message>
     <message>
         <source>it has {count} characters, at most {most} are possible</source>
@@ -3804,7 +3804,7 @@
     </message>
     <message>
         <source>a path is made of letters, digits, &apos;_&apos;, &apos;-&apos;, &apos;/&apos;, &apos;[&apos; and &apos;]&apos;; the character at position {position} is none of them</source>
-        <translation>un chemin se compose de lettres, de chiffres, de &apos;_&apos;, &apos;-&apos;, &apos;/&apos;, &apos;[&apos; et &apos;]&apos; ; le caractère en position {position} n&apos;en fait pas partie</translation>
+        <translation>un chemin se compose de lettres, de chiffres, de &apos;_&apos;, &apos;-&apos;, &apos;/&apos;, &apos;[&apos; et &apos;]&apos;&#xa0;; le caractère en position {position} n&apos;en fait pas partie</translation>
     </message>
     <message>
         <source>the placeholder {name} is missing</source>
@@ -3852,7 +3852,7 @@
     </message>
     <message>
         <source>a numeric type is expected: Int32, UInt32, Single or Double</source>
-        <translation>un type numérique est attendu : Int32, UInt32, Single ou Double</translation>
+        <translation>un type numérique est attendu&#xa0;: Int32, UInt32, Single ou Double</translation>
     </message>
     <message>
         <source>the type {type} is there twice</source>
@@ -3880,15 +3880,15 @@
     </message>
     <message>
         <source>&quot;{code}&quot; is not what a drive can answer; that is one of {known}</source>
-        <translation>« {code} » n&apos;est pas une réponse possible d&apos;un variateur ; possibles : {known}</translation>
+        <translation>«&#xa0;{code}&#xa0;» n&apos;est pas une réponse possible d&apos;un variateur&#xa0;; possibles&#xa0;: {known}</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; is not a fault; known are {known}</source>
-        <translation>« {text} » n&apos;est pas un défaut ; sont connus {known}</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas un défaut&#xa0;; sont connus {known}</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; is not a whole number from 1 to {most}, as {name} needs</source>
-        <translation>« {text} » n&apos;est pas un nombre entier de 1 à {most}, comme {name} le demande</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas un nombre entier de 1 à {most}, comme {name} le demande</translation>
     </message>
     <message>
         <source>a fault was asked for</source>
@@ -3936,11 +3936,11 @@
     </message>
     <message>
         <source>a parameter does not fit: {reason}</source>
-        <translation>un paramètre ne convient pas : {reason}</translation>
+        <translation>un paramètre ne convient pas&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>{request} is not a request; these are: {known}</source>
-        <translation>{request} n&apos;est pas une requête ; requêtes possibles : {known}</translation>
+        <translation>{request} n&apos;est pas une requête&#xa0;; requêtes possibles&#xa0;: {known}</translation>
     </message>
     <message>
         <source>name 1 to {most} registers, not {count}</source>
@@ -3952,7 +3952,7 @@
     </message>
     <message>
         <source>write {request}; &quot;&quot; is everything</source>
-        <translation>écrire {request} ; &quot;&quot; signifie tout</translation>
+        <translation>écrire {request}&#xa0;; &quot;&quot; signifie tout</translation>
     </message>
     <message>
         <source>write {request}, the CRC in hexadecimal digits</source>
@@ -3968,15 +3968,15 @@
     </message>
     <message>
         <source>no pseudo-terminal: {reason}</source>
-        <translation>pas de pseudo-terminal : {reason}</translation>
+        <translation>pas de pseudo-terminal&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>there is a file of this name; choose another one</source>
-        <translation>il y a déjà un fichier de ce nom ; en choisir un autre</translation>
+        <translation>il y a déjà un fichier de ce nom&#xa0;; en choisir un autre</translation>
     </message>
     <message>
         <source>the link cannot be made: {reason}</source>
-        <translation>le lien ne peut pas être créé : {reason}</translation>
+        <translation>le lien ne peut pas être créé&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the line has more than {most} characters</source>
@@ -3984,11 +3984,11 @@
     </message>
     <message>
         <source>this is no request; a line is [#n ]words[ *XXXX]</source>
-        <translation>ce n&apos;est pas une requête ; une ligne s&apos;écrit [#n ]mots[ *XXXX]</translation>
+        <translation>ce n&apos;est pas une requête&#xa0;; une ligne s&apos;écrit [#n ]mots[ *XXXX]</translation>
     </message>
     <message>
         <source>&quot;{value}&quot; is too large for a Single</source>
-        <translation>« {value} » est trop grand pour un Single</translation>
+        <translation>«&#xa0;{value}&#xa0;» est trop grand pour un Single</translation>
     </message>
     <message>
         <source>the value is longer than any name of an enum</source>
@@ -4004,7 +4004,7 @@
     </message>
     <message>
         <source>the root element is {name}, expected TamTopology</source>
-        <translation>l&apos;élément racine est {name}, attendu : TamTopology</translation>
+        <translation>l&apos;élément racine est {name}, attendu&#xa0;: TamTopology</translation>
     </message>
     <message>
         <source>a RegisterComponent needs Address, Type and Value</source>
@@ -4060,7 +4060,7 @@
     </message>
     <message>
         <source>it is not the table that was kept there: its size or CRC differs</source>
-        <translation>ce n&apos;est pas la table qui y était conservée : taille ou CRC différents</translation>
+        <translation>ce n&apos;est pas la table qui y était conservée&#xa0;: taille ou CRC différents</translation>
     </message>
     <message>
         <source>it was kept about a write that did not end, but is damaged ({reason}). Look at what the drive holds, then delete the file</source>
@@ -4080,19 +4080,19 @@
     </message>
     <message>
         <source>it is not stated which axis the values of {column} correct, and the numbers depend on it; state the target: {sources}</source>
-        <translation>l&apos;axe que corrigent les valeurs de {column} n&apos;est pas indiqué, et les nombres en dépendent ; indiquer l&apos;axe cible : {sources}</translation>
+        <translation>l&apos;axe que corrigent les valeurs de {column} n&apos;est pas indiqué, et les nombres en dépendent&#xa0;; indiquer l&apos;axe cible&#xa0;: {sources}</translation>
     </message>
     <message>
         <source>{table} is the name of table {named} and the number of table {numbered}; say name:{table} or #{table}</source>
-        <translation>{table} est le nom de la table {named} et le numéro de la table {numbered} ; indiquer name:{table} ou #{table}</translation>
+        <translation>{table} est le nom de la table {named} et le numéro de la table {numbered}&#xa0;; indiquer name:{table} ou #{table}</translation>
     </message>
     <message>
         <source>the table goes from {before}, and the file would say from {after}; correct the settings for its axes, or the target</source>
-        <translation>la table va de {before}, le fichier indiquerait : de {after} ; corriger les réglages de ses axes ou l&apos;axe cible</translation>
+        <translation>la table va de {before}, le fichier indiquerait&#xa0;: de {after}&#xa0;; corriger les réglages de ses axes ou l&apos;axe cible</translation>
     </message>
     <message>
         <source>one axis for all columns or one for each: the name of an axis, #1 for the first source, or other</source>
-        <translation>un axe pour toutes les colonnes ou un pour chacune : le nom d&apos;un axe, #1 pour la première source, ou other</translation>
+        <translation>un axe pour toutes les colonnes ou un pour chacune&#xa0;: le nom d&apos;un axe, #1 pour la première source, ou other</translation>
     </message>
     <message>
         <source>the axis of dimension {number}</source>
@@ -4132,7 +4132,7 @@
     </message>
     <message>
         <source>{count} targets are stated for {columns} columns; state one for all or one for each</source>
-        <translation>{count} axes cibles sont indiqués pour {columns} colonnes ; en indiquer un pour toutes ou un pour chacune</translation>
+        <translation>{count} axes cibles sont indiqués pour {columns} colonnes&#xa0;; en indiquer un pour toutes ou un pour chacune</translation>
     </message>
     <message>
         <source>another axis</source>
@@ -4144,7 +4144,7 @@
     </message>
     <message>
         <source>the {what} are in {unit}, which cannot be converted to {other}, the unit of the drive; correct the unit in the file, or state it</source>
-        <translation>les {what} sont en {unit}, ce qui ne peut pas être converti en {other}, l&apos;unité du variateur ; corriger l&apos;unité dans le fichier ou l&apos;indiquer</translation>
+        <translation>les {what} sont en {unit}, ce qui ne peut pas être converti en {other}, l&apos;unité du variateur&#xa0;; corriger l&apos;unité dans le fichier ou l&apos;indiquer</translation>
     </message>
     <message>
         <source>positions of dimension {number}</source>
@@ -4160,19 +4160,19 @@
     </message>
     <message>
         <source>The drive states no unit for the axis; the values are written in {before}. The largest correction is {largest}.</source>
-        <translation>Le variateur n&apos;indique pas d&apos;unité pour l&apos;axe ; les valeurs sont écrites en {before}. La plus grande correction est {largest}.</translation>
+        <translation>Le variateur n&apos;indique pas d&apos;unité pour l&apos;axe&#xa0;; les valeurs sont écrites en {before}. La plus grande correction est {largest}.</translation>
     </message>
     <message>
         <source>The table states no unit for its values; they are taken to be in {after}. The largest correction is {largest}.</source>
-        <translation>La table n&apos;indique pas d&apos;unité pour ses valeurs ; {after} est supposé. La plus grande correction est {largest}.</translation>
+        <translation>La table n&apos;indique pas d&apos;unité pour ses valeurs&#xa0;; {after} est supposé. La plus grande correction est {largest}.</translation>
     </message>
     <message>
         <source>The positions of dimension {number} are converted from {before} to {after}: {first} to {last}.</source>
-        <translation>Les positions de la dimension {number} sont converties de {before} en {after} : {first} à {last}.</translation>
+        <translation>Les positions de la dimension {number} sont converties de {before} en {after}&#xa0;: {first} à {last}.</translation>
     </message>
     <message>
         <source>{reason} Check the unit of the values; if they are right, confirm them in the preview, or with --accept-large</source>
-        <translation>{reason} Vérifier l&apos;unité des valeurs ; si elles sont justes, les confirmer dans l&apos;aperçu ou avec --accept-large</translation>
+        <translation>{reason} Vérifier l&apos;unité des valeurs&#xa0;; si elles sont justes, les confirmer dans l&apos;aperçu ou avec --accept-large</translation>
     </message>
     <message>
         <source>The largest correction, {largest}, is {percent} of the range of dimension {number}, {range}.</source>
@@ -4228,15 +4228,15 @@
     </message>
     <message>
         <source>{source} is a position after the compensation: the table would be looked up where its own values have moved the axis.</source>
-        <translation>{source} est une position après compensation : la table serait consultée là où ses propres valeurs ont amené l&apos;axe.</translation>
+        <translation>{source} est une position après compensation&#xa0;: la table serait consultée là où ses propres valeurs ont amené l&apos;axe.</translation>
     </message>
     <message>
         <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; write volatile, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
-        <translation>le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées ; écrire en volatil ou remettre le décompte à zéro avec « axiscomp status --reset-flash-count »</translation>
+        <translation>le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées&#xa0;; écrire en volatil ou remettre le décompte à zéro avec «&#xa0;axiscomp status --reset-flash-count&#xa0;»</translation>
     </message>
     <message>
         <source>it is not an ordinary file; move it away</source>
-        <translation>ce n&apos;est pas un fichier ordinaire ; le déplacer ailleurs</translation>
+        <translation>ce n&apos;est pas un fichier ordinaire&#xa0;; le déplacer ailleurs</translation>
     </message>
     <message>
         <source>the SHA-256 of a certificate is expected</source>
@@ -4244,19 +4244,19 @@
     </message>
     <message>
         <source>it cannot be renamed: {reason}</source>
-        <translation>impossible de le renommer : {reason}</translation>
+        <translation>impossible de le renommer&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>it is on a network file system, where a database can be damaged; set XDG_STATE_HOME to a folder on this computer</source>
-        <translation>il est sur un système de fichiers réseau, où une base de données peut être endommagée ; régler XDG_STATE_HOME sur un dossier de cet ordinateur</translation>
+        <translation>il est sur un système de fichiers réseau, où une base de données peut être endommagée&#xa0;; régler XDG_STATE_HOME sur un dossier de cet ordinateur</translation>
     </message>
     <message>
         <source>a newer version of this program has written it; use that version</source>
-        <translation>écrit par une version plus récente de ce programme ; utiliser cette version</translation>
+        <translation>écrit par une version plus récente de ce programme&#xa0;; utiliser cette version</translation>
     </message>
     <message>
         <source>it is the database of another program; move it away</source>
-        <translation>c&apos;est la base de données d&apos;un autre programme ; la déplacer ailleurs</translation>
+        <translation>c&apos;est la base de données d&apos;un autre programme&#xa0;; la déplacer ailleurs</translation>
     </message>
     <message>
         <source>the file is read-only</source>
@@ -4280,7 +4280,7 @@
     </message>
     <message>
         <source>{axis} is taken for {first} to {last} in steps of {distance}; the largest shift is {shift}, at {position}</source>
-        <translation>{axis} est considéré comme allant de {first} à {last} par pas de {distance} ; le plus grand décalage est {shift}, à {position}</translation>
+        <translation>{axis} est considéré comme allant de {first} à {last} par pas de {distance}&#xa0;; le plus grand décalage est {shift}, à {position}</translation>
     </message>
     <message>
         <source>position {number}</source>
@@ -4292,7 +4292,7 @@
     </message>
     <message>
         <source>a part of the grid that is complete; fill the points instead</source>
-        <translation>une partie complète de la grille ; remplir plutôt les points</translation>
+        <translation>une partie complète de la grille&#xa0;; remplir plutôt les points</translation>
     </message>
     <message>
         <source>{axis} from {first} to {last}</source>
@@ -4300,7 +4300,7 @@
     </message>
     <message>
         <source>{missing} of {all} points without a value; kept are {kept} points, {ranges}</source>
-        <translation>{missing} points sur {all} sans valeur ; {kept} points sont gardés, {ranges}</translation>
+        <translation>{missing} points sur {all} sans valeur&#xa0;; {kept} points sont gardés, {ranges}</translation>
     </message>
     <message>
         <source>no value at all in {table}</source>
@@ -4316,7 +4316,7 @@
     </message>
     <message>
         <source>at most {most} for a smooth filling; choose the nearest point or a plane</source>
-        <translation>au plus {most} pour un remplissage lisse ; choisir le point le plus proche ou un plan</translation>
+        <translation>au plus {most} pour un remplissage lisse&#xa0;; choisir le point le plus proche ou un plan</translation>
     </message>
     <message>
         <source>measured points of {table} on one line only</source>
@@ -4324,7 +4324,7 @@
     </message>
     <message>
         <source>points that determine a plane; choose the nearest point instead</source>
-        <translation>des points qui définissent un plan ; choisir plutôt le point le plus proche</translation>
+        <translation>des points qui définissent un plan&#xa0;; choisir plutôt le point le plus proche</translation>
     </message>
     <message>
         <source>{low} to {high}</source>
@@ -4332,23 +4332,23 @@
     </message>
     <message>
         <source>{count} of {all} points of {table} without a value; they get {made}, the measured values are {measured}</source>
-        <translation>{count} points sur {all} de {table} sans valeur ; ils reçoivent {made}, les valeurs mesurées sont {measured}</translation>
+        <translation>{count} points sur {all} de {table} sans valeur&#xa0;; ils reçoivent {made}, les valeurs mesurées sont {measured}</translation>
     </message>
     <message>
         <source>{expected}; a tolerance of {tolerance} takes them for an even grid (--snap, or Snap tolerance in the import)</source>
-        <translation>{expected} ; avec une tolérance de {tolerance}, elles passent pour une grille régulière (--snap, ou Tolérance d&apos;accrochage à l&apos;importation)</translation>
+        <translation>{expected}&#xa0;; avec une tolérance de {tolerance}, elles passent pour une grille régulière (--snap, ou Tolérance d&apos;accrochage à l&apos;importation)</translation>
     </message>
     <message>
         <source>every combination of the positions; missing points can be filled or left out (--fill, --crop, or Missing points in the import)</source>
-        <translation>chaque combinaison des positions ; les points manquants peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
+        <translation>chaque combinaison des positions&#xa0;; les points manquants peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
     </message>
     <message>
         <source>{expected}; points without a value can be filled or left out (--fill, --crop, or Missing points in the import)</source>
-        <translation>{expected} ; les points sans valeur peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
+        <translation>{expected}&#xa0;; les points sans valeur peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
     </message>
     <message>
         <source>a height with decimals; points without a value can be filled or left out (--fill, --crop, or Missing points in the import)</source>
-        <translation>une hauteur avec décimales ; les points sans valeur peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
+        <translation>une hauteur avec décimales&#xa0;; les points sans valeur peuvent être remplis ou omis (--fill, --crop, ou Points manquants à l&apos;importation)</translation>
     </message>
     <message>
         <source>every combination of the positions</source>
@@ -4364,7 +4364,7 @@
     </message>
     <message>
         <source>the table has {count} points; older kernels take at most {most}</source>
-        <translation>la table a {count} points ; les anciens noyaux en acceptent {most} au plus</translation>
+        <translation>la table a {count} points&#xa0;; les anciens noyaux en acceptent {most} au plus</translation>
     </message>
     <message>
         <source>unit of the positions, in place of what the header says</source>
@@ -4376,7 +4376,7 @@
     </message>
     <message>
         <source>{number} ({name}, axes: {axes})</source>
-        <translation>{number} ({name}, axes : {axes})</translation>
+        <translation>{number} ({name}, axes&#xa0;: {axes})</translation>
     </message>
     <message>
         <source>a table</source>
@@ -4384,23 +4384,23 @@
     </message>
     <message>
         <source>{slot} is empty: there is nothing to delete</source>
-        <translation>{slot} est vide : il n&apos;y a rien à supprimer</translation>
+        <translation>{slot} est vide&#xa0;: il n&apos;y a rien à supprimer</translation>
     </message>
     <message>
         <source>axis {axis} uses no table: there is nothing to delete</source>
-        <translation>l&apos;axe {axis} n&apos;utilise pas de table : il n&apos;y a rien à supprimer</translation>
+        <translation>l&apos;axe {axis} n&apos;utilise pas de table&#xa0;: il n&apos;y a rien à supprimer</translation>
     </message>
     <message>
         <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
-        <translation>la table dans {slot} n&apos;est pas supprimée, car elle est utilisée ({user}) ; l&apos;en détacher d&apos;abord</translation>
+        <translation>la table dans {slot} n&apos;est pas supprimée, car elle est utilisée ({user})&#xa0;; l&apos;en détacher d&apos;abord</translation>
     </message>
     <message>
         <source>Flash may hold an older table in {slot}: that one is deleted too.</source>
-        <translation>La mémoire flash contient peut-être une table plus ancienne dans {slot} : elle est supprimée aussi.</translation>
+        <translation>La mémoire flash contient peut-être une table plus ancienne dans {slot}&#xa0;: elle est supprimée aussi.</translation>
     </message>
     <message>
         <source>The parameters of all axes are saved before {slot} is emptied: otherwise {axis} could look for the deleted table after a reboot.</source>
-        <translation>Les paramètres de tous les axes sont enregistrés avant que {slot} soit vidé : sinon, {axis} pourrait chercher la table supprimée après un redémarrage.</translation>
+        <translation>Les paramètres de tous les axes sont enregistrés avant que {slot} soit vidé&#xa0;: sinon, {axis} pourrait chercher la table supprimée après un redémarrage.</translation>
     </message>
     <message>
         <source>After a reboot {axis} uses the table in {slot} again, as its saved parameters say.</source>
@@ -4408,7 +4408,7 @@
     </message>
     <message>
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>la configuration indique la table dans {slot} pour l&apos;axe {axis}, mais le variateur n&apos;y en a pas ; l&apos;écrire d&apos;abord dans cet emplacement</translation>
+        <translation>la configuration indique la table dans {slot} pour l&apos;axe {axis}, mais le variateur n&apos;y en a pas&#xa0;; l&apos;écrire d&apos;abord dans cet emplacement</translation>
     </message>
     <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
@@ -4428,7 +4428,7 @@
     </message>
     <message>
         <source>which station of {file} is meant is not certain; name one of: {known}</source>
-        <translation>la station voulue de {file} n&apos;est pas certaine ; en indiquer une parmi : {known}</translation>
+        <translation>la station voulue de {file} n&apos;est pas certaine&#xa0;; en indiquer une parmi&#xa0;: {known}</translation>
     </message>
     <message>
         <source>it is not a text in UTF-8</source>
@@ -4452,7 +4452,7 @@
     </message>
     <message>
         <source>it has changed since it was read; export again</source>
-        <translation>modifié depuis sa lecture ; exporter de nouveau</translation>
+        <translation>modifié depuis sa lecture&#xa0;; exporter de nouveau</translation>
     </message>
     <message numerus="yes">
         <source>{count} more comment lines</source>
@@ -4476,11 +4476,11 @@
     </message>
     <message>
         <source>Dimension {number} of the table reaches from {first} to {last}: {percent} of the travel of axis {axis}, {low} to {high}. Beyond the table the drive holds the value of its end.</source>
-        <translation>La dimension {number} de la table va de {first} à {last} : {percent} de la course de l&apos;axe {axis}, {low} à {high}. Au-delà de la table, le variateur maintient la valeur d&apos;extrémité.</translation>
+        <translation>La dimension {number} de la table va de {first} à {last}&#xa0;: {percent} de la course de l&apos;axe {axis}, {low} à {high}. Au-delà de la table, le variateur maintient la valeur d&apos;extrémité.</translation>
     </message>
     <message>
         <source>Dimension {number} of the table reaches from {first} to {last}: outside the travel of axis {axis}, {low} to {high}. The drive holds the value of one end everywhere.</source>
-        <translation>La dimension {number} de la table va de {first} à {last} : hors de la course de l&apos;axe {axis}, {low} à {high}. Le variateur maintient partout la valeur d&apos;une extrémité.</translation>
+        <translation>La dimension {number} de la table va de {first} à {last}&#xa0;: hors de la course de l&apos;axe {axis}, {low} à {high}. Le variateur maintient partout la valeur d&apos;une extrémité.</translation>
     </message>
     <message>
         <source>The backup is of another drive, the one with the serial number {number}.</source>
@@ -4494,13 +4494,13 @@
         <source>{file} is not a valid measurement: {count} problems</source>
         <comment>{file} is not a valid measurement: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas une mesure valide : un problème</numerusform>
-            <numerusform>{file} n&apos;est pas une mesure valide : {count} problèmes</numerusform>
+            <numerusform>{file} n&apos;est pas une mesure valide&#xa0;: un problème</numerusform>
+            <numerusform>{file} n&apos;est pas une mesure valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
     <message>
         <source>{file} does not say its units; state them with --unit and --value-unit</source>
-        <translation>{file} n&apos;indique pas ses unités ; les indiquer avec --unit et --value-unit</translation>
+        <translation>{file} n&apos;indique pas ses unités&#xa0;; les indiquer avec --unit et --value-unit</translation>
     </message>
     <message>
         <source>the readings of the instrument in {file} do not follow the axis one to one</source>
@@ -4508,7 +4508,7 @@
     </message>
     <message>
         <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
-        <translation>{file} n&apos;a pas de positions cibles ; les caractéristiques de la norme exigent une mesure en passes sur des positions cibles</translation>
+        <translation>{file} n&apos;a pas de positions cibles&#xa0;; les caractéristiques de la norme exigent une mesure en passes sur des positions cibles</translation>
     </message>
     <message>
         <source>an error in mm</source>
@@ -4528,7 +4528,7 @@
     </message>
     <message>
         <source>a block Forward Directional Avg Error; the mean of both directions alone says nothing of either</source>
-        <translation>un bloc Forward Directional Avg Error ; la moyenne des deux sens ne dit rien de chacun</translation>
+        <translation>un bloc Forward Directional Avg Error&#xa0;; la moyenne des deux sens ne dit rien de chacun</translation>
     </message>
     <message>
         <source>means of a linear measurement (.pos)</source>
@@ -4556,7 +4556,7 @@
     </message>
     <message>
         <source>{key}: {said}, but {found} are there</source>
-        <translation>{key} : {said}, mais il y en a {found}</translation>
+        <translation>{key}&#xa0;: {said}, mais il y en a {found}</translation>
     </message>
     <message>
         <source>the whole file</source>
@@ -4564,7 +4564,7 @@
     </message>
     <message>
         <source>a length or an angle: mm, um, m, inch, deg, arcsec, mrad</source>
-        <translation>une longueur ou un angle : mm, um, m, inch, deg, arcsec, mrad</translation>
+        <translation>une longueur ou un angle&#xa0;: mm, um, m, inch, deg, arcsec, mrad</translation>
     </message>
     <message>
         <source>the number of a target, TGT_DATA[{number}]=</source>
@@ -4616,7 +4616,7 @@
     </message>
     <message>
         <source>one; name the columns with --columns</source>
-        <translation>une seule ; désigner les colonnes avec --columns</translation>
+        <translation>une seule&#xa0;; désigner les colonnes avec --columns</translation>
     </message>
     <message>
         <source>a column for {role}</source>
@@ -4624,7 +4624,7 @@
     </message>
     <message>
         <source>one of these words before the =: {known}</source>
-        <translation>l&apos;un de ces mots avant le signe = : {known}</translation>
+        <translation>l&apos;un de ces mots avant le signe =&#xa0;: {known}</translation>
     </message>
     <message>
         <source>a unit in brackets behind the name, such as {example}, or --unit and --value-unit</source>
@@ -4672,7 +4672,7 @@
     </message>
     <message>
         <source>&quot;{text}&quot; names no columns; write target=1,direction=3,deviation=5, with numbers or names of columns</source>
-        <translation>« {text} » ne désigne pas de colonnes ; écrire target=1,direction=3,deviation=5, avec numéros ou noms de colonnes</translation>
+        <translation>«&#xa0;{text}&#xa0;» ne désigne pas de colonnes&#xa0;; écrire target=1,direction=3,deviation=5, avec numéros ou noms de colonnes</translation>
     </message>
     <message>
         <source>no columns X and Y</source>
@@ -4720,7 +4720,7 @@
     </message>
     <message>
         <source>the whole file; save it again from the instrument&apos;s software</source>
-        <translation>le fichier entier ; l&apos;enregistrer de nouveau depuis le logiciel de l&apos;instrument</translation>
+        <translation>le fichier entier&#xa0;; l&apos;enregistrer de nouveau depuis le logiciel de l&apos;instrument</translation>
     </message>
     <message>
         <source>File type: rtl or rta, which says the units</source>
@@ -4764,11 +4764,11 @@
     </message>
     <message>
         <source>the factor of the interferometer is wrong: it counts half</source>
-        <translation>le facteur de l&apos;interféromètre est faux : il compte la moitié</translation>
+        <translation>le facteur de l&apos;interféromètre est faux&#xa0;: il compte la moitié</translation>
     </message>
     <message>
         <source>the factor of the interferometer is wrong: it counts double</source>
-        <translation>le facteur de l&apos;interféromètre est faux : il compte le double</translation>
+        <translation>le facteur de l&apos;interféromètre est faux&#xa0;: il compte le double</translation>
     </message>
     <message>
         <source>the reference is in degrees and the encoder in radians</source>
@@ -4780,15 +4780,15 @@
     </message>
     <message>
         <source>the instrument counts the other way; if so, say it with --invert-reference</source>
-        <translation>l&apos;instrument compte en sens inverse ; si c&apos;est le cas, l&apos;indiquer avec --invert-reference</translation>
+        <translation>l&apos;instrument compte en sens inverse&#xa0;; si c&apos;est le cas, l&apos;indiquer avec --invert-reference</translation>
     </message>
     <message>
         <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
-        <translation>1 ; {meaning} : corriger le fichier ou indiquer l&apos;unité avec --value-unit</translation>
+        <translation>1&#xa0;; {meaning}&#xa0;: corriger le fichier ou indiquer l&apos;unité avec --value-unit</translation>
     </message>
     <message>
         <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
-        <translation>1 à 1 % près ; vérifier quelles colonnes sont la référence et le codeur, et leurs unités</translation>
+        <translation>1 à 1&#xa0;% près&#xa0;; vérifier quelles colonnes sont la référence et le codeur, et leurs unités</translation>
     </message>
     <message numerus="yes">
         <source>{count} targets</source>
@@ -4848,7 +4848,7 @@
     </message>
     <message>
         <source>at most 1 % of the travel</source>
-        <translation>au plus 1 % de la course</translation>
+        <translation>au plus 1&#xa0;% de la course</translation>
     </message>
     <message>
         <source>the reference moves {slope} times as far as the axis</source>
@@ -4860,7 +4860,7 @@
     </message>
     <message>
         <source>a column target, or which column it is: --columns &apos;target=1,direction=2,...&apos;</source>
-        <translation>une colonne target, ou laquelle c&apos;est : --columns &apos;target=1,direction=2,...&apos;</translation>
+        <translation>une colonne target, ou laquelle c&apos;est&#xa0;: --columns &apos;target=1,direction=2,...&apos;</translation>
     </message>
     <message>
         <source>no column direction</source>
@@ -4940,7 +4940,7 @@
     </message>
     <message>
         <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
-        <translation>ce dont il s&apos;agit : // values: deviation ou // values: reference dans le fichier, ou --values</translation>
+        <translation>ce dont il s&apos;agit&#xa0;: // values: deviation ou // values: reference dans le fichier, ou --values</translation>
     </message>
     <message>
         <source>a column target before those of the runs</source>
@@ -4952,11 +4952,11 @@
     </message>
     <message>
         <source>angles do not change with temperature or air: the correction is for lengths</source>
-        <translation>les angles ne varient ni avec la température ni avec l&apos;air : la correction vaut pour les longueurs</translation>
+        <translation>les angles ne varient ni avec la température ni avec l&apos;air&#xa0;: la correction vaut pour les longueurs</translation>
     </message>
     <message>
         <source>the file says that its values are corrected to 20 deg C already; correcting them again would make them wrong</source>
-        <translation>selon le fichier, ses valeurs sont déjà corrigées à 20 °C ; les corriger encore les fausserait</translation>
+        <translation>selon le fichier, ses valeurs sont déjà corrigées à 20 °C&#xa0;; les corriger encore les fausserait</translation>
     </message>
     <message>
         <source>a temperature is in deg C and a coefficient of expansion in 1/K, such as 22.5 and 11.5e-6</source>
@@ -4968,15 +4968,15 @@
     </message>
     <message>
         <source>there is no such air on the dead path: pressure is in kPa (50 to 120), temperature in deg C (-40 to 60), humidity in percent (0 to 100)</source>
-        <translation>un tel air n&apos;existe pas sur le trajet mort : la pression est en kPa (50 à 120), la température en °C (-40 à 60), l&apos;humidité en pour cent (0 à 100)</translation>
+        <translation>un tel air n&apos;existe pas sur le trajet mort&#xa0;: la pression est en kPa (50 à 120), la température en °C (-40 à 60), l&apos;humidité en pour cent (0 à 100)</translation>
     </message>
     <message>
         <source>{file} does not describe a dead path: {reason}</source>
-        <translation>{file} ne décrit pas un trajet mort : {reason}</translation>
+        <translation>{file} ne décrit pas un trajet mort&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>the air of run {run} {direction} is not known; the dead path needs pressure, temperature and humidity of every run</source>
-        <translation>l&apos;air pendant la passe {run} ({direction}) n&apos;est pas connu ; le trajet mort exige la pression, la température et l&apos;humidité de chaque passe</translation>
+        <translation>l&apos;air pendant la passe {run} ({direction}) n&apos;est pas connu&#xa0;; le trajet mort exige la pression, la température et l&apos;humidité de chaque passe</translation>
     </message>
     <message>
         <source>a number that is not negative</source>
@@ -4984,31 +4984,31 @@
     </message>
     <message>
         <source>the uncertainty budget is wrong: {reason}</source>
-        <translation>le bilan d&apos;incertitude est erroné : {reason}</translation>
+        <translation>le bilan d&apos;incertitude est erroné&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; is no angle; write a number that is not negative and its unit, such as 5arcsec</source>
-        <translation>« {text} » n&apos;est pas un angle ; écrire un nombre non négatif et son unité, par exemple 5arcsec</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas un angle&#xa0;; écrire un nombre non négatif et son unité, par exemple 5arcsec</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; is no length; write a number that is not negative and its unit, such as 10um</source>
-        <translation>« {text} » n&apos;est pas une longueur ; écrire un nombre non négatif et son unité, par exemple 10um</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas une longueur&#xa0;; écrire un nombre non négatif et son unité, par exemple 10um</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; is no tolerance; write a figure and its limit, such as A=10um; the figures are A, A+, A-, R, R+, R-, E, E+, E-, B, Bm and M</source>
-        <translation>« {text} » n&apos;est pas une tolérance ; écrire une caractéristique et sa limite, par exemple A=10um ; les caractéristiques sont A, A+, A-, R, R+, R-, E, E+, E-, B, Bm et M</translation>
+        <translation>«&#xa0;{text}&#xa0;» n&apos;est pas une tolérance&#xa0;; écrire une caractéristique et sa limite, par exemple A=10um&#xa0;; les caractéristiques sont A, A+, A-, R, R+, R-, E, E+, E-, B, Bm et M</translation>
     </message>
     <message>
         <source>&quot;{text}&quot; names nothing that can be excluded; write down:1:1 for a value (direction, target, run), run:up:3 or target:7</source>
-        <translation>« {text} » ne désigne rien qui puisse être exclu ; écrire down:1:1 pour une valeur (sens, position cible, passe), run:up:3 ou target:7</translation>
+        <translation>«&#xa0;{text}&#xa0;» ne désigne rien qui puisse être exclu&#xa0;; écrire down:1:1 pour une valeur (sens, position cible, passe), run:up:3 ou target:7</translation>
     </message>
     <message>
         <source>there is no value {exclusion}: the measurement has {targets} targets, {up} runs up and {down} runs down</source>
-        <translation>il n&apos;y a pas de valeur {exclusion} : la mesure a {targets} positions cibles, {up} passes en sens positif et {down} en sens négatif</translation>
+        <translation>il n&apos;y a pas de valeur {exclusion}&#xa0;: la mesure a {targets} positions cibles, {up} passes en sens positif et {down} en sens négatif</translation>
     </message>
     <message>
         <source>only runs over targets can be joined; one file has {kind}</source>
-        <translation>seules des passes sur des positions cibles peuvent être réunies ; un fichier contient {kind}</translation>
+        <translation>seules des passes sur des positions cibles peuvent être réunies&#xa0;; un fichier contient {kind}</translation>
     </message>
     <message>
         <source>a measurement of lengths and one of angles cannot be joined</source>
@@ -5020,19 +5020,19 @@
     </message>
     <message>
         <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
-        <translation>ces positions ne permettent pas de déceler une erreur de période {period} : elles se trouvent dans {filled} des {classes} parties égales de la période, et il en faut {fewest} ; mesurer à des positions qui n&apos;en sont pas des multiples, ou omettre la période</translation>
+        <translation>ces positions ne permettent pas de déceler une erreur de période {period}&#xa0;: elles se trouvent dans {filled} des {classes} parties égales de la période, et il en faut {fewest}&#xa0;; mesurer à des positions qui n&apos;en sont pas des multiples, ou omettre la période</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
         <comment>one point of the grid, at {region}, is more than {distances} distances away from any measured point; measure there, take a smaller grid, or let it be filled (--fill smooth or --fill nearest)</comment>
         <translation>
-            <numerusform>un point de la grille, à {region}, est à plus de {distances} pas de tout point mesuré ; mesurer à cet endroit, réduire la grille ou faire remplir ce point (--fill smooth ou --fill nearest)</numerusform>
-            <numerusform>{count} points de la grille, à {region}, sont à plus de {distances} pas de tout point mesuré ; mesurer à cet endroit, réduire la grille ou faire remplir ces points (--fill smooth ou --fill nearest)</numerusform>
+            <numerusform>un point de la grille, à {region}, est à plus de {distances} pas de tout point mesuré&#xa0;; mesurer à cet endroit, réduire la grille ou faire remplir ce point (--fill smooth ou --fill nearest)</numerusform>
+            <numerusform>{count} points de la grille, à {region}, sont à plus de {distances} pas de tout point mesuré&#xa0;; mesurer à cet endroit, réduire la grille ou faire remplir ces points (--fill smooth ou --fill nearest)</numerusform>
         </translation>
     </message>
     <message>
         <source>the computation did not come to an end: {reason}</source>
-        <translation>le calcul n&apos;a pas abouti : {reason}</translation>
+        <translation>le calcul n&apos;a pas abouti&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>each position must have one value and one weight</source>
@@ -5052,7 +5052,7 @@
     </message>
     <message>
         <source>there are values at {count} positions; this method needs {fewest}, measure more of them or choose another method</source>
-        <translation>il y a des valeurs à {count} positions ; cette méthode en exige {fewest}, mesurer à d&apos;autres positions ou choisir une autre méthode</translation>
+        <translation>il y a des valeurs à {count} positions&#xa0;; cette méthode en exige {fewest}, mesurer à d&apos;autres positions ou choisir une autre méthode</translation>
     </message>
     <message>
         <source>the number of harmonics must be 1 to 1000</source>
@@ -5068,11 +5068,11 @@
     </message>
     <message>
         <source>the period {period} is wanted twice, by itself or as a harmonic of another; give each once</source>
-        <translation>la période {period} est demandée deux fois, par elle-même ou comme harmonique d&apos;une autre ; n&apos;indiquer chacune qu&apos;une fois</translation>
+        <translation>la période {period} est demandée deux fois, par elle-même ou comme harmonique d&apos;une autre&#xa0;; n&apos;indiquer chacune qu&apos;une fois</translation>
     </message>
     <message>
         <source>the period {period} does not divide the turn of {turn}; on a modulo axis it must</source>
-        <translation>la période {period} ne divise pas le tour de {turn} ; c&apos;est nécessaire pour un axe modulo</translation>
+        <translation>la période {period} ne divise pas le tour de {turn}&#xa0;; c&apos;est nécessaire pour un axe modulo</translation>
     </message>
     <message>
         <source>the smoothness must be a number above 0</source>
@@ -5080,7 +5080,7 @@
     </message>
     <message>
         <source>a smoothness of {smoothness} cannot be computed for these positions; take a smaller one</source>
-        <translation>un lissage de {smoothness} n&apos;est pas calculable pour ces positions ; en choisir un plus faible</translation>
+        <translation>un lissage de {smoothness} n&apos;est pas calculable pour ces positions&#xa0;; en choisir un plus faible</translation>
     </message>
     <message>
         <source>a grid has one to three dimensions, with two points and a distance above 0 in each</source>
@@ -5100,19 +5100,19 @@
     </message>
     <message>
         <source>with a smoothness of 0 every point of the grid needs a measured one beside it, and {count} have none; take a larger smoothness or a coarser grid</source>
-        <translation>avec un lissage de 0, chaque point de la grille doit avoir un point mesuré voisin, et {count} n&apos;en ont pas ; augmenter le lissage ou choisir une grille moins fine</translation>
+        <translation>avec un lissage de 0, chaque point de la grille doit avoir un point mesuré voisin, et {count} n&apos;en ont pas&#xa0;; augmenter le lissage ou choisir une grille moins fine</translation>
     </message>
     <message>
         <source>no point lies within the grid; check its start and end, and the unit of the positions</source>
-        <translation>aucun point n&apos;est dans la grille ; vérifier son début et sa fin, et l&apos;unité des positions</translation>
+        <translation>aucun point n&apos;est dans la grille&#xa0;; vérifier son début et sa fin, et l&apos;unité des positions</translation>
     </message>
     <message>
         <source>the points do not determine every point of the grid; take a larger smoothness or a coarser grid</source>
-        <translation>les points ne déterminent pas tous les points de la grille ; augmenter le lissage ou choisir une grille moins fine</translation>
+        <translation>les points ne déterminent pas tous les points de la grille&#xa0;; augmenter le lissage ou choisir une grille moins fine</translation>
     </message>
     <message>
         <source>the points lie too unevenly for so little smoothness; take a larger smoothness or a coarser grid</source>
-        <translation>les points sont trop irréguliers pour un lissage aussi faible ; augmenter le lissage ou choisir une grille moins fine</translation>
+        <translation>les points sont trop irréguliers pour un lissage aussi faible&#xa0;; augmenter le lissage ou choisir une grille moins fine</translation>
     </message>
     <message>
         <source>the table that was active has other sources than the table that is made</source>
@@ -5124,7 +5124,7 @@
     </message>
     <message>
         <source>the tables that were active move their axes too much for their raw position to be found; check the unit of their values</source>
-        <translation>les tables qui étaient actives déplacent trop leurs axes pour que leur position brute soit retrouvée ; vérifier l&apos;unité de leurs valeurs</translation>
+        <translation>les tables qui étaient actives déplacent trop leurs axes pour que leur position brute soit retrouvée&#xa0;; vérifier l&apos;unité de leurs valeurs</translation>
     </message>
     <message>
         <source>Column {column} of the file has positions in {unit}, but its source {source} is a temperature.</source>
@@ -5144,15 +5144,15 @@
     </message>
     <message>
         <source>removing a table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up; keep the table persistent, or reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
-        <translation>retirer une table de la mémoire flash est aussi une opération flash, et le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées ; laisser la table persistante ou remettre le décompte à zéro avec « axiscomp status --reset-flash-count »</translation>
+        <translation>retirer une table de la mémoire flash est aussi une opération flash, et le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées&#xa0;; laisser la table persistante ou remettre le décompte à zéro avec «&#xa0;axiscomp status --reset-flash-count&#xa0;»</translation>
     </message>
     <message>
         <source>the flash operations that are left would do for removing the table from flash, but not for putting everything back if it fails; wait {seconds} s, or keep the table persistent</source>
-        <translation>les opérations flash restantes suffiraient à retirer la table de la mémoire flash, mais pas à tout remettre en état en cas d&apos;échec ; attendre {seconds} s ou laisser la table persistante</translation>
+        <translation>les opérations flash restantes suffiraient à retirer la table de la mémoire flash, mais pas à tout remettre en état en cas d&apos;échec&#xa0;; attendre {seconds} s ou laisser la table persistante</translation>
     </message>
     <message>
         <source>removing a table from flash is a flash operation too, and there were too many of them in a short time; wait {seconds} s, or keep the table persistent</source>
-        <translation>retirer une table de la mémoire flash est aussi une opération flash, et il y en a eu trop en peu de temps ; attendre {seconds} s ou laisser la table persistante</translation>
+        <translation>retirer une table de la mémoire flash est aussi une opération flash, et il y en a eu trop en peu de temps&#xa0;; attendre {seconds} s ou laisser la table persistante</translation>
     </message>
     <message>
         <source>The table is removed from flash, which is a flash operation too. After a reboot the axis has no table.</source>
@@ -5160,7 +5160,7 @@
     </message>
     <message>
         <source>&quot;{range}&quot; is not a range of addresses: {reason}</source>
-        <translation>« {range} » n&apos;est pas une plage d&apos;adresses : {reason}</translation>
+        <translation>«&#xa0;{range}&#xa0;» n&apos;est pas une plage d&apos;adresses&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>write it as {network}, {range} or {address}, with {port} behind it for another port</source>
@@ -5176,7 +5176,7 @@
     </message>
     <message>
         <source>it has {count} addresses, and a search asks {limit} at most: name a part of it</source>
-        <translation>elle compte {count} adresses, et une recherche en interroge {limit} au plus : en indiquer une partie</translation>
+        <translation>elle compte {count} adresses, et une recherche en interroge {limit} au plus&#xa0;: en indiquer une partie</translation>
     </message>
     <message>
         <source>these are no addresses of computers</source>
@@ -5188,7 +5188,7 @@
     </message>
     <message>
         <source>a distance of {distance} from the curve takes more than {count} points; with these it is {found}; allow more points or a larger distance</source>
-        <translation>une distance de {distance} à la courbe nécessite plus de {count} points ; avec ceux-ci, elle est de {found} ; autoriser plus de points ou une distance plus grande</translation>
+        <translation>une distance de {distance} à la courbe nécessite plus de {count} points&#xa0;; avec ceux-ci, elle est de {found}&#xa0;; autoriser plus de points ou une distance plus grande</translation>
     </message>
     <message>
         <source>each point needs a finite position and deviation in two or three dimensions</source>
@@ -5196,7 +5196,7 @@
     </message>
     <message>
         <source>the points lie on a line, or on a plane in space, and cannot tell how the artefact lay; measure points beside it</source>
-        <translation>les points sont alignés, ou coplanaires dans l&apos;espace, et ne permettent pas de savoir comment l&apos;étalon était placé ; mesurer des points à côté</translation>
+        <translation>les points sont alignés, ou coplanaires dans l&apos;espace, et ne permettent pas de savoir comment l&apos;étalon était placé&#xa0;; mesurer des points à côté</translation>
     </message>
     <message>
         <source>targets and deviations must be finite numbers</source>
@@ -5204,11 +5204,11 @@
     </message>
     <message>
         <source>there are values at {count} targets; a table needs two</source>
-        <translation>il y a des valeurs à {count} positions cibles ; une table en exige deux</translation>
+        <translation>il y a des valeurs à {count} positions cibles&#xa0;; une table en exige deux</translation>
     </message>
     <message>
         <source>the target {target} has no value of one direction; measure it, leave the target out, or make the table of the other direction (--direction)</source>
-        <translation>à la position cible {target}, la valeur d&apos;un sens manque ; la mesurer, omettre la position cible ou établir la table de l&apos;autre sens (--direction)</translation>
+        <translation>à la position cible {target}, la valeur d&apos;un sens manque&#xa0;; la mesurer, omettre la position cible ou établir la table de l&apos;autre sens (--direction)</translation>
     </message>
     <message>
         <source>known periods are fitted by the method smooth only (--method smooth)</source>
@@ -5224,23 +5224,23 @@
     </message>
     <message>
         <source>a modulo axis has no slope that could be removed: it ends where it begins</source>
-        <translation>un axe modulo n&apos;a pas de pente à retirer : il finit là où il commence</translation>
+        <translation>un axe modulo n&apos;a pas de pente à retirer&#xa0;: il finit là où il commence</translation>
     </message>
     <message>
         <source>there are values at {count} targets; four are needed to leave one out</source>
-        <translation>il y a des valeurs à {count} positions cibles ; il en faut quatre pour en omettre une</translation>
+        <translation>il y a des valeurs à {count} positions cibles&#xa0;; il en faut quatre pour en omettre une</translation>
     </message>
     <message>
         <source>a gain is above 0 and at most 2; it is usually 1</source>
-        <translation>un gain est supérieur à 0 et au plus 2 ; il vaut en général 1</translation>
+        <translation>un gain est supérieur à 0 et au plus 2&#xa0;; il vaut en général 1</translation>
     </message>
     <message>
         <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec la table qui était active ; ici, les valeurs sont l&apos;erreur entière</translation>
+        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec la table qui était active&#xa0;; ici, les valeurs sont l&apos;erreur entière</translation>
     </message>
     <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
-        <translation>{name} n&apos;a pas de table dont l&apos;axe cible soit celui de la colonne {column} ; indiquer les axes cibles de ses tables ou mesurer sans table</translation>
+        <translation>{name} n&apos;a pas de table dont l&apos;axe cible soit celui de la colonne {column}&#xa0;; indiquer les axes cibles de ses tables ou mesurer sans table</translation>
     </message>
     <message>
         <source>all points have the same position along {axis}</source>
@@ -5260,31 +5260,31 @@
     </message>
     <message>
         <source>points are fitted on the grid itself, as the drive interpolates it; leave out --method and --period</source>
-        <translation>les points sont ajustés sur la grille elle-même, telle que le variateur l&apos;interpole ; omettre --method et --period</translation>
+        <translation>les points sont ajustés sur la grille elle-même, telle que le variateur l&apos;interpole&#xa0;; omettre --method et --period</translation>
     </message>
     <message>
         <source>a track is fitted on the grid itself, or by --method smooth, which known periods (--period) need; leave other methods out</source>
-        <translation>un relevé continu est ajusté sur la grille elle-même, ou par --method smooth, qu&apos;exigent les périodes connues (--period) ; omettre les autres méthodes</translation>
+        <translation>un relevé continu est ajusté sur la grille elle-même, ou par --method smooth, qu&apos;exigent les périodes connues (--period)&#xa0;; omettre les autres méthodes</translation>
     </message>
     <message>
         <source>--robust is for a fit on the grid itself; leave out --robust or --method smooth</source>
-        <translation>--robust vaut pour un ajustement sur la grille elle-même ; omettre --robust ou --method smooth</translation>
+        <translation>--robust vaut pour un ajustement sur la grille elle-même&#xa0;; omettre --robust ou --method smooth</translation>
     </message>
     <message>
         <source>the figures of the standard need targets; leave --tolerance out</source>
-        <translation>les caractéristiques de la norme exigent des positions cibles ; omettre --tolerance</translation>
+        <translation>les caractéristiques de la norme exigent des positions cibles&#xa0;; omettre --tolerance</translation>
     </message>
     <message>
         <source>a home position is that of one axis measured over targets; take --zero first, mean, keep or a position</source>
-        <translation>une position d&apos;origine est celle d&apos;un axe mesuré à des positions cibles ; prendre --zero first, mean, keep ou une position</translation>
+        <translation>une position d&apos;origine est celle d&apos;un axe mesuré à des positions cibles&#xa0;; prendre --zero first, mean, keep ou une position</translation>
     </message>
     <message>
         <source>--remove is for points of two or three axes; a track has one</source>
-        <translation>--remove vaut pour des points de deux ou trois axes ; un relevé continu en a un</translation>
+        <translation>--remove vaut pour des points de deux ou trois axes&#xa0;; un relevé continu en a un</translation>
     </message>
     <message>
         <source>points have no direction; leave --direction out</source>
-        <translation>des points n&apos;ont pas de sens de parcours ; omettre --direction</translation>
+        <translation>des points n&apos;ont pas de sens de parcours&#xa0;; omettre --direction</translation>
     </message>
     <message>
         <source>the zero needs {count} numbers, one for each axis</source>
@@ -5304,19 +5304,19 @@
     </message>
     <message>
         <source>--remove, --robust and --fill are for points of two or three axes and for tracks; this measurement has targets along one axis</source>
-        <translation>--remove, --robust et --fill valent pour des points de deux ou trois axes et pour des relevés continus ; cette mesure a des positions cibles suivant un axe</translation>
+        <translation>--remove, --robust et --fill valent pour des points de deux ou trois axes et pour des relevés continus&#xa0;; cette mesure a des positions cibles suivant un axe</translation>
     </message>
     <message>
         <source>the measurement is along one axis: give one number for its grid and zero</source>
-        <translation>la mesure suit un seul axe : indiquer un nombre pour sa grille et son zéro</translation>
+        <translation>la mesure suit un seul axe&#xa0;: indiquer un nombre pour sa grille et son zéro</translation>
     </message>
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
-        <translation>un lissage vaut pour la méthode smooth (--method smooth) ; les autres passent par chaque moyenne</translation>
+        <translation>un lissage vaut pour la méthode smooth (--method smooth)&#xa0;; les autres passent par chaque moyenne</translation>
     </message>
     <message>
         <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>des passes suivant un axe sont fusionnées avec une table à une dimension ; {name} en a {dimensions}</translation>
+        <translation>des passes suivant un axe sont fusionnées avec une table à une dimension&#xa0;; {name} en a {dimensions}</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -5324,7 +5324,7 @@
     </message>
     <message>
         <source>a program for {dialect} cannot move an axis &quot;{axis}&quot;; name one of X, Y, Z, A, B, C, U, V, W (--axis)</source>
-        <translation>un programme pour {dialect} ne peut pas déplacer un axe « {axis} » ; nommer l&apos;un des axes X, Y, Z, A, B, C, U, V, W (--axis)</translation>
+        <translation>un programme pour {dialect} ne peut pas déplacer un axe «&#xa0;{axis}&#xa0;»&#xa0;; nommer l&apos;un des axes X, Y, Z, A, B, C, U, V, W (--axis)</translation>
     </message>
     <message>
         <source>a target must lie within {limit} of zero</source>
@@ -5332,23 +5332,23 @@
     </message>
     <message>
         <source>{position} has more than the three decimals that a program prints; choose an end with fewer</source>
-        <translation>{position} a plus que les trois décimales qu&apos;écrit un programme ; choisir une extrémité avec moins de décimales</translation>
+        <translation>{position} a plus que les trois décimales qu&apos;écrit un programme&#xa0;; choisir une extrémité avec moins de décimales</translation>
     </message>
     <message>
         <source>the last target ({to}) must be above the first ({from}); exchange the two, or choose other ends</source>
-        <translation>la dernière position cible ({to}) doit être supérieure à la première ({from}) ; permuter les deux ou choisir d&apos;autres extrémités</translation>
+        <translation>la dernière position cible ({to}) doit être supérieure à la première ({from})&#xa0;; permuter les deux ou choisir d&apos;autres extrémités</translation>
     </message>
     <message>
         <source>a period is above 0; leave it out if none is known</source>
-        <translation>une période est supérieure à 0 ; l&apos;omettre si aucune n&apos;est connue</translation>
+        <translation>une période est supérieure à 0&#xa0;; l&apos;omettre si aucune n&apos;est connue</translation>
     </message>
     <message>
         <source>the overrun must be above 0: without it the first target of a run would not be approached in the direction of the run</source>
-        <translation>le dépassement doit être supérieur à 0 : sans lui, la première position cible d&apos;une passe ne serait pas abordée dans le sens de la passe</translation>
+        <translation>le dépassement doit être supérieur à 0&#xa0;: sans lui, la première position cible d&apos;une passe ne serait pas abordée dans le sens de la passe</translation>
     </message>
     <message>
         <source>the overrun has more than three decimals; round it</source>
-        <translation>le dépassement a plus de trois décimales ; l&apos;arrondir</translation>
+        <translation>le dépassement a plus de trois décimales&#xa0;; l&apos;arrondir</translation>
     </message>
     <message>
         <source>the feed must be above 0 and at most {most}</source>
@@ -5356,7 +5356,7 @@
     </message>
     <message>
         <source>the dwell must be above 0 s and at most {most}: the axis stands still while it is measured</source>
-        <translation>la temporisation doit être supérieure à 0 s et d&apos;au plus {most} : l&apos;axe est immobile pendant la mesure</translation>
+        <translation>la temporisation doit être supérieure à 0 s et d&apos;au plus {most}&#xa0;: l&apos;axe est immobile pendant la mesure</translation>
     </message>
     <message>
         <source>at least one cycle is needed</source>
@@ -5376,11 +5376,11 @@
     </message>
     <message>
         <source>{count} targets would be closer than {least}, which three decimals cannot keep uneven; choose fewer</source>
-        <translation>{count} positions cibles seraient espacées de moins de {least}, trop peu pour rester irrégulières avec trois décimales ; en choisir moins</translation>
+        <translation>{count} positions cibles seraient espacées de moins de {least}, trop peu pour rester irrégulières avec trois décimales&#xa0;; en choisir moins</translation>
     </message>
     <message>
         <source>the plan would have more than {most} steps; choose fewer targets or cycles</source>
-        <translation>le plan aurait plus de {most} étapes ; choisir moins de positions cibles ou de cycles</translation>
+        <translation>le plan aurait plus de {most} étapes&#xa0;; choisir moins de positions cibles ou de cycles</translation>
     </message>
     <message>
         <source>there is no step in it</source>
@@ -5392,15 +5392,15 @@
     </message>
     <message>
         <source>{found}; expected: {expected}</source>
-        <translation>{found} ; attendu : {expected}</translation>
+        <translation>{found}&#xa0;; attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>line {line}: {found}; expected: {expected}</source>
-        <translation>ligne {line} : {found} ; attendu : {expected}</translation>
+        <translation>ligne {line}&#xa0;: {found}&#xa0;; attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>version 1; a newer version of this program may have written it</source>
-        <translation>la version 1 ; le fichier provient peut-être d&apos;une version plus récente de ce programme</translation>
+        <translation>la version 1&#xa0;; le fichier provient peut-être d&apos;une version plus récente de ce programme</translation>
     </message>
     <message>
         <source>a number above 0 with its unit</source>
@@ -5440,19 +5440,19 @@
     </message>
     <message>
         <source>each target once in a run; it has this one already</source>
-        <translation>chaque position cible une seule fois par passe ; celle-ci y est déjà</translation>
+        <translation>chaque position cible une seule fois par passe&#xa0;; celle-ci y est déjà</translation>
     </message>
     <message>
         <source>the plan is for axis {axis}; the machine has: {known}</source>
-        <translation>le plan est pour l&apos;axe {axis} ; axes de la machine : {known}</translation>
+        <translation>le plan est pour l&apos;axe {axis}&#xa0;; axes de la machine&#xa0;: {known}</translation>
     </message>
     <message>
         <source>the plan and axis {axis} of the machine differ: one is in mm, the other in deg</source>
-        <translation>le plan et l&apos;axe {axis} de la machine diffèrent : l&apos;un est en mm, l&apos;autre en degrés</translation>
+        <translation>le plan et l&apos;axe {axis} de la machine diffèrent&#xa0;: l&apos;un est en mm, l&apos;autre en degrés</translation>
     </message>
     <message>
         <source>the plan needs a feed and a dwell above 0: lines such as // feed: 1000 mm/min and // dwell: 5 s</source>
-        <translation>le plan exige une avance et une temporisation supérieures à 0 : des lignes telles que // feed: 1000 mm/min et // dwell: 5 s</translation>
+        <translation>le plan exige une avance et une temporisation supérieures à 0&#xa0;: des lignes telles que // feed: 1000 mm/min et // dwell: 5 s</translation>
     </message>
     <message>
         <source>step {step} of the plan goes to {place}, more than a tenth beyond the travel of axis {axis}, {low} to {high}</source>
@@ -5468,11 +5468,11 @@
     </message>
     <message>
         <source>&quot;{name}&quot; is not known here; is &quot;{nearest}&quot; meant?</source>
-        <translation>« {name} » n&apos;est pas connu ici ; est-ce « {nearest} » ?</translation>
+        <translation>«&#xa0;{name}&#xa0;» n&apos;est pas connu ici&#xa0;; est-ce «&#xa0;{nearest}&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>&quot;{name}&quot; is not known here; there is: {known}</source>
-        <translation>« {name} » n&apos;est pas connu ici ; noms possibles : {known}</translation>
+        <translation>«&#xa0;{name}&#xa0;» n&apos;est pas connu ici&#xa0;; noms possibles&#xa0;: {known}</translation>
     </message>
     <message>
         <source>a number from {least} to {most} is expected, not {found}</source>
@@ -5492,7 +5492,7 @@
     </message>
     <message>
         <source>two numbers are expected: the ends of the travel</source>
-        <translation>deux nombres sont attendus : les extrémités de la course</translation>
+        <translation>deux nombres sont attendus&#xa0;: les extrémités de la course</translation>
     </message>
     <message>
         <source>the first end must be below the second</source>
@@ -5512,15 +5512,15 @@
     </message>
     <message>
         <source>there is no axis &quot;{name}&quot;; there is: {known}</source>
-        <translation>il n&apos;y a pas d&apos;axe « {name} » ; axes présents : {known}</translation>
+        <translation>il n&apos;y a pas d&apos;axe «&#xa0;{name}&#xa0;»&#xa0;; axes présents&#xa0;: {known}</translation>
     </message>
     <message>
         <source>an axis&apos;s own terms stand with the axis; here are those of others</source>
-        <translation>les termes propres d&apos;un axe figurent avec l&apos;axe ; ici figurent ceux des autres</translation>
+        <translation>les termes propres d&apos;un axe figurent avec l&apos;axe&#xa0;; ici figurent ceux des autres</translation>
     </message>
     <message>
         <source>one of these units is expected: {known}</source>
-        <translation>l&apos;une de ces unités est attendue : {known}</translation>
+        <translation>l&apos;une de ces unités est attendue&#xa0;: {known}</translation>
     </message>
     <message>
         <source>1 or -1 is expected</source>
@@ -5532,23 +5532,23 @@
     </message>
     <message>
         <source>{file} is not a valid record: {reason}</source>
-        <translation>{file} n&apos;est pas une fiche valide : {reason}</translation>
+        <translation>{file} n&apos;est pas une fiche valide&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>a distance of {distance} from the curve takes at least {sizes} points, more than allowed; allow more points or a larger distance</source>
-        <translation>une distance de {distance} à la courbe nécessite au moins {sizes} points, plus que permis ; autoriser plus de points ou une distance plus grande</translation>
+        <translation>une distance de {distance} à la courbe nécessite au moins {sizes} points, plus que permis&#xa0;; autoriser plus de points ou une distance plus grande</translation>
     </message>
     <message>
         <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}, which at {speed} is a step of the velocity of {step}</source>
-        <translation>suivant {axis}, {points} points : au plus {distance} de la courbe ; en un point, sa pente varie de {slope} au plus, ce qui à {speed} fait un saut de vitesse de {step}</translation>
+        <translation>suivant {axis}, {points} points&#xa0;: au plus {distance} de la courbe&#xa0;; en un point, sa pente varie de {slope} au plus, ce qui à {speed} fait un saut de vitesse de {step}</translation>
     </message>
     <message>
         <source>along {axis}, {points} points: at most {distance} from the curve; at a point its slope changes by up to {slope}</source>
-        <translation>suivant {axis}, {points} points : au plus {distance} de la courbe ; en un point, sa pente varie de {slope} au plus</translation>
+        <translation>suivant {axis}, {points} points&#xa0;: au plus {distance} de la courbe&#xa0;; en un point, sa pente varie de {slope} au plus</translation>
     </message>
     <message>
         <source>smoothing needs at least {fewest} positions along {axis}, which has {count}; take the method spline or cubic</source>
-        <translation>le lissage exige au moins {fewest} positions suivant {axis}, qui en a {count} ; prendre la méthode spline ou cubic</translation>
+        <translation>le lissage exige au moins {fewest} positions suivant {axis}, qui en a {count}&#xa0;; prendre la méthode spline ou cubic</translation>
     </message>
     <message>
         <source>a SHA-256 of 64 hexadecimal digits is expected</source>
@@ -5564,19 +5564,19 @@
     </message>
     <message>
         <source>the record has version {found}, and this program reads version {known} at most; open it with a newer version of the program</source>
-        <translation>la fiche est de version {found}, et ce programme lit au plus la version {known} ; l&apos;ouvrir avec une version plus récente du programme</translation>
+        <translation>la fiche est de version {found}, et ce programme lit au plus la version {known}&#xa0;; l&apos;ouvrir avec une version plus récente du programme</translation>
     </message>
     <message>
         <source>the second measurement was made with the compensation off; activate the table {crc} and measure again</source>
-        <translation>la deuxième mesure a été faite avec la compensation désactivée ; activer la table {crc} et mesurer de nouveau</translation>
+        <translation>la deuxième mesure a été faite avec la compensation désactivée&#xa0;; activer la table {crc} et mesurer de nouveau</translation>
     </message>
     <message>
         <source>the second measurement was made with the table {found} active, and the record has the table {crc}; activate that one and measure again, or take the record of {found}</source>
-        <translation>la deuxième mesure a été faite avec la table {found} active, et la fiche a la table {crc} ; activer cette dernière et mesurer de nouveau, ou prendre la fiche de {found}</translation>
+        <translation>la deuxième mesure a été faite avec la table {found} active, et la fiche a la table {crc}&#xa0;; activer cette dernière et mesurer de nouveau, ou prendre la fiche de {found}</translation>
     </message>
     <message>
         <source>the second measurement does not say which table was active while it was made; if it was the table {crc}, say it with --measured-with on</source>
-        <translation>la deuxième mesure n&apos;indique pas quelle table était active ; s&apos;il s&apos;agissait de la table {crc}, l&apos;indiquer avec --measured-with on</translation>
+        <translation>la deuxième mesure n&apos;indique pas quelle table était active&#xa0;; s&apos;il s&apos;agissait de la table {crc}, l&apos;indiquer avec --measured-with on</translation>
     </message>
     <message>
         <source>only measurements of runs over targets are compared</source>
@@ -5584,7 +5584,7 @@
     </message>
     <message>
         <source>one measurement is of lengths and the other of angles; they are not of the same axis</source>
-        <translation>une mesure porte sur des longueurs et l&apos;autre sur des angles ; elles ne sont pas du même axe</translation>
+        <translation>une mesure porte sur des longueurs et l&apos;autre sur des angles&#xa0;; elles ne sont pas du même axe</translation>
     </message>
     <message>
         <source>this is no figure of ISO 230-2, such as A or EUp</source>
@@ -5612,7 +5612,7 @@
     </message>
     <message>
         <source>the values have the CRC-32 {found}: they were changed, or the file is damaged</source>
-        <translation>les valeurs ont le CRC-32 {found} : elles ont été modifiées, ou le fichier est endommagé</translation>
+        <translation>les valeurs ont le CRC-32 {found}&#xa0;: elles ont été modifiées, ou le fichier est endommagé</translation>
     </message>
     <message>
         <source>whole numbers from {least} to {most} are expected, not {found}</source>
@@ -5620,7 +5620,7 @@
     </message>
     <message>
         <source>&quot;{found}&quot; is neither up nor down</source>
-        <translation>« {found} » n&apos;est ni up ni down</translation>
+        <translation>«&#xa0;{found}&#xa0;» n&apos;est ni up ni down</translation>
     </message>
     <message>
         <source>there are values without targets</source>
@@ -5640,31 +5640,31 @@
     </message>
     <message>
         <source>&quot;{found}&quot; is none of: {known}</source>
-        <translation>« {found} » n&apos;est aucun de : {known}</translation>
+        <translation>«&#xa0;{found}&#xa0;» n&apos;est aucun de&#xa0;: {known}</translation>
     </message>
     <message>
         <source>the compensation changed in mid-measurement, from {before} to {now}; what was taken belongs to {before}: begin a new file</source>
-        <translation>la compensation a changé en cours de mesure, de {before} à {now} ; ce qui a été relevé appartient à {before} : commencer un nouveau fichier</translation>
+        <translation>la compensation a changé en cours de mesure, de {before} à {now}&#xa0;; ce qui a été relevé appartient à {before}&#xa0;: commencer un nouveau fichier</translation>
     </message>
     <message>
         <source>the axis stands at {position}; step {step} at {target} is due</source>
-        <translation>l&apos;axe est à {position} ; l&apos;étape à mesurer est {step}, à {target}</translation>
+        <translation>l&apos;axe est à {position}&#xa0;; l&apos;étape à mesurer est {step}, à {target}</translation>
     </message>
     <message>
         <source>{problem}; this is the target of step {other}: move the axis back</source>
-        <translation>{problem} ; c&apos;est la position cible de l&apos;étape {other} : ramener l&apos;axe</translation>
+        <translation>{problem}&#xa0;; c&apos;est la position cible de l&apos;étape {other}&#xa0;: ramener l&apos;axe</translation>
     </message>
     <message>
         <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
-        <translation>l&apos;étape {step} s&apos;aborde en sens positif, et l&apos;axe n&apos;est pas venu d&apos;en dessous ; aller à {approach} et revenir</translation>
+        <translation>l&apos;étape {step} s&apos;aborde en sens positif, et l&apos;axe n&apos;est pas venu d&apos;en dessous&#xa0;; aller à {approach} et revenir</translation>
     </message>
     <message>
         <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
-        <translation>l&apos;étape {step} s&apos;aborde en sens négatif, et l&apos;axe n&apos;est pas venu d&apos;au-dessus ; aller à {approach} et revenir</translation>
+        <translation>l&apos;étape {step} s&apos;aborde en sens négatif, et l&apos;axe n&apos;est pas venu d&apos;au-dessus&#xa0;; aller à {approach} et revenir</translation>
     </message>
     <message>
         <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
-        <translation>l&apos;axe n&apos;est venu que de {way} dans le sens de l&apos;étape {step}, moins que le dépassement de {overrun} ; aller à {approach} et revenir</translation>
+        <translation>l&apos;axe n&apos;est venu que de {way} dans le sens de l&apos;étape {step}, moins que le dépassement de {overrun}&#xa0;; aller à {approach} et revenir</translation>
     </message>
     <message>
         <source>the instrument gives no position</source>
@@ -5672,7 +5672,7 @@
     </message>
     <message>
         <source>the readings of the instrument differ by {spread}, more than the window of {window}; they are taken again</source>
-        <translation>les lectures de l&apos;instrument diffèrent de {spread}, plus que la fenêtre de {window} ; elles sont répétées</translation>
+        <translation>les lectures de l&apos;instrument diffèrent de {spread}, plus que la fenêtre de {window}&#xa0;; elles sont répétées</translation>
     </message>
     <message>
         <source>it is not an ordinary file</source>
@@ -5684,11 +5684,11 @@
     </message>
     <message>
         <source>it holds something else than captured values; name a new file</source>
-        <translation>il contient autre chose que des valeurs acquises ; indiquer un nouveau fichier</translation>
+        <translation>il contient autre chose que des valeurs acquises&#xa0;; indiquer un nouveau fichier</translation>
     </message>
     <message>
         <source>line {line} has {found} where {expected} is expected; name a new file</source>
-        <translation>la ligne {line} contient {found}, attendu : {expected} ; indiquer un nouveau fichier</translation>
+        <translation>la ligne {line} contient {found}, attendu&#xa0;: {expected}&#xa0;; indiquer un nouveau fichier</translation>
     </message>
     <message>
         <source>the end</source>
@@ -5700,14 +5700,14 @@
     </message>
     <message>
         <source>there is no font to draw a PDF with: install one, such as fonts-dejavu-core, or write the report as HTML</source>
-        <translation>il n&apos;y a pas de police pour dessiner un PDF : en installer une, par exemple fonts-dejavu-core, ou écrire le rapport en HTML</translation>
+        <translation>il n&apos;y a pas de police pour dessiner un PDF&#xa0;: en installer une, par exemple fonts-dejavu-core, ou écrire le rapport en HTML</translation>
     </message>
     <message numerus="yes">
         <source>{file} is not a valid machine file: {count} problems</source>
         <comment>{file} is not a valid machine file: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas un fichier machine valide : un problème</numerusform>
-            <numerusform>{file} n&apos;est pas un fichier machine valide : {count} problèmes</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier machine valide&#xa0;: un problème</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier machine valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
     <message>
@@ -5724,7 +5724,7 @@
     </message>
     <message>
         <source>{file} has several tables; name one of them with column: {known}</source>
-        <translation>{file} a plusieurs tables ; en indiquer une avec column : {known}</translation>
+        <translation>{file} a plusieurs tables&#xa0;; en indiquer une avec column&#xa0;: {known}</translation>
     </message>
     <message>
         <source>axis {index} of {drive} (serial number {serial})</source>
@@ -5736,15 +5736,15 @@
     </message>
     <message>
         <source>the record is of {recorded}, and this is {found}; begin a record for each axis</source>
-        <translation>la fiche concerne {recorded}, et ceci est {found} ; commencer une fiche par axe</translation>
+        <translation>la fiche concerne {recorded}, et ceci est {found}&#xa0;; commencer une fiche par axe</translation>
     </message>
     <message>
         <source>the record does not say that its table was written: `axiscomp write --record` writes it and notes that</source>
-        <translation>la fiche n&apos;indique pas que sa table a été écrite : « axiscomp write --record » l&apos;écrit et le note</translation>
+        <translation>la fiche n&apos;indique pas que sa table a été écrite&#xa0;: «&#xa0;axiscomp write --record&#xa0;» l&apos;écrit et le note</translation>
     </message>
     <message>
         <source>the axis has the table {found}, and that of the record is {recorded}: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
-        <translation>l&apos;axe a la table {found}, et celle de la fiche est {recorded} : écrire de nouveau la table de la fiche (« axiscomp write --record ») ou omettre la fiche</translation>
+        <translation>l&apos;axe a la table {found}, et celle de la fiche est {recorded}&#xa0;: écrire de nouveau la table de la fiche («&#xa0;axiscomp write --record&#xa0;») ou omettre la fiche</translation>
     </message>
     <message>
         <source>the register {path} is of type {type}, which is no position</source>
@@ -5752,7 +5752,7 @@
     </message>
     <message>
         <source>{path} follows the encoder of the axis itself: name the register of an instrument</source>
-        <translation>{path} suit le codeur de l&apos;axe lui-même : indiquer le registre d&apos;un instrument</translation>
+        <translation>{path} suit le codeur de l&apos;axe lui-même&#xa0;: indiquer le registre d&apos;un instrument</translation>
     </message>
     <message>
         <source>since the value before, the axis has moved by {way}, and the instrument says {measured}</source>
@@ -5760,15 +5760,15 @@
     </message>
     <message>
         <source>the instrument says nothing: look whether it sends, and whether its lines end</source>
-        <translation>l&apos;instrument n&apos;indique rien : vérifier s&apos;il émet et si ses lignes se terminent</translation>
+        <translation>l&apos;instrument n&apos;indique rien&#xa0;: vérifier s&apos;il émet et si ses lignes se terminent</translation>
     </message>
     <message>
         <source>{position} is {difference} from the encoder, and until now it was {seen} at most: type it once more if it is right, or another number</source>
-        <translation>{position} est à {difference} du codeur, contre {seen} au plus jusqu&apos;ici : saisir de nouveau la valeur si elle est juste, ou un autre nombre</translation>
+        <translation>{position} est à {difference} du codeur, contre {seen} au plus jusqu&apos;ici&#xa0;: saisir de nouveau la valeur si elle est juste, ou un autre nombre</translation>
     </message>
     <message>
         <source>{position} is {difference} from the encoder: type it once more if it is right, or another number</source>
-        <translation>{position} est à {difference} du codeur : saisir de nouveau la valeur si elle est juste, ou un autre nombre</translation>
+        <translation>{position} est à {difference} du codeur&#xa0;: saisir de nouveau la valeur si elle est juste, ou un autre nombre</translation>
     </message>
     <message>
         <source>the position of the instrument is asked for</source>
@@ -5776,71 +5776,71 @@
     </message>
     <message>
         <source>it is one of the files of this measurement; choose another name</source>
-        <translation>c&apos;est l&apos;un des fichiers de cette mesure ; choisir un autre nom</translation>
+        <translation>c&apos;est l&apos;un des fichiers de cette mesure&#xa0;; choisir un autre nom</translation>
     </message>
     <message>
         <source>the axis would move from {lowest} to {highest}, and its travel is {low} to {high}: choose other ends, or a smaller overrun</source>
-        <translation>l&apos;axe irait de {lowest} à {highest}, et sa course va de {low} à {high} : choisir d&apos;autres extrémités ou un dépassement plus petit</translation>
+        <translation>l&apos;axe irait de {lowest} à {highest}, et sa course va de {low} à {high}&#xa0;: choisir d&apos;autres extrémités ou un dépassement plus petit</translation>
     </message>
     <message>
         <source>the plan is for axis {planned}, and this is axis {axis}: choose the other axis, or make a plan for this one</source>
-        <translation>le plan est pour l&apos;axe {planned}, et ceci est l&apos;axe {axis} : choisir l&apos;autre axe ou établir un plan pour celui-ci</translation>
+        <translation>le plan est pour l&apos;axe {planned}, et ceci est l&apos;axe {axis}&#xa0;: choisir l&apos;autre axe ou établir un plan pour celui-ci</translation>
     </message>
     <message>
         <source>the compensation of axis {axis} is neither on nor off (the drive says {state}): activate or deactivate it first</source>
-        <translation>la compensation de l&apos;axe {axis} n&apos;est ni activée ni désactivée (le variateur indique {state}) : l&apos;activer ou la désactiver d&apos;abord</translation>
+        <translation>la compensation de l&apos;axe {axis} n&apos;est ni activée ni désactivée (le variateur indique {state})&#xa0;: l&apos;activer ou la désactiver d&apos;abord</translation>
     </message>
     <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
-        <translation>la compensation de l&apos;axe {axis} est activée, et le variateur n&apos;indique pas avec quelle table : la désactiver d&apos;abord</translation>
+        <translation>la compensation de l&apos;axe {axis} est activée, et le variateur n&apos;indique pas avec quelle table&#xa0;: la désactiver d&apos;abord</translation>
     </message>
     <message>
         <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
-        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit} : établir un plan dans son unité ou choisir un autre axe</translation>
+        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit}&#xa0;: établir un plan dans son unité ou choisir un autre axe</translation>
     </message>
     <message>
         <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
-        <translation>l&apos;instrument est en {unit}, ce qui ne peut pas être converti en {planned}, l&apos;unité du plan : indiquer l&apos;unité de l&apos;instrument</translation>
+        <translation>l&apos;instrument est en {unit}, ce qui ne peut pas être converti en {planned}, l&apos;unité du plan&#xa0;: indiquer l&apos;unité de l&apos;instrument</translation>
     </message>
     <message>
         <source>no position is asked for at the moment: wait until the axis stands at its target</source>
-        <translation>aucune position n&apos;est demandée pour le moment : attendre que l&apos;axe soit à sa position cible</translation>
+        <translation>aucune position n&apos;est demandée pour le moment&#xa0;: attendre que l&apos;axe soit à sa position cible</translation>
     </message>
     <message>
         <source>{found}: it counts the other way; begin a new file with the reference inverted</source>
-        <translation>{found} : il compte en sens inverse ; commencer un nouveau fichier avec la référence inversée</translation>
+        <translation>{found}&#xa0;: il compte en sens inverse&#xa0;; commencer un nouveau fichier avec la référence inversée</translation>
     </message>
     <message>
         <source>{found}: its unit or factor is another one, or its zero was set anew, or its beam was interrupted; put that right, or begin a new file with the right unit</source>
-        <translation>{found} : son unité ou son facteur est différent, son zéro a été refait ou son faisceau a été coupé ; y remédier ou commencer un nouveau fichier avec la bonne unité</translation>
+        <translation>{found}&#xa0;: son unité ou son facteur est différent, son zéro a été refait ou son faisceau a été coupé&#xa0;; y remédier ou commencer un nouveau fichier avec la bonne unité</translation>
     </message>
     <message>
         <source>the instrument says {line}, where a number is expected; a pattern says where it is</source>
-        <translation>l&apos;instrument indique {line}, où un nombre est attendu ; un motif indique où il se trouve</translation>
+        <translation>l&apos;instrument indique {line}, où un nombre est attendu&#xa0;; un motif indique où il se trouve</translation>
     </message>
     <message>
         <source>the instrument says {line}: its number has a comma; set it to a decimal point, or say what the number is with a pattern</source>
-        <translation>l&apos;instrument indique {line} : son nombre a une virgule ; le régler sur le point décimal ou préciser par un motif ce qu&apos;est le nombre</translation>
+        <translation>l&apos;instrument indique {line}&#xa0;: son nombre a une virgule&#xa0;; le régler sur le point décimal ou préciser par un motif ce qu&apos;est le nombre</translation>
     </message>
     <message>
         <source>the instrument says {line} without a unit: state the unit, such as mm</source>
-        <translation>l&apos;instrument indique {line} sans unité : indiquer l&apos;unité, par exemple mm</translation>
+        <translation>l&apos;instrument indique {line} sans unité&#xa0;: indiquer l&apos;unité, par exemple mm</translation>
     </message>
     <message>
         <source>the instrument says {line}, in another unit than {unit}: set the instrument, or begin a new file with the right unit</source>
-        <translation>l&apos;instrument indique {line}, dans une autre unité que {unit} : régler l&apos;instrument ou commencer un nouveau fichier avec la bonne unité</translation>
+        <translation>l&apos;instrument indique {line}, dans une autre unité que {unit}&#xa0;: régler l&apos;instrument ou commencer un nouveau fichier avec la bonne unité</translation>
     </message>
     <message>
         <source>the drive profile does not say which register is the encoder of the axis: name it</source>
-        <translation>le profil du variateur n&apos;indique pas quel registre est le codeur de l&apos;axe : l&apos;indiquer</translation>
+        <translation>le profil du variateur n&apos;indique pas quel registre est le codeur de l&apos;axe&#xa0;: l&apos;indiquer</translation>
     </message>
     <message>
         <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
-        <translation>la table a été établie pour une position avant compensation, et {source} en est une après : choisir une autre source ou refaire la table pour celle-ci (--lookup-at set)</translation>
+        <translation>la table a été établie pour une position avant compensation, et {source} en est une après&#xa0;: choisir une autre source ou refaire la table pour celle-ci (--lookup-at set)</translation>
     </message>
     <message>
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
-        <translation>la table a été établie pour une position après compensation, et {source} en est une avant : choisir une autre source ou refaire la table pour celle-ci (--lookup-at encoder)</translation>
+        <translation>la table a été établie pour une position après compensation, et {source} en est une avant&#xa0;: choisir une autre source ou refaire la table pour celle-ci (--lookup-at encoder)</translation>
     </message>
     <message>
         <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
@@ -5852,43 +5852,43 @@
     </message>
     <message>
         <source>there are values at {count} points of the grid&apos;s range; {fewest} are needed to choose the smoothness, so give it (--smoothness)</source>
-        <translation>il y a des valeurs en {count} points de l&apos;étendue de la grille ; il en faut {fewest} pour choisir le lissage, l&apos;indiquer donc (--smoothness)</translation>
+        <translation>il y a des valeurs en {count} points de l&apos;étendue de la grille&#xa0;; il en faut {fewest} pour choisir le lissage, l&apos;indiquer donc (--smoothness)</translation>
     </message>
     <message>
         <source>the measurement does not say whether a compensation was active while it was made: say that it was off, that it was on, or which table was active (--measured-with off, --measured-with on, or --measured-with and the file of the table)</source>
-        <translation>la mesure n&apos;indique pas si une compensation était active : indiquer qu&apos;elle était désactivée, qu&apos;elle était activée, ou quelle table était active (--measured-with off, --measured-with on, ou --measured-with et le fichier de la table)</translation>
+        <translation>la mesure n&apos;indique pas si une compensation était active&#xa0;: indiquer qu&apos;elle était désactivée, qu&apos;elle était activée, ou quelle table était active (--measured-with off, --measured-with on, ou --measured-with et le fichier de la table)</translation>
     </message>
     <message>
         <source>the measurement says that it was made with {recorded}, not with {stated}; say nothing else (--measured-with), or take the table that was active</source>
-        <translation>la mesure indique qu&apos;elle a été faite avec {recorded}, non avec {stated} ; ne rien indiquer d&apos;autre (--measured-with) ou prendre la table qui était active</translation>
+        <translation>la mesure indique qu&apos;elle a été faite avec {recorded}, non avec {stated}&#xa0;; ne rien indiquer d&apos;autre (--measured-with) ou prendre la table qui était active</translation>
     </message>
     <message>
         <source>these are residuals of the table {crc}, which was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
-        <translation>ce sont des écarts résiduels de la table {crc}, active pendant la mesure : les fusionner avec cette table, depuis son fichier ou depuis le variateur (--onto et le fichier, ou --onto drive)</translation>
+        <translation>ce sont des écarts résiduels de la table {crc}, active pendant la mesure&#xa0;: les fusionner avec cette table, depuis son fichier ou depuis le variateur (--onto et le fichier, ou --onto drive)</translation>
     </message>
     <message>
         <source>these are residuals of a table that was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
-        <translation>ce sont des écarts résiduels d&apos;une table active pendant la mesure : les fusionner avec cette table, depuis son fichier ou depuis le variateur (--onto et le fichier, ou --onto drive)</translation>
+        <translation>ce sont des écarts résiduels d&apos;une table active pendant la mesure&#xa0;: les fusionner avec cette table, depuis son fichier ou depuis le variateur (--onto et le fichier, ou --onto drive)</translation>
     </message>
     <message>
         <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file (--measured-with), or merge onto it</source>
-        <translation>mesuré avec la table {crc} active, qui n&apos;est ni {name} ({known}) ni une autre table connue ; indiquer son fichier (--measured-with) ou fusionner avec elle</translation>
+        <translation>mesuré avec la table {crc} active, qui n&apos;est ni {name} ({known}) ni une autre table connue&#xa0;; indiquer son fichier (--measured-with) ou fusionner avec elle</translation>
     </message>
     <message>
         <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; merge them onto nothing (leave out --onto), or measure with that table active</source>
-        <translation>mesuré avec la compensation désactivée : les valeurs sont l&apos;erreur entière et ne doivent pas être ajoutées à {name} ; ne les fusionner avec rien (omettre --onto) ou mesurer avec cette table active</translation>
+        <translation>mesuré avec la compensation désactivée&#xa0;: les valeurs sont l&apos;erreur entière et ne doivent pas être ajoutées à {name}&#xa0;; ne les fusionner avec rien (omettre --onto) ou mesurer avec cette table active</translation>
     </message>
     <message>
         <source>at which position the drive looks the table up decides where its values belong: choose the encoder, for a position before the compensation, or the set position, for one after it (--lookup-at encoder or --lookup-at set)</source>
-        <translation>la position à laquelle le variateur consulte la table décide de la place de ses valeurs : choisir le codeur, pour une position avant compensation, ou la position de consigne, pour une position après (--lookup-at encoder ou --lookup-at set)</translation>
+        <translation>la position à laquelle le variateur consulte la table décide de la place de ses valeurs&#xa0;: choisir le codeur, pour une position avant compensation, ou la position de consigne, pour une position après (--lookup-at encoder ou --lookup-at set)</translation>
     </message>
     <message>
         <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; take out nothing (--remove)</source>
-        <translation>le placement de l&apos;étalon se déduit des écarts suivant tous ses axes, mais il n&apos;y a pas de colonne pour {axis}, telle que d{axis} ; ne rien retirer (--remove)</translation>
+        <translation>le placement de l&apos;étalon se déduit des écarts suivant tous ses axes, mais il n&apos;y a pas de colonne pour {axis}, telle que d{axis}&#xa0;; ne rien retirer (--remove)</translation>
     </message>
     <message>
         <source>the positions along {axis} are no even grid; say the grid of the table: its points, or their distance (--points or --distance)</source>
-        <translation>les positions suivant {axis} ne forment pas une grille régulière ; indiquer la grille de la table : ses points ou leur pas (--points ou --distance)</translation>
+        <translation>les positions suivant {axis} ne forment pas une grille régulière&#xa0;; indiquer la grille de la table&#xa0;: ses points ou leur pas (--points ou --distance)</translation>
     </message>
     <message>
         <source>a table over temperature is made of runs with targets along one axis</source>
@@ -5896,47 +5896,47 @@
     </message>
     <message>
         <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
-        <translation>la position d&apos;origine de l&apos;axe n&apos;est pas connue : l&apos;indiquer (--home) ou indiquer la position du zéro (--zero)</translation>
+        <translation>la position d&apos;origine de l&apos;axe n&apos;est pas connue&#xa0;: l&apos;indiquer (--home) ou indiquer la position du zéro (--zero)</translation>
     </message>
     <message>
         <source>the home position {home} is outside the targets, so that the error there is not known; take the first target for the zero or another position (--zero)</source>
-        <translation>la position d&apos;origine {home} est hors des positions cibles, l&apos;erreur n&apos;y est donc pas connue ; prendre pour zéro la première position cible ou une autre position (--zero)</translation>
+        <translation>la position d&apos;origine {home} est hors des positions cibles, l&apos;erreur n&apos;y est donc pas connue&#xa0;; prendre pour zéro la première position cible ou une autre position (--zero)</translation>
     </message>
     <message>
         <source>the targets are not evenly spaced; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
-        <translation>les positions cibles ne sont pas équidistantes ; indiquer la grille de la table : ses points, leur pas ou son éloignement admis de la courbe (--points, --distance ou --within)</translation>
+        <translation>les positions cibles ne sont pas équidistantes&#xa0;; indiquer la grille de la table&#xa0;: ses points, leur pas ou son éloignement admis de la courbe (--points, --distance ou --within)</translation>
     </message>
     <message>
         <source>the thermal states span {span}, less than five times the {scatter} by which the temperature varies within them: let the machine settle before each run</source>
-        <translation>les états thermiques couvrent {span}, moins de cinq fois la variation de {scatter} de la température en leur sein : laisser la machine se stabiliser avant chaque passe</translation>
+        <translation>les états thermiques couvrent {span}, moins de cinq fois la variation de {scatter} de la température en leur sein&#xa0;: laisser la machine se stabiliser avant chaque passe</translation>
     </message>
     <message>
         <source>at {temperature} it was measured from {from} to {to}, at {other} from {otherFrom} to {otherTo}: measure the same range in each thermal state</source>
-        <translation>à {temperature}, la mesure va de {from} à {to}, à {other}, de {otherFrom} à {otherTo} : mesurer la même étendue dans chaque état thermique</translation>
+        <translation>à {temperature}, la mesure va de {from} à {to}, à {other}, de {otherFrom} à {otherTo}&#xa0;: mesurer la même étendue dans chaque état thermique</translation>
     </message>
     <message numerus="yes">
         <source>{count} values have no temperature; a table over temperature needs that of each (the column temperature)</source>
         <comment>1 value has no temperature; a table over temperature needs that of each (the column temperature)</comment>
         <translation>
-            <numerusform>1 valeur est sans température ; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
-            <numerusform>{count} valeurs sont sans température ; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
+            <numerusform>1 valeur est sans température&#xa0;; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
+            <numerusform>{count} valeurs sont sans température&#xa0;; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
         </translation>
     </message>
     <message>
         <source>residuals are not merged over temperature: measure with the compensation off</source>
-        <translation>les écarts résiduels ne se fusionnent pas selon la température : mesurer avec la compensation désactivée</translation>
+        <translation>les écarts résiduels ne se fusionnent pas selon la température&#xa0;: mesurer avec la compensation désactivée</translation>
     </message>
     <message>
         <source>a table over temperature has two dimensions: give at most two numbers for its grid</source>
-        <translation>une table selon la température a deux dimensions : indiquer au plus deux nombres pour sa grille</translation>
+        <translation>une table selon la température a deux dimensions&#xa0;: indiquer au plus deux nombres pour sa grille</translation>
     </message>
     <message>
         <source>the targets differ from one thermal state to the other, so that they give no grid together; say the grid of the table with --points or --distance</source>
-        <translation>les positions cibles diffèrent d&apos;un état thermique à l&apos;autre et ne forment donc pas une grille ensemble ; indiquer la grille de la table avec --points ou --distance</translation>
+        <translation>les positions cibles diffèrent d&apos;un état thermique à l&apos;autre et ne forment donc pas une grille ensemble&#xa0;; indiquer la grille de la table avec --points ou --distance</translation>
     </message>
     <message>
         <source>the grid has {count} points, and a table holds {most}; take fewer</source>
-        <translation>la grille a {count} points, et une table en contient {most} au plus ; en prendre moins</translation>
+        <translation>la grille a {count} points, et une table en contient {most} au plus&#xa0;; en prendre moins</translation>
     </message>
     <message>
         <source>name the axis as the drive or the control names it, such as X</source>
@@ -5944,11 +5944,11 @@
     </message>
     <message>
         <source>the pattern {pattern} is no regular expression: {problem} at character {place}</source>
-        <translation>le motif {pattern} n&apos;est pas une expression régulière : {problem} au caractère {place}</translation>
+        <translation>le motif {pattern} n&apos;est pas une expression régulière&#xa0;: {problem} au caractère {place}</translation>
     </message>
     <message>
         <source>the request {text}: behind a backslash r, n, t or another backslash is expected</source>
-        <translation>la requête {text} : après une barre oblique inverse, r, n, t ou une autre barre oblique inverse est attendu</translation>
+        <translation>la requête {text}&#xa0;: après une barre oblique inverse, r, n, t ou une autre barre oblique inverse est attendu</translation>
     </message>
     <message>
         <source>the connection was removed</source>
@@ -5956,7 +5956,7 @@
     </message>
     <message>
         <source>its name is one of a program for a control, and a plan in it would mislead the control; choose a name that ends in .csv</source>
-        <translation>son nom est celui d&apos;un programme pour une commande, et un plan ainsi nommé tromperait la commande ; choisir un nom en .csv</translation>
+        <translation>son nom est celui d&apos;un programme pour une commande, et un plan ainsi nommé tromperait la commande&#xa0;; choisir un nom en .csv</translation>
     </message>
     <message>
         <source>choose the file of the table that was active</source>
@@ -5968,11 +5968,11 @@
     </message>
     <message>
         <source>{file} cannot be used as the table: {reason}</source>
-        <translation>{file} n&apos;est pas utilisable comme table : {reason}</translation>
+        <translation>{file} n&apos;est pas utilisable comme table&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>there is no axis whose table the residuals could be merged onto; choose one, or take the file of the table</source>
-        <translation>aucun axe n&apos;a de table avec laquelle fusionner les écarts résiduels ; choisir un axe ou prendre le fichier de la table</translation>
+        <translation>aucun axe n&apos;a de table avec laquelle fusionner les écarts résiduels&#xa0;; choisir un axe ou prendre le fichier de la table</translation>
     </message>
     <message>
         <source>the table of the axis is still being read from the drive</source>
@@ -5980,23 +5980,23 @@
     </message>
     <message>
         <source>a report is PDF or HTML; choose a name that ends in .pdf or .html</source>
-        <translation>un rapport est en PDF ou HTML ; choisir un nom en .pdf ou .html</translation>
+        <translation>un rapport est en PDF ou HTML&#xa0;; choisir un nom en .pdf ou .html</translation>
     </message>
     <message>
         <source>all runs were measured in one thermal state; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
-        <translation>toutes les passes ont été mesurées dans un même état thermique ; une table selon la température en exige au moins deux, distants de {least} (des passes à moins de {gap} forment un seul état)</translation>
+        <translation>toutes les passes ont été mesurées dans un même état thermique&#xa0;; une table selon la température en exige au moins deux, distants de {least} (des passes à moins de {gap} forment un seul état)</translation>
     </message>
     <message>
         <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
-        <translation>les passes ont été mesurées dans {count} états thermiques couvrant {span} ; une table selon la température en exige au moins deux, distants de {least} (des passes à moins de {gap} forment un seul état)</translation>
+        <translation>les passes ont été mesurées dans {count} états thermiques couvrant {span}&#xa0;; une table selon la température en exige au moins deux, distants de {least} (des passes à moins de {gap} forment un seul état)</translation>
     </message>
     <message>
         <source>a table for each direction is made of runs over targets; make those of a track one after the other (--direction positive, then --direction negative)</source>
-        <translation>une table par sens s&apos;établit à partir de passes sur des positions cibles ; établir celles d&apos;un relevé continu l&apos;une après l&apos;autre (--direction positive, puis --direction negative)</translation>
+        <translation>une table par sens s&apos;établit à partir de passes sur des positions cibles&#xa0;; établir celles d&apos;un relevé continu l&apos;une après l&apos;autre (--direction positive, puis --direction negative)</translation>
     </message>
     <message>
         <source>{name} has one value for both directions, and so has what is merged onto it: make the table of the mean (--direction mean)</source>
-        <translation>{name} a une valeur pour les deux sens, et donc aussi ce qui est fusionné avec : établir la table de la moyenne (--direction mean)</translation>
+        <translation>{name} a une valeur pour les deux sens, et donc aussi ce qui est fusionné avec&#xa0;: établir la table de la moyenne (--direction mean)</translation>
     </message>
     <message>
         <source>a table over position and temperature is for a drive, which has one value for both directions (--direction mean)</source>
@@ -6008,7 +6008,7 @@
     </message>
     <message>
         <source>the fewest points that leave no more than a deviation (--within) are counted on a curve, which runs have, and a track with --method smooth; say the points of the grid or their distance (--points or --distance)</source>
-        <translation>le plus petit nombre de points pour un écart donné (--within) se compte sur une courbe, ce qu&apos;ont les passes, et un relevé continu avec --method smooth ; sinon, indiquer les points de la grille ou leur pas (--points ou --distance)</translation>
+        <translation>le plus petit nombre de points pour un écart donné (--within) se compte sur une courbe, ce qu&apos;ont les passes, et un relevé continu avec --method smooth&#xa0;; sinon, indiquer les points de la grille ou leur pas (--points ou --distance)</translation>
     </message>
     <message>
         <source>the name on the drive is {name}</source>
@@ -6016,11 +6016,11 @@
     </message>
     <message>
         <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>ce qui a été mesuré sur l&apos;axe {measured} ne se fusionne pas avec {name}, de l&apos;axe {axis} : prendre la table de l&apos;axe mesuré</translation>
+        <translation>ce qui a été mesuré sur l&apos;axe {measured} ne se fusionne pas avec {name}, de l&apos;axe {axis}&#xa0;: prendre la table de l&apos;axe mesuré</translation>
     </message>
     <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
-        <translation>la première mesure est de l&apos;axe {before} et la seconde de l&apos;axe {after} ; elles ne sont pas du même axe</translation>
+        <translation>la première mesure est de l&apos;axe {before} et la seconde de l&apos;axe {after}&#xa0;; elles ne sont pas du même axe</translation>
     </message>
     <message>
         <source>measurements of axis {axis} and of axis {other} cannot be joined</source>
@@ -6032,19 +6032,19 @@
     </message>
     <message>
         <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
-        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C ; si elles ne le sont pas, il faut l&apos;indiquer</translation>
+        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C&#xa0;; si elles ne le sont pas, il faut l&apos;indiquer</translation>
     </message>
     <message>
         <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
-        <translation>selon le fichier, les valeurs de {table} corrigent {target}, mais pour l&apos;axe {axis}, {role} ; choisir une autre colonne, un autre axe ou une autre source, ou, si c&apos;est malgré tout exact, indiquer l&apos;axe cible par {statement}</translation>
+        <translation>selon le fichier, les valeurs de {table} corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre colonne, un autre axe ou une autre source, ou, si c&apos;est malgré tout exact, indiquer l&apos;axe cible par {statement}</translation>
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
-        <translation>le fichier indique « {note} », où un seul commentaire, lookup: encoder ou lookup: set, précise pour quel côté de la compensation la table a été établie : corriger ou supprimer cette ligne</translation>
+        <translation>le fichier indique «&#xa0;{note}&#xa0;», où un seul commentaire, lookup: encoder ou lookup: set, précise pour quel côté de la compensation la table a été établie&#xa0;: corriger ou supprimer cette ligne</translation>
     </message>
     <message>
         <source>these drives make no machine: {problem}</source>
-        <translation>ces variateurs ne forment pas une machine : {problem}</translation>
+        <translation>ces variateurs ne forment pas une machine&#xa0;: {problem}</translation>
     </message>
     <message>
         <source>the connection was ended</source>
@@ -6060,7 +6060,7 @@
     </message>
     <message>
         <source>how the array is mapped: ERRORMAP1D, or CONNECT with MAP</source>
-        <translation>comment le tableau est associé : ERRORMAP1D, ou CONNECT avec MAP</translation>
+        <translation>comment le tableau est associé&#xa0;: ERRORMAP1D, ou CONNECT avec MAP</translation>
     </message>
     <message>
         <source>ERRORMAP1D axis, zone, base, step, array</source>
@@ -6084,7 +6084,7 @@
     </message>
     <message>
         <source>one map of an axis; both are read, and the program decides which one counts</source>
-        <translation>une carte par axe ; les deux sont lues, et le programme décide laquelle compte</translation>
+        <translation>une carte par axe&#xa0;; les deux sont lues, et le programme décide laquelle compte</translation>
     </message>
     <message>
         <source>no ERRORMAPON {axis}, {zone}</source>
@@ -6108,11 +6108,11 @@
     </message>
     <message>
         <source>the axis must be referenced; the connection replaces an error map of the axis</source>
-        <translation>l&apos;axe doit avoir son origine prise ; la connexion remplace une carte d&apos;erreurs de l&apos;axe</translation>
+        <translation>l&apos;axe doit avoir son origine prise&#xa0;; la connexion remplace une carte d&apos;erreurs de l&apos;axe</translation>
     </message>
     <message>
         <source>the axis must be referenced, and a map that is on switched off with ERRORMAPOFF before; ERRORUNMAP {axis}, {zone} removes the map</source>
-        <translation>l&apos;axe doit avoir son origine prise, et une carte activée doit d&apos;abord être désactivée par ERRORMAPOFF ; ERRORUNMAP {axis}, {zone} retire la carte</translation>
+        <translation>l&apos;axe doit avoir son origine prise, et une carte activée doit d&apos;abord être désactivée par ERRORMAPOFF&#xa0;; ERRORUNMAP {axis}, {zone} retire la carte</translation>
     </message>
     <message>
         <source>program with the error map of an axis (ERRORMAP1D, or CONNECT with MAP)</source>
@@ -6128,7 +6128,7 @@
     </message>
     <message>
         <source>number of the axis that is compensated, from 0; needed where it is none of the sources</source>
-        <translation>numéro de l&apos;axe compensé, à partir de 0 ; nécessaire s&apos;il n&apos;est aucune des sources</translation>
+        <translation>numéro de l&apos;axe compensé, à partir de 0&#xa0;; nécessaire s&apos;il n&apos;est aucune des sources</translation>
     </message>
     <message>
         <source>CONNECT RPOS(t) = APOS(t) + MAP2(APOS(a), APOS(b), array, base1, step1, base2, step2)</source>
@@ -6144,7 +6144,7 @@
     </message>
     <message>
         <source>both sources are axis {axis}: {key} and {other}</source>
-        <translation>les deux sources sont l&apos;axe {axis} : {key} et {other}</translation>
+        <translation>les deux sources sont l&apos;axe {axis}&#xa0;: {key} et {other}</translation>
     </message>
     <message>
         <source>the format {format} needs the setting {key}, since the table corrects none of its sources</source>
@@ -6156,7 +6156,7 @@
     </message>
     <message>
         <source>the axes must be referenced; the connection replaces an error map of axis {axis}</source>
-        <translation>les axes doivent avoir leur origine prise ; la connexion remplace une carte d&apos;erreurs de l&apos;axe {axis}</translation>
+        <translation>les axes doivent avoir leur origine prise&#xa0;; la connexion remplace une carte d&apos;erreurs de l&apos;axe {axis}</translation>
     </message>
     <message>
         <source>program with the map of an axis over two (MAP2)</source>
@@ -6168,19 +6168,19 @@
     </message>
     <message>
         <source>one number; other buffers give it another one in line {line}</source>
-        <translation>un seul nombre ; d&apos;autres tampons lui en donnent un autre à la ligne {line}</translation>
+        <translation>un seul nombre&#xa0;; d&apos;autres tampons lui en donnent un autre à la ligne {line}</translation>
     </message>
     <message>
         <source>a name that got a number; in line {line} it gets something that is not computed here</source>
-        <translation>un nom qui a reçu un nombre ; à la ligne {line}, il reçoit une valeur qui n&apos;est pas calculée ici</translation>
+        <translation>un nom qui a reçu un nombre&#xa0;; à la ligne {line}, il reçoit une valeur qui n&apos;est pas calculée ici</translation>
     </message>
     <message>
         <source>a whole number, since it is declared INT; in line {line} it gets another one</source>
-        <translation>un nombre entier, puisqu&apos;il est déclaré INT ; à la ligne {line}, il en reçoit un autre</translation>
+        <translation>un nombre entier, puisqu&apos;il est déclaré INT&#xa0;; à la ligne {line}, il en reçoit un autre</translation>
     </message>
     <message>
         <source>a number with a decimal point, or a name that got one; expressions are not computed</source>
-        <translation>un nombre avec point décimal, ou un nom qui en a reçu un ; les expressions ne sont pas calculées</translation>
+        <translation>un nombre avec point décimal, ou un nom qui en a reçu un&#xa0;; les expressions ne sont pas calculées</translation>
     </message>
     <message>
         <source>a whole number from 0</source>
@@ -6196,11 +6196,11 @@
     </message>
     <message>
         <source>an index of {name}: a whole number from 0</source>
-        <translation>un indice de {name} : un nombre entier à partir de 0</translation>
+        <translation>un indice de {name}&#xa0;: un nombre entier à partir de 0</translation>
     </message>
     <message>
         <source>a number with a decimal point; expressions are not computed</source>
-        <translation>un nombre avec point décimal ; les expressions ne sont pas calculées</translation>
+        <translation>un nombre avec point décimal&#xa0;; les expressions ne sont pas calculées</translation>
     </message>
     <message>
         <source>a whole number, since {name} is declared INT</source>
@@ -6224,7 +6224,7 @@
     </message>
     <message>
         <source>a value for each element; the table has those that the program gives, and the controller may use the others as they are</source>
-        <translation>une valeur pour chaque élément ; la table a celles que donne le programme, et la commande peut utiliser les autres telles quelles</translation>
+        <translation>une valeur pour chaque élément&#xa0;; la table a celles que donne le programme, et la commande peut utiliser les autres telles quelles</translation>
     </message>
     <message>
         <source>no {element}</source>
@@ -6240,7 +6240,7 @@
     </message>
     <message>
         <source>each element once; the last number counts</source>
-        <translation>chaque élément une seule fois ; le dernier nombre compte</translation>
+        <translation>chaque élément une seule fois&#xa0;; le dernier nombre compte</translation>
     </message>
     <message>
         <source>{name}, which is not supported</source>
@@ -6252,23 +6252,23 @@
     </message>
     <message>
         <source>name of the array: a letter, then letters, digits and underlines</source>
-        <translation>nom du tableau : une lettre, puis des lettres, des chiffres et des tirets bas</translation>
+        <translation>nom du tableau&#xa0;: une lettre, puis des lettres, des chiffres et des tirets bas</translation>
     </message>
     <message>
         <source>the program declares the array; no where the controller has it already</source>
-        <translation>le programme déclare le tableau ; no si la commande l&apos;a déjà</translation>
+        <translation>le programme déclare le tableau&#xa0;; no si la commande l&apos;a déjà</translation>
     </message>
     <message>
         <source>&quot;{name}&quot; is no name for an array of the format {format}, such as {example}; change the setting {key}</source>
-        <translation>« {name} » n&apos;est pas un nom de tableau pour le format {format}, tel que {example} ; modifier le réglage {key}</translation>
+        <translation>«&#xa0;{name}&#xa0;» n&apos;est pas un nom de tableau pour le format {format}, tel que {example}&#xa0;; modifier le réglage {key}</translation>
     </message>
     <message>
         <source>the setting {key} of the format {format} is {value}; it is a number from 0</source>
-        <translation>le réglage {key} du format {format} est {value} ; c&apos;est un nombre à partir de 0</translation>
+        <translation>le réglage {key} du format {format} est {value}&#xa0;; c&apos;est un nombre à partir de 0</translation>
     </message>
     <message>
         <source>the controller must not have declared the array {name} before, since the program declares it; where it has, set declare=no</source>
-        <translation>la commande ne doit pas avoir déjà déclaré le tableau {name}, puisque le programme le déclare ; si c&apos;est le cas, régler declare=no</translation>
+        <translation>la commande ne doit pas avoir déjà déclaré le tableau {name}, puisque le programme le déclare&#xa0;; si c&apos;est le cas, régler declare=no</translation>
     </message>
     <message>
         <source>the controller must have declared the array {name}, with as many elements as the program gives it</source>
@@ -6276,15 +6276,15 @@
     </message>
     <message>
         <source>the format {format} names its axes by one of the letters {letters}, and the axis name is &quot;{name}&quot;; give the setting {key}</source>
-        <translation>le format {format} désigne ses axes par l&apos;une des lettres {letters}, et le nom de l&apos;axe est « {name} » ; indiquer le réglage {key}</translation>
+        <translation>le format {format} désigne ses axes par l&apos;une des lettres {letters}, et le nom de l&apos;axe est «&#xa0;{name}&#xa0;»&#xa0;; indiquer le réglage {key}</translation>
     </message>
     <message>
         <source>the format {format} names its axes by one of the letters {letters}; the setting {key} is {value}</source>
-        <translation>le format {format} désigne ses axes par l&apos;une des lettres {letters} ; le réglage {key} est {value}</translation>
+        <translation>le format {format} désigne ses axes par l&apos;une des lettres {letters}&#xa0;; le réglage {key} est {value}</translation>
     </message>
     <message>
         <source>the table is of axis &quot;{name}&quot;, and the setting {key} of the format {format} says {value}</source>
-        <translation>la table est celle de l&apos;axe « {name} », et le réglage {key} du format {format} indique {value}</translation>
+        <translation>la table est celle de l&apos;axe «&#xa0;{name}&#xa0;», et le réglage {key} du format {format} indique {value}</translation>
     </message>
     <message>
         <source>compensation-value table (.COM) with the position in each line</source>
@@ -6320,7 +6320,7 @@
     </message>
     <message>
         <source>the moving axis, as in AXIS_Y; its letter as the setting {key} where the file has another name</source>
-        <translation>l&apos;axe en mouvement, comme dans AXIS_Y ; sa lettre par le réglage {key} si le fichier porte un autre nom</translation>
+        <translation>l&apos;axe en mouvement, comme dans AXIS_Y&#xa0;; sa lettre par le réglage {key} si le fichier porte un autre nom</translation>
     </message>
     <message>
         <source>axis {axis} in the name of the file</source>
@@ -6336,7 +6336,7 @@
     </message>
     <message>
         <source>MM or INCH; mm is assumed</source>
-        <translation>MM ou INCH ; mm est supposé</translation>
+        <translation>MM ou INCH&#xa0;; mm est supposé</translation>
     </message>
     <message>
         <source>a first line such as {example}</source>
@@ -6400,7 +6400,7 @@
     </message>
     <message>
         <source>that line at the end; the file may be cut off</source>
-        <translation>cette ligne à la fin ; le fichier est peut-être tronqué</translation>
+        <translation>cette ligne à la fin&#xa0;; le fichier est peut-être tronqué</translation>
     </message>
     <message>
         <source>the position {position} of the rotary axis {axis}</source>
@@ -6408,7 +6408,7 @@
     </message>
     <message>
         <source>0 to 360 deg; the control does not use others</source>
-        <translation>0 à 360 deg ; la commande n&apos;en utilise pas d&apos;autres</translation>
+        <translation>0 à 360 deg&#xa0;; la commande n&apos;en utilise pas d&apos;autres</translation>
     </message>
     <message>
         <source>values of {axis} that change by {change}</source>
@@ -6440,7 +6440,7 @@
     </message>
     <message>
         <source>none: it is not published whether they are whole values or differences</source>
-        <translation>aucune : rien n&apos;est publié sur leur nature, valeurs entières ou différences</translation>
+        <translation>aucune&#xa0;: rien n&apos;est publié sur leur nature, valeurs entières ou différences</translation>
     </message>
     <message>
         <source>the table goes from {column}, and the settings for its axes say {axis} for both</source>
@@ -6452,7 +6452,7 @@
     </message>
     <message>
         <source>its numbers for axis {axis} are in {unit}; A, B and C are in degrees, other axes in mm</source>
-        <translation>ses nombres pour l&apos;axe {axis} sont en {unit} ; A, B et C sont en degrés, les autres axes en mm</translation>
+        <translation>ses nombres pour l&apos;axe {axis} sont en {unit}&#xa0;; A, B et C sont en degrés, les autres axes en mm</translation>
     </message>
     <message>
         <source>check the units and the axes of the table</source>
@@ -6468,11 +6468,11 @@
     </message>
     <message>
         <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>
-        <translation>les nombres pour l&apos;axe {axis} n&apos;ont pas d&apos;unité ; {unit} est supposé</translation>
+        <translation>les nombres pour l&apos;axe {axis} n&apos;ont pas d&apos;unité&#xa0;; {unit} est supposé</translation>
     </message>
     <message>
         <source>its distance is {distance}; the TNC 407 takes a power of two times {step}, and the next ones are {below} and {above}</source>
-        <translation>son pas est {distance} ; la TNC 407 exige une puissance de deux fois {step}, et les plus proches sont {below} et {above}</translation>
+        <translation>son pas est {distance}&#xa0;; la TNC 407 exige une puissance de deux fois {step}, et les plus proches sont {below} et {above}</translation>
     </message>
     <message>
         <source>resample it with one of these distances, or set any-distance=yes for an iTNC 530</source>
@@ -6492,11 +6492,11 @@
     </message>
     <message>
         <source>no text says the sign of a .COM table; it is written as the error, actual - commanded position. Check one point on the machine</source>
-        <translation>aucun document n&apos;indique le signe d&apos;une table .COM ; elle est écrite comme erreur, position réelle - position de consigne. Vérifier un point sur la machine</translation>
+        <translation>aucun document n&apos;indique le signe d&apos;une table .COM&#xa0;; elle est écrite comme erreur, position réelle - position de consigne. Vérifier un point sur la machine</translation>
     </message>
     <message>
         <source>name the file in a line of config.cma, in the column of axis {axis}, and mark the line with *; older controls also need the bit of the axis in MP730</source>
-        <translation>nommer le fichier dans une ligne de config.cma, dans la colonne de l&apos;axe {axis}, et marquer la ligne d&apos;un * ; les anciennes commandes exigent aussi le bit de l&apos;axe dans MP730</translation>
+        <translation>nommer le fichier dans une ligne de config.cma, dans la colonne de l&apos;axe {axis}, et marquer la ligne d&apos;un *&#xa0;; les anciennes commandes exigent aussi le bit de l&apos;axe dans MP730</translation>
     </message>
     <message>
         <source>axis of the table, where the table names none of these</source>
@@ -6504,7 +6504,7 @@
     </message>
     <message>
         <source>the unit &quot;{unit}&quot;</source>
-        <translation>l&apos;unité « {unit} »</translation>
+        <translation>l&apos;unité «&#xa0;{unit}&#xa0;»</translation>
     </message>
     <message>
         <source>mm, the only unit of this file</source>
@@ -6528,7 +6528,7 @@
     </message>
     <message>
         <source>each axis once; the first is in line {line}</source>
-        <translation>chaque axe une seule fois ; la première section est à la ligne {line}</translation>
+        <translation>chaque axe une seule fois&#xa0;; la première section est à la ligne {line}</translation>
     </message>
     <message>
         <source>a section such as [X] before the first numbers</source>
@@ -6544,7 +6544,7 @@
     </message>
     <message>
         <source>3, with decimal points: nominal position, forward error, backward error</source>
-        <translation>3, avec points décimaux : position nominale, erreur aller, erreur retour</translation>
+        <translation>3, avec points décimaux&#xa0;: position nominale, erreur aller, erreur retour</translation>
     </message>
     <message>
         <source>a forward error in mm</source>
@@ -6564,15 +6564,15 @@
     </message>
     <message>
         <source>that line; mm is the only unit</source>
-        <translation>cette ligne ; mm est la seule unité</translation>
+        <translation>cette ligne&#xa0;; mm est la seule unité</translation>
     </message>
     <message>
         <source>the file is axeserr.dat in the folder of the software (NK200: from a USB stick), read when the software starts</source>
-        <translation>le fichier est axeserr.dat dans le dossier du logiciel (NK200 : depuis une clé USB), lu au démarrage du logiciel</translation>
+        <translation>le fichier est axeserr.dat dans le dossier du logiciel (NK200&#xa0;: depuis une clé USB), lu au démarrage du logiciel</translation>
     </message>
     <message>
         <source>set the parameter Screw error compensation to 2: both directions</source>
-        <translation>régler le paramètre Screw error compensation sur 2 : les deux sens</translation>
+        <translation>régler le paramètre Screw error compensation sur 2&#xa0;: les deux sens</translation>
     </message>
     <message>
         <source>set the parameter Screw error compensation to 2, or to 1 with the backlash as a parameter of its own</source>
@@ -6584,11 +6584,11 @@
     </message>
     <message>
         <source>axeserr.dat: screw errors forwards and backwards</source>
-        <translation>axeserr.dat : erreurs de vis aller et retour</translation>
+        <translation>axeserr.dat&#xa0;: erreurs de vis aller et retour</translation>
     </message>
     <message>
         <source>nobody has published which sign files of the format {format} have; {sign} is an assumption. Check one point on the machine, and state feedback or command {statement}</source>
-        <translation>le signe des fichiers au format {format} n&apos;a jamais été publié ; {sign} est une hypothèse. Vérifier un point sur la machine et indiquer feedback ou command, {statement}</translation>
+        <translation>le signe des fichiers au format {format} n&apos;a jamais été publié&#xa0;; {sign} est une hypothèse. Vérifier un point sur la machine et indiquer feedback ou command, {statement}</translation>
     </message>
     <message>
         <source>holds the end values</source>
@@ -6604,7 +6604,7 @@
     </message>
     <message>
         <source>beyond the ends of the table the controller of {from} {before}, and that of {to} {after}: up to one cell beyond them, the corrections for {column} differ by at most {largest}, at {place}</source>
-        <translation>au-delà des extrémités de la table, la commande de {from} {before}, et celle de {to} {after} : jusqu&apos;à une cellule au-delà, les corrections pour {column} diffèrent d&apos;au plus {largest}, à {place}</translation>
+        <translation>au-delà des extrémités de la table, la commande de {from} {before}, et celle de {to} {after}&#xa0;: jusqu&apos;à une cellule au-delà, les corrections pour {column} diffèrent d&apos;au plus {largest}, à {place}</translation>
     </message>
     <message>
         <source>in the field Sign, or with {option}</source>
@@ -6620,7 +6620,7 @@
     </message>
     <message>
         <source>each entry once; the last one counts</source>
-        <translation>chaque élément une seule fois ; le dernier compte</translation>
+        <translation>chaque élément une seule fois&#xa0;; le dernier compte</translation>
     </message>
     <message>
         <source>a value in mm</source>
@@ -6648,11 +6648,11 @@
     </message>
     <message>
         <source>[axis_twist_compensation] of printer.cfg: errors of the probe over X or Y</source>
-        <translation>[axis_twist_compensation] de printer.cfg : erreurs du palpeur selon X ou Y</translation>
+        <translation>[axis_twist_compensation] de printer.cfg&#xa0;: erreurs du palpeur selon X ou Y</translation>
     </message>
     <message>
         <source>unit of all numbers of the file; the controller takes them to be inches, and files in millimetres occur</source>
-        <translation>unité de tous les nombres du fichier ; la commande les prend pour des pouces, et il existe des fichiers en millimètres</translation>
+        <translation>unité de tous les nombres du fichier&#xa0;; la commande les prend pour des pouces, et il existe des fichiers en millimètres</translation>
     </message>
     <message>
         <source>a missing number</source>
@@ -6668,7 +6668,7 @@
     </message>
     <message>
         <source>a comma directly behind the number &quot;{number}&quot;</source>
-        <translation>une virgule juste après le nombre « {number} »</translation>
+        <translation>une virgule juste après le nombre «&#xa0;{number}&#xa0;»</translation>
     </message>
     <message>
         <source>rows and columns, distances of X and Y, and X and Y of the first point</source>
@@ -6684,7 +6684,7 @@
     </message>
     <message>
         <source>another one: with 0 the controller corrects nothing</source>
-        <translation>un autre : avec 0, la commande ne corrige rien</translation>
+        <translation>un autre&#xa0;: avec 0, la commande ne corrige rien</translation>
     </message>
     <message>
         <source>a position of row 0 and column 0</source>
@@ -6704,7 +6704,7 @@
     </message>
     <message>
         <source>each point once; the last line counts</source>
-        <translation>chaque point une seule fois ; la dernière ligne compte</translation>
+        <translation>chaque point une seule fois&#xa0;; la dernière ligne compte</translation>
     </message>
     <message numerus="yes">
         <source>no line for {count} points, the first of them {point}</source>
@@ -6724,7 +6724,7 @@
     </message>
     <message>
         <source>{number} points; the controller does not read more either</source>
-        <translation>{number} points ; la commande n&apos;en lit pas davantage</translation>
+        <translation>{number} points&#xa0;; la commande n&apos;en lit pas davantage</translation>
     </message>
     <message>
         <source>numbers without a unit, taken to be {unit}</source>
@@ -6764,11 +6764,11 @@
     </message>
     <message>
         <source>the numbers of the file are in {unit}; the controller takes them to be inches</source>
-        <translation>les nombres du fichier sont en {unit} ; la commande les prend pour des pouces</translation>
+        <translation>les nombres du fichier sont en {unit}&#xa0;; la commande les prend pour des pouces</translation>
     </message>
     <message>
         <source>name the file as Geo File in the tool setup of KMotionCNC; arcs are then broken into short lines, and Z is corrected for the plane Z = 0 only</source>
-        <translation>indiquer le fichier comme Geo File dans le Tool Setup de KMotionCNC ; les arcs sont alors divisés en courts segments, et Z n&apos;est corrigé que pour le plan Z = 0</translation>
+        <translation>indiquer le fichier comme Geo File dans le Tool Setup de KMotionCNC&#xa0;; les arcs sont alors divisés en courts segments, et Z n&apos;est corrigé que pour le plan Z = 0</translation>
     </message>
     <message>
         <source>geometric correction of X, Y and Z over X and Y</source>
@@ -6812,7 +6812,7 @@
     </message>
     <message>
         <source>{number}: indices count from 0 in the order of the lines</source>
-        <translation>{number} : les indices comptent à partir de 0 dans l&apos;ordre des lignes</translation>
+        <translation>{number}&#xa0;: les indices comptent à partir de 0 dans l&apos;ordre des lignes</translation>
     </message>
     <message>
         <source>a position to command</source>
@@ -6824,7 +6824,7 @@
     </message>
     <message>
         <source>strictly increasing positions to command; a list of corrections is no such file</source>
-        <translation>des positions à commander strictement croissantes ; une liste de corrections n&apos;est pas un tel fichier</translation>
+        <translation>des positions à commander strictement croissantes&#xa0;; une liste de corrections n&apos;est pas un tel fichier</translation>
     </message>
     <message>
         <source>at {position} the position to command, {sum}, is not larger than the one before, {before}</source>
@@ -6832,11 +6832,11 @@
     </message>
     <message>
         <source>the file holds positions to command, not corrections; KMotionCNC applies them after the geometric correction</source>
-        <translation>le fichier contient des positions à commander, non des corrections ; KMotionCNC les applique après la correction géométrique</translation>
+        <translation>le fichier contient des positions à commander, non des corrections&#xa0;; KMotionCNC les applique après la correction géométrique</translation>
     </message>
     <message>
         <source>linear table of one axis: positions to command</source>
-        <translation>table linéaire d&apos;un axe : positions à commander</translation>
+        <translation>table linéaire d&apos;un axe&#xa0;: positions à commander</translation>
     </message>
     <message>
         <source>motor units for one unit of the positions</source>
@@ -6864,7 +6864,7 @@
     </message>
     <message>
         <source>each value once; the last one counts</source>
-        <translation>chaque valeur une seule fois ; la dernière compte</translation>
+        <translation>chaque valeur une seule fois&#xa0;; la dernière compte</translation>
     </message>
     <message>
         <source>an assignment such as {example}</source>
@@ -6872,7 +6872,7 @@
     </message>
     <message>
         <source>{element} of the table: {meaning}</source>
-        <translation>{element} de la table : {meaning}</translation>
+        <translation>{element} de la table&#xa0;: {meaning}</translation>
     </message>
     <message>
         <source>CompPos or CompPos2 of one motor, such as {example}</source>
@@ -6892,11 +6892,11 @@
     </message>
     <message>
         <source>1; it is taken to multiply the values</source>
-        <translation>1 ; il est supposé multiplier les valeurs</translation>
+        <translation>1&#xa0;; il est supposé multiplier les valeurs</translation>
     </message>
     <message>
         <source>{value}; what other bits do is not known</source>
-        <translation>{value} ; l&apos;effet d&apos;autres bits n&apos;est pas connu</translation>
+        <translation>{value}&#xa0;; l&apos;effet d&apos;autres bits n&apos;est pas connu</translation>
     </message>
     <message>
         <source>no value {number}</source>
@@ -6908,7 +6908,7 @@
     </message>
     <message>
         <source>one source: in which order the values of several stand is not known</source>
-        <translation>une source : l&apos;ordre des valeurs de plusieurs sources n&apos;est pas connu</translation>
+        <translation>une source&#xa0;: l&apos;ordre des valeurs de plusieurs sources n&apos;est pas connu</translation>
     </message>
     <message>
         <source>the number of segments, one less than values</source>
@@ -6952,7 +6952,7 @@
     </message>
     <message>
         <source>the sign of these tables and what Sf, Ctrl and OutCtrl do are assumptions: look at one point on the machine before the table is used</source>
-        <translation>le signe de ces tables et l&apos;effet de Sf, Ctrl et OutCtrl sont des hypothèses : vérifier un point sur la machine avant d&apos;utiliser la table</translation>
+        <translation>le signe de ces tables et l&apos;effet de Sf, Ctrl et OutCtrl sont des hypothèses&#xa0;: vérifier un point sur la machine avant d&apos;utiliser la table</translation>
     </message>
     <message>
         <source>compensation table of one source (CompTable)</source>
@@ -6960,7 +6960,7 @@
     </message>
     <message>
         <source>what the variables are called: letters, digits and _, a letter first</source>
-        <translation>le nom des variables : lettres, chiffres et _, une lettre d&apos;abord</translation>
+        <translation>le nom des variables&#xa0;: lettres, chiffres et _, une lettre d&apos;abord</translation>
     </message>
     <message>
         <source>a variable of the type {type} in front of the elements</source>
@@ -6972,7 +6972,7 @@
     </message>
     <message>
         <source>{value}: what another direction means is not known here</source>
-        <translation>{value} : la signification d&apos;un autre sens n&apos;est pas connue ici</translation>
+        <translation>{value}&#xa0;: la signification d&apos;un autre sens n&apos;est pas connue ici</translation>
     </message>
     <message>
         <source>a declaration without its end</source>
@@ -7032,15 +7032,15 @@
     </message>
     <message>
         <source>the setting name is &quot;{value}&quot;, expected letters, digits and _, a letter first</source>
-        <translation>le réglage name est « {value} », attendu : lettres, chiffres et _, une lettre d&apos;abord</translation>
+        <translation>le réglage name est «&#xa0;{value}&#xa0;», attendu&#xa0;: lettres, chiffres et _, une lettre d&apos;abord</translation>
     </message>
     <message>
         <source>the manual contradicts itself on whether the correction is added to the nominal or to the actual position: check one point on the machine</source>
-        <translation>le manuel se contredit sur le point de savoir si la correction s&apos;ajoute à la position nominale ou à la position réelle : vérifier un point sur la machine</translation>
+        <translation>le manuel se contredit sur le point de savoir si la correction s&apos;ajoute à la position nominale ou à la position réelle&#xa0;: vérifier un point sur la machine</translation>
     </message>
     <message>
         <source>switch Position Correction of the axis on; Ramp limits the speed of the correction</source>
-        <translation>activer Position Correction de l&apos;axe ; Ramp limite la vitesse de la correction</translation>
+        <translation>activer Position Correction de l&apos;axe&#xa0;; Ramp limite la vitesse de la correction</translation>
     </message>
     <message>
         <source>structured text for MC_TableBasedPositionCompensation</source>
@@ -7056,19 +7056,23 @@
     </message>
     <message>
         <source>{reason} Check the unit of the values; if they are right, confirm them with accept-large = true for axis {machineAxis} in the machine file</source>
-        <translation>{reason} Vérifier l&apos;unité des valeurs ; si elles sont justes, les confirmer par accept-large = true pour l&apos;axe {machineAxis} dans le fichier machine</translation>
+        <translation>{reason} Vérifier l&apos;unité des valeurs&#xa0;; si elles sont justes, les confirmer par accept-large = true pour l&apos;axe {machineAxis} dans le fichier machine</translation>
     </message>
     <message>
         <source>the table is in counts already, and the format {format} would multiply it by the counts per unit once more: set them to 1, or read the source with its own</source>
-        <translation>la table est déjà en incréments, et le format {format} la multiplierait encore par les incréments par unité : les régler sur 1 ou lire la source avec les siens</translation>
+        <translation>la table est déjà en incréments, et le format {format} la multiplierait encore par les incréments par unité&#xa0;: les régler sur 1 ou lire la source avec les siens</translation>
     </message>
     <message>
         <source>a comma, a bracket or a semicolon behind the value &quot;{value}&quot;</source>
-        <translation>une virgule, un crochet ou un point-virgule après la valeur « {value} »</translation>
+        <translation>une virgule, un crochet ou un point-virgule après la valeur «&#xa0;{value}&#xa0;»</translation>
     </message>
     <message>
         <source>the table is {length} long, but a turn of the axis is {turn}: a prediction needs a table of one turn</source>
-        <translation>la table est longue de {length}, mais un tour de l&apos;axe fait {turn} : une prévision exige une table d&apos;un tour</translation>
+        <translation>la table est longue de {length}, mais un tour de l&apos;axe fait {turn}&#xa0;: une prévision exige une table d&apos;un tour</translation>
+    </message>
+    <message>
+        <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
+        <translation>personne n&apos;a publié le signe de son format. L&apos;importer sur « Écrire », y indiquer le signe, l&apos;exporter de là comme fichier d&apos;étalonnage et choisir celui-ci</translation>
     </message>
 </context>
 <context>
@@ -7087,26 +7091,1073 @@
     </message>
 </context>
 <context>
+    <name>Help</name>
+    <message>
+        <source>Record of the compensation (axiscomp write --record), which notes the proof</source>
+        <translation>Fiche de la compensation (axiscomp write --record), où la validation est notée</translation>
+    </message>
+    <message>
+        <source>List the axes of one or several drives</source>
+        <translation>Lister les axes d&apos;un ou de plusieurs variateurs</translation>
+    </message>
+    <message>
+        <source>Also try all serial ports of this computer; without --drive, the connections of the window too</source>
+        <translation>Essayer aussi tous les ports série de cet ordinateur ; sans --drive, également les connexions de la fenêtre</translation>
+    </message>
+    <message>
+        <source>Try the usual baud rates at every serial port</source>
+        <translation>Essayer les débits courants sur chaque port série</translation>
+    </message>
+    <message>
+        <source>Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024, with :PORT for another port than 80</source>
+        <translation>Interroger aussi ces adresses en http : 192.168.1.0/24, 192.168.1.10-40 ou une seule adresse, 1024 au plus, avec :PORT pour un autre port que 80</translation>
+    </message>
+    <message>
+        <source>Save everything that this program can change on a whole drive, all axes, to one file</source>
+        <translation>Sauvegarder dans un fichier tout ce que ce programme peut modifier sur un variateur entier, tous axes compris</translation>
+    </message>
+    <message>
+        <source>File to write; standard output without it, or with -</source>
+        <translation>Fichier à écrire ; par défaut ou avec -, la sortie standard</translation>
+    </message>
+    <message>
+        <source>Restore a whole drive from a backup file, with verified writes; all of them are planned first</source>
+        <translation>Restaurer un variateur entier depuis un fichier de sauvegarde, par des écritures vérifiées ; toutes sont d&apos;abord planifiées</translation>
+    </message>
+    <message>
+        <source>File that `axiscomp backup` wrote</source>
+        <translation>Fichier écrit par `axiscomp backup`</translation>
+    </message>
+    <message>
+        <source>Restore to a drive with another serial number, such as a replacement</source>
+        <translation>Restaurer sur un variateur d&apos;un autre numéro de série, par exemple un variateur de remplacement</translation>
+    </message>
+    <message>
+        <source>Show what would be written without writing it</source>
+        <translation>Montrer ce qui serait écrit, sans l&apos;écrire</translation>
+    </message>
+    <message>
+        <source>Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, - for lines on standard input, or typed</source>
+        <translation>Où se trouve réellement l&apos;axe : un registre du variateur, serial:/dev/ttyUSB1?baud=9600, - pour des lignes de l&apos;entrée standard, ou typed pour la saisie manuelle</translation>
+    </message>
+    <message>
+        <source>Unit of the instrument; of a register it is that of the axis, of lines the one behind the number unless given</source>
+        <translation>Unité de l&apos;instrument ; par défaut, pour un registre celle de l&apos;axe, pour des lignes celle qui suit le nombre</translation>
+    </message>
+    <message>
+        <source>The instrument counts the other way</source>
+        <translation>L&apos;instrument compte en sens inverse</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0 (0 unless given)</source>
+        <translation>Position de l&apos;axe où l&apos;instrument indique 0 (0 par défaut)</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line, its first group or all of it; the first number of the line unless given</source>
+        <translation>Expression régulière pour le nombre dans une ligne, son premier groupe ou le tout ; par défaut, le premier nombre de la ligne</translation>
+    </message>
+    <message>
+        <source>Send this to the serial instrument before each reading, with \r and \n for line ends</source>
+        <translation>Envoyer ceci à l&apos;instrument série avant chaque lecture, avec \r et \n pour les fins de ligne</translation>
+    </message>
+    <message>
+        <source>Register of the raw position; the profile&apos;s unless given</source>
+        <translation>Registre de la position brute ; par défaut, celui du profil</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within so many mm or deg, and readings may differ by as much (0.001 unless given)</source>
+        <translation>L&apos;axe est à l&apos;arrêt tant que son codeur reste dans cette fenêtre en mm ou degrés, et les lectures peuvent différer d&apos;autant (0.001 par défaut)</translation>
+    </message>
+    <message>
+        <source>So many seconds, before anything is taken (1 unless given)</source>
+        <translation>Temporisation en secondes avant de relever une valeur (1 par défaut)</translation>
+    </message>
+    <message>
+        <source>Readings that make a value (10 unless given)</source>
+        <translation>Lectures qui forment une valeur (10 par défaut)</translation>
+    </message>
+    <message>
+        <source>Readings per second, 10 to 50 (20 unless given)</source>
+        <translation>Lectures par seconde, de 10 à 50 (20 par défaut)</translation>
+    </message>
+    <message>
+        <source>Take the values of a measuring plan while something else moves the axis</source>
+        <translation>Relever les valeurs d&apos;un plan de mesure pendant que l&apos;axe est déplacé par ailleurs</translation>
+    </message>
+    <message>
+        <source>Plan as axiscomp targets writes it</source>
+        <translation>Plan tel que l&apos;écrit axiscomp targets</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>Fichier des valeurs ; un fichier existant est poursuivi là où il s&apos;arrête</translation>
+    </message>
+    <message>
+        <source>axiscomp never moves an axis: the machine&apos;s control or a person does.</source>
+        <translation>axiscomp ne déplace jamais un axe : c&apos;est le rôle de la commande de la machine ou d&apos;une personne.</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>Exemples :</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to a servo drive, activates them, and checks the drive&apos;s output against the table.</source>
+        <translation>Écrit des tables de compensation des erreurs d&apos;axe mesurées dans un servovariateur, les active et compare la sortie du variateur à la table.</translation>
+    </message>
+    <message>
+        <source>Show the version</source>
+        <translation>Afficher la version</translation>
+    </message>
+    <message>
+        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT est http://hôte[:port], https://hôte[:port] ou demo: (un variateur virtuel intégré au programme). AXISCOMP_DRIVE est la valeur par défaut de --drive. Pour en savoir plus : `axiscomp COMMAND --help`.</translation>
+    </message>
+    <message>
+        <source>Print one JSON document on standard output</source>
+        <translation>Écrire un document JSON sur la sortie standard</translation>
+    </message>
+    <message>
+        <source>Files on this computer</source>
+        <translation>Fichiers sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Variateurs</translation>
+    </message>
+    <message>
+        <source>Compare measurements before and after a compensation, and with what was promised</source>
+        <translation>Comparer les mesures avant et après une compensation, entre elles et à la prévision</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: its prediction, table and tolerances</source>
+        <translation>Fiche de la compensation : sa prévision, sa table et ses tolérances</translation>
+    </message>
+    <message>
+        <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
+        <translation>on : la deuxième mesure a été faite avec la table de la fiche active, si son fichier ne l&apos;indique pas</translation>
+    </message>
+    <message>
+        <source>Add the second measurement and the verdict to the record</source>
+        <translation>Ajouter la deuxième mesure et le verdict à la fiche</translation>
+    </message>
+    <message>
+        <source>Compensation parameters of a TAM configuration: show them, take them from a drive, or bring them to one</source>
+        <translation>Paramètres de compensation d&apos;une configuration TAM : les afficher, les reprendre d&apos;un variateur ou les écrire dans un variateur</translation>
+    </message>
+    <message>
+        <source>show, export (to the file) or import (from it)</source>
+        <translation>show (afficher), export (vers le fichier) ou import (depuis le fichier)</translation>
+    </message>
+    <message>
+        <source>TAM configuration (.TAMcfg)</source>
+        <translation>Configuration TAM (.TAMcfg)</translation>
+    </message>
+    <message>
+        <source>export: take the parameters from this configuration in place of a drive</source>
+        <translation>export : prendre les paramètres dans cette configuration au lieu d&apos;un variateur</translation>
+    </message>
+    <message>
+        <source>export: write this file instead, and leave the other one as it is</source>
+        <translation>export : écrire plutôt ce fichier et laisser l&apos;autre tel quel</translation>
+    </message>
+    <message>
+        <source>Name or serial number of the station in the file; without it the one with the drive&apos;s serial number</source>
+        <translation>Nom ou numéro de série de la station dans le fichier ; par défaut, celle qui a le numéro de série du variateur</translation>
+    </message>
+    <message>
+        <source>Accept a station with another serial number than the drive&apos;s</source>
+        <translation>Accepter une station d&apos;un autre numéro de série que celui du variateur</translation>
+    </message>
+    <message>
+        <source>Only the registers Table and Dim1Source to Dim3Source of the axes are read and written. Everything else in the file stays as it is, and tables stay on the drive. Importing never switches a compensation on.</source>
+        <translation>Seuls les registres Table et Dim1Source à Dim3Source des axes sont lus et écrits. Tout le reste du fichier est conservé tel quel, et les tables restent sur le variateur. L&apos;importation n&apos;active jamais une compensation.</translation>
+    </message>
+    <message>
+        <source>Example:</source>
+        <translation>Exemple :</translation>
+    </message>
+    <message>
+        <source>Convert a table file to another format</source>
+        <translation>Convertir un fichier de table dans un autre format</translation>
+    </message>
+    <message>
+        <source>File to read; - for standard input</source>
+        <translation>Fichier à lire ; - pour l&apos;entrée standard</translation>
+    </message>
+    <message>
+        <source>File to write, replaced if it exists; - for standard output</source>
+        <translation>Fichier à écrire, remplacé s&apos;il existe ; - pour la sortie standard</translation>
+    </message>
+    <message>
+        <source>Format of the output, if its name leaves it open</source>
+        <translation>Format de la sortie, si son nom ne le détermine pas</translation>
+    </message>
+    <message>
+        <source>Unit of the values in a .TAMtbl, which does not say it; by default that of the positions</source>
+        <translation>Unité des valeurs dans un .TAMtbl, qui ne l&apos;indique pas ; par défaut, celle des positions</translation>
+    </message>
+    <message>
+        <source>Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl</source>
+        <translation>Écrire aussi dans un .TAMtbl des corrections supérieures à 1 % de l&apos;étendue ou de pente supérieure à 0,1</translation>
+    </message>
+    <message>
+        <source>Mark the table persistent: the drive stores it</source>
+        <translation>Marquer la table comme persistante : le variateur l&apos;enregistre</translation>
+    </message>
+    <message>
+        <source>Mark the table volatile (without either: as the input is)</source>
+        <translation>Marquer la table comme volatile (sans l&apos;une ni l&apos;autre option : comme l&apos;entrée)</translation>
+    </message>
+    <message>
+        <source>Name of the table</source>
+        <translation>Nom de la table</translation>
+    </message>
+    <message>
+        <source>Delete the table of an axis, or one that no axis uses, and free its slot</source>
+        <translation>Supprimer la table d&apos;un axe, ou une table qu&apos;aucun axe n&apos;utilise, et libérer son emplacement</translation>
+    </message>
+    <message>
+        <source>Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses</source>
+        <translation>Supprimer la table de cet emplacement, small1 à small8, large1 ou large2 ; aucun axe ne doit l&apos;utiliser</translation>
+    </message>
+    <message>
+        <source>Show what would be deleted without deleting it</source>
+        <translation>Montrer ce qui serait supprimé, sans le supprimer</translation>
+    </message>
+    <message>
+        <source>The compensation must be off. The axis then uses no table, also after a reboot; its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.</source>
+        <translation>La compensation doit être désactivée. L&apos;axe n&apos;utilise ensuite aucune table, même après un redémarrage ; ses sources restent. Ce qui est supprimé est conservé dans une sauvegarde : `axiscomp restore` le rétablit.</translation>
+    </message>
+    <message>
+        <source>Write an example calibration file (CSV)</source>
+        <translation>Écrire un exemple de fichier d&apos;étalonnage (CSV)</translation>
+    </message>
+    <message>
+        <source>Number of dimensions: 1, 2 or 3</source>
+        <translation>Nombre de dimensions : 1, 2 ou 3</translation>
+    </message>
+    <message>
+        <source>Number of tables (2 unless given)</source>
+        <translation>Nombre de tables (2 par défaut)</translation>
+    </message>
+    <message>
+        <source>Table file to write, replaced if it exists; - for standard output. Without it nothing is written</source>
+        <translation>Fichier de table à écrire, remplacé s&apos;il existe ; - pour la sortie standard. Par défaut, rien n&apos;est écrit</translation>
+    </message>
+    <message>
+        <source>Begin a record of the compensation (.axcal): measurement, table and what it promises, for compare and report</source>
+        <translation>Commencer une fiche de la compensation (.axcal) : mesure, table et prévision, pour compare et report</translation>
+    </message>
+    <message>
+        <source>Write this column of points only, where the format holds one table</source>
+        <translation>N&apos;écrire que cette colonne de points, si le format ne contient qu&apos;une table</translation>
+    </message>
+    <message>
+        <source>Curve and grid</source>
+        <translation>Courbe et grille</translation>
+    </message>
+    <message>
+        <source>Curve through the means: linear (the default), cubic, spline, smooth or harmonic</source>
+        <translation>Courbe passant par les moyennes : linear (par défaut), cubic, spline, smooth ou harmonic</translation>
+    </message>
+    <message>
+        <source>Of the method smooth, and of points and tracks; by cross-validation unless given</source>
+        <translation>Lissage de la méthode smooth, ainsi que des points et des relevés continus ; par défaut, par validation croisée</translation>
+    </message>
+    <message>
+        <source>Known periods, such as the lead of the screw, fitted by the method smooth</source>
+        <translation>Périodes connues, par exemple le pas de la vis, ajustées par la méthode smooth</translation>
+    </message>
+    <message>
+        <source>Harmonics of each period, and of harmonic (1)</source>
+        <translation>Harmoniques de chaque période et de harmonic (1 par défaut)</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>Longueur d&apos;un tour d&apos;un axe modulo, par exemple 360 : la table finit comme elle commence</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of: mean of both (the default), positive or negative; both makes a table for each, for controllers that keep two</source>
+        <translation>Passes dont la table est tirée : mean (moyenne des deux sens, par défaut), positive ou negative ; both établit une table par sens, pour les commandes qui en ont deux</translation>
+    </message>
+    <message>
+        <source>temperature: a table over position and temperature, from runs in several thermal states; --points and --distance take a second number for it</source>
+        <translation>temperature : une table selon la position et la température, à partir de passes dans plusieurs états thermiques ; --points et --distance prennent alors un deuxième nombre</translation>
+    </message>
+    <message>
+        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
+        <translation>Grille régulière de N points, par axe ou pour tous ; par défaut, les positions cibles</translation>
+    </message>
+    <message>
+        <source>Even grid with spacing D, for each axis or for all</source>
+        <translation>Grille régulière de pas D, par axe ou pour tous</translation>
+    </message>
+    <message>
+        <source>The fewest points that leave no more than this to the curve, in mm or deg</source>
+        <translation>Le minimum de points qui ne laisse pas plus que cet écart à la courbe, en mm ou degrés</translation>
+    </message>
+    <message>
+        <source>Let the grid extend beyond the targets, where the end values are held</source>
+        <translation>Laisser la grille s&apos;étendre au-delà des positions cibles, où les valeurs d&apos;extrémité sont maintenues</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told</source>
+        <translation>Vitesse de l&apos;axe en mm/s ou degrés/s, pour les sauts de vitesse indiqués</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>Zéro, pente et dérive</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
+        <translation>Où la table vaut 0 : home, first (la première position cible), mean, keep ou une position ; par défaut, home si la position d&apos;origine est connue et mesurée, sinon first</translation>
+    </message>
+    <message>
+        <source>Home position of the axis</source>
+        <translation>Position d&apos;origine de l&apos;axe</translation>
+    </message>
+    <message>
+        <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
+        <translation>Retirer la pente, pour la rectitude : lsq (moindres carrés) ou ends</translation>
+    </message>
+    <message>
+        <source>Take the drift of the runs out before they are averaged: offset or trend</source>
+        <translation>Retirer la dérive des passes avant d&apos;en faire la moyenne : offset ou trend</translation>
+    </message>
+    <message>
+        <source>State of the drive</source>
+        <translation>État du variateur</translation>
+    </message>
+    <message>
+        <source>Where the drive looks the table up: encoder (before the compensation) or set (after it); with --onto drive by its source</source>
+        <translation>Où le variateur consulte la table : encoder (avant compensation) ou set (après) ; avec --onto drive, d&apos;après sa source</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, where the file does not say it: off, on, or the file of the table</source>
+        <translation>Ce qui était actif pendant la mesure, si le fichier ne l&apos;indique pas : off, on ou le fichier de la table</translation>
+    </message>
+    <message>
+        <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
+        <translation>Fusionner des écarts résiduels avec la table qui était active : son fichier, ou drive pour celle que l&apos;axe utilise (--drive, --axis)</translation>
+    </message>
+    <message>
+        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
+        <translation>Gain des écarts résiduels fusionnés (1 par défaut) ; 0.7 est courant si la machine réagit tard</translation>
+    </message>
+    <message>
+        <source>Points and tracks</source>
+        <translation>Points et relevés continus</translation>
+    </message>
+    <message>
+        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
+        <translation>Retirer le placement de l&apos;étalon : rigid, rigid:X (les lignes suivant X ne gardent aucune pente) ou scale</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
+        <translation>Points de la grille loin de tout point mesuré : smooth ou nearest ; refusés par défaut</translation>
+    </message>
+    <message>
+        <source>Give values that do not fit the others less weight</source>
+        <translation>Donner moins de poids aux valeurs qui ne concordent pas avec les autres</translation>
+    </message>
+    <message>
+        <source>Make a compensation table of a measurement, and foretell what it does</source>
+        <translation>Établir une table de compensation à partir d&apos;une mesure et prévoir son effet</translation>
+    </message>
+    <message>
+        <source>List the table formats, or describe one: its limits, rules and settings</source>
+        <translation>Lister les formats de table, ou en décrire un : ses limites, ses règles et ses réglages</translation>
+    </message>
+    <message>
+        <source>One format: its rules, limits and settings</source>
+        <translation>Un format : ses règles, ses limites et ses réglages</translation>
+    </message>
+    <message>
+        <source>All of them, as the page docs/formats.md</source>
+        <translation>Tous, sous la forme de la page docs/formats.md</translation>
+    </message>
+    <message>
+        <source>The formats of measurements instead of those of tables</source>
+        <translation>Les formats de mesure au lieu de ceux de table</translation>
+    </message>
+    <message>
+        <source>Check a file and report its format, grid, tables and problems</source>
+        <translation>Vérifier un fichier et indiquer son format, sa grille, ses tables et ses problèmes</translation>
+    </message>
+    <message>
+        <source>Calibration file or table; - for standard input</source>
+        <translation>Fichier d&apos;étalonnage ou table ; - pour l&apos;entrée standard</translation>
+    </message>
+    <message>
+        <source>Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances</source>
+        <translation>Analyser une mesure : caractéristiques de l&apos;ISO 230-2, dérive, valeurs aberrantes, tolérances</translation>
+    </message>
+    <message>
+        <source>Rule that proposes outliers: mad (the default), grubbs or none</source>
+        <translation>Règle qui propose les valeurs aberrantes : mad (par défaut), grubbs ou none</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw, in mm or deg</source>
+        <translation>Période connue de l&apos;axe, par exemple le pas de sa vis, en mm ou degrés</translation>
+    </message>
+    <message>
+        <source>Show the figures of VDI/DGQ 3441 as well</source>
+        <translation>Afficher aussi les caractéristiques de la VDI/DGQ 3441</translation>
+    </message>
+    <message>
+        <source>Print the interpolated value at a position, as the drive computes it</source>
+        <translation>Afficher la valeur interpolée à une position, telle que le variateur la calcule</translation>
+    </message>
+    <message>
+        <source>Calibration file or table</source>
+        <translation>Fichier d&apos;étalonnage ou table</translation>
+    </message>
+    <message>
+        <source>X [Y [Z]], one number per dimension; may be negative</source>
+        <translation>X [Y [Z]], un nombre par dimension, éventuellement négatif</translation>
+    </message>
+    <message>
+        <source>File with one position per line, - for standard input; prints one result per line</source>
+        <translation>Fichier avec une position par ligne, - pour l&apos;entrée standard ; affiche un résultat par ligne</translation>
+    </message>
+    <message>
+        <source>Value outside the table: hold (as the drive does; the default), zero, wrap, extrapolate or error</source>
+        <translation>Valeur hors de la table : hold (comme le variateur ; par défaut), zero, wrap, extrapolate ou error</translation>
+    </message>
+    <message>
+        <source>Print the value that the controller of this format would apply, after conversion</source>
+        <translation>Afficher la valeur qu&apos;appliquerait la commande de ce format, après conversion</translation>
+    </message>
+    <message>
+        <source>Machine file (.toml)</source>
+        <translation>Fichier machine (.toml)</translation>
+    </message>
+    <message>
+        <source>Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be given several times</source>
+        <translation>Cet axe seulement, tel que le fichier le nomme, ou SERIAL/AXIS pour celui d&apos;un seul variateur ; répétable</translation>
+    </message>
+    <message>
+        <source>Drives at the same time (16 unless given)</source>
+        <translation>Variateurs traités en même temps (16 par défaut)</translation>
+    </message>
+    <message>
+        <source>Leave drives out that do not answer, which is an error otherwise</source>
+        <translation>Ignorer les variateurs qui ne répondent pas, ce qui est sinon une erreur</translation>
+    </message>
+    <message>
+        <source>Compare the drives of a machine with its machine file, and change nothing</source>
+        <translation>Comparer les variateurs d&apos;une machine à son fichier machine, sans rien modifier</translation>
+    </message>
+    <message>
+        <source>The exit code is 0 when all drives have what the file says, and 9 when something differs.</source>
+        <translation>Le code de retour est 0 si tous les variateurs ont ce qu&apos;indique le fichier, et 9 si quelque chose diffère.</translation>
+    </message>
+    <message>
+        <source>Write what a machine file says to the drives of the machine, where they differ</source>
+        <translation>Écrire le contenu d&apos;un fichier machine dans les variateurs de la machine, là où ils diffèrent</translation>
+    </message>
+    <message>
+        <source>Switch the compensation of axes on and off where the file says so (active), and prove it</source>
+        <translation>Activer et désactiver la compensation des axes si le fichier l&apos;indique (active), et la valider</translation>
+    </message>
+    <message>
+        <source>All drives are planned first, and nothing is written unless all of it is possible. Each write is safe as that of `axiscomp write`. A second apply finds nothing to do.</source>
+        <translation>Tous les variateurs sont d&apos;abord planifiés, et rien n&apos;est écrit si tout n&apos;est pas possible. Chaque écriture est aussi sûre que celle de `axiscomp write`. Un deuxième apply ne trouve plus rien à faire.</translation>
+    </message>
+    <message>
+        <source>Print output, indices and sources of an axis as CSV until stopped</source>
+        <translation>Afficher la sortie, les indices et les sources d&apos;un axe en CSV jusqu&apos;à l&apos;arrêt</translation>
+    </message>
+    <message>
+        <source>Lines per second, 1 to 100 (10 unless given)</source>
+        <translation>Lignes par seconde, de 1 à 100 (10 par défaut)</translation>
+    </message>
+    <message>
+        <source>Number of lines; without end unless given</source>
+        <translation>Nombre de lignes ; sans fin par défaut</translation>
+    </message>
+    <message>
+        <source>Download the table that an axis uses</source>
+        <translation>Récupérer la table qu&apos;un axe utilise</translation>
+    </message>
+    <message>
+        <source>File to write, .csv, .TAMtbl or that of another controller; CSV on standard output without it</source>
+        <translation>Fichier à écrire, .csv, .TAMtbl ou celui d&apos;une autre commande ; par défaut, CSV sur la sortie standard</translation>
+    </message>
+    <message>
+        <source>Finish or undo an interrupted write; without an option, say which is possible</source>
+        <translation>Achever ou annuler une écriture interrompue ; sans option, indiquer ce qui est possible</translation>
+    </message>
+    <message>
+        <source>Bring the complete new state about, from whatever there is now</source>
+        <translation>Établir le nouvel état complet, quel que soit l&apos;état actuel</translation>
+    </message>
+    <message>
+        <source>Bring back the complete state before the write</source>
+        <translation>Rétablir l&apos;état complet d&apos;avant l&apos;écriture</translation>
+    </message>
+    <message>
+        <source>Write the report of a record: by how much an axis became better, on one page</source>
+        <translation>Écrire le rapport d&apos;une fiche : de combien un axe s&apos;est amélioré, sur une page</translation>
+    </message>
+    <message>
+        <source>Record of the compensation (.axcal)</source>
+        <translation>Fiche de la compensation (.axcal)</translation>
+    </message>
+    <message>
+        <source>The report; its extension says whether it is PDF or HTML</source>
+        <translation>Le rapport ; son extension indique s&apos;il est en PDF ou HTML</translation>
+    </message>
+    <message>
+        <source>Language of the report: en, de, fr, ja or zh</source>
+        <translation>Langue du rapport : en, de, fr, ja ou zh</translation>
+    </message>
+    <message>
+        <source>Add pages with every target and every value that is left out</source>
+        <translation>Ajouter des pages avec chaque position cible et chaque valeur omise</translation>
+    </message>
+    <message>
+        <source>Show what is in measurement files, join them, and write them as one CSV</source>
+        <translation>Afficher le contenu de fichiers de mesure, les réunir et les écrire en un seul CSV</translation>
+    </message>
+    <message>
+        <source>CSV file to write, replaced if it exists; - for standard output</source>
+        <translation>Fichier CSV à écrire, remplacé s&apos;il existe ; - pour la sortie standard</translation>
+    </message>
+    <message>
+        <source>Write a machine file with all tables from running drives</source>
+        <translation>Écrire un fichier machine avec toutes les tables de variateurs en service</translation>
+    </message>
+    <message>
+        <source>Folder for machine.toml and the tables; files of the same names are replaced</source>
+        <translation>Dossier pour machine.toml et les tables ; les fichiers de mêmes noms sont remplacés</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nom de la machine</translation>
+    </message>
+    <message>
+        <source>Applied to drives with the same serial numbers and without tables, the file gives the same state, and a snapshot of them the same bytes.</source>
+        <translation>Appliqué à des variateurs de mêmes numéros de série et sans tables, le fichier donne le même état, et un snapshot de ceux-ci les mêmes octets.</translation>
+    </message>
+    <message>
+        <source>Print the states of drives as OpenMetrics text, for a collector</source>
+        <translation>Afficher l&apos;état de variateurs en texte OpenMetrics, pour un collecteur</translation>
+    </message>
+    <message>
+        <source>Machine file: its drives, and whether they differ from it</source>
+        <translation>Fichier machine : ses variateurs, et s&apos;ils en diffèrent</translation>
+    </message>
+    <message>
+        <source>Compare the outputs of active compensations with their tables now</source>
+        <translation>Comparer maintenant les sorties des compensations actives à leurs tables</translation>
+    </message>
+    <message>
+        <source>File to write, whole or not at all; standard output without it</source>
+        <translation>Fichier à écrire, en entier ou pas du tout ; par défaut, la sortie standard</translation>
+    </message>
+    <message>
+        <source>Show the compensation of an axis, and the outcome of an interrupted write</source>
+        <translation>Afficher la compensation d&apos;un axe et l&apos;issue d&apos;une écriture interrompue</translation>
+    </message>
+    <message>
+        <source>Count the drive&apos;s flash operations again after their record was damaged; first wait as long as the drive counts them</source>
+        <translation>Compter de nouveau les opérations flash du variateur si leur décompte a été endommagé ; attendre d&apos;abord aussi longtemps que le variateur les compte</translation>
+    </message>
+    <message>
+        <source>First target</source>
+        <translation>Première position cible</translation>
+    </message>
+    <message>
+        <source>Last target, above the first</source>
+        <translation>Dernière position cible, supérieure à la première</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>Nombre de positions cibles</translation>
+    </message>
+    <message>
+        <source>Mean distance of targets, instead of --count</source>
+        <translation>Espacement moyen des positions cibles, au lieu de --count</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw: targets are spread over it</source>
+        <translation>Période connue de l&apos;axe, par exemple le pas de sa vis : les positions cibles y sont réparties</translation>
+    </message>
+    <message>
+        <source>Runs in each direction (5 unless given)</source>
+        <translation>Passes dans chaque sens (5 par défaut)</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same (1 unless given)</source>
+        <translation>Un autre nombre donne d&apos;autres positions cibles, le même nombre les mêmes (1 par défaut)</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target (1 % of the range unless given, at most a third of the spacing)</source>
+        <translation>Déplacement de l&apos;axe dans le sens d&apos;une passe avant sa première position cible (par défaut, 1 % de l&apos;étendue, au plus un tiers de l&apos;espacement)</translation>
+    </message>
+    <message>
+        <source>Feed in mm or deg per minute (1000 unless given)</source>
+        <translation>Avance en mm ou degrés par minute (1000 par défaut)</translation>
+    </message>
+    <message>
+        <source>Seconds at each target (5 unless given): time to stand still and be measured</source>
+        <translation>Secondes à chaque position cible (5 par défaut) : temps d&apos;arrêt et de mesure</translation>
+    </message>
+    <message>
+        <source>Choose the targets of a measurement: a plan, or a program for the machine&apos;s control</source>
+        <translation>Choisir les positions cibles d&apos;une mesure : un plan, ou un programme pour la commande de la machine</translation>
+    </message>
+    <message>
+        <source>Name of the axis (X unless given)</source>
+        <translation>Nom de l&apos;axe (X par défaut)</translation>
+    </message>
+    <message>
+        <source>Unit of all positions: mm (the default) or deg</source>
+        <translation>Unité de toutes les positions : mm (par défaut) ou deg</translation>
+    </message>
+    <message>
+        <source>Write G-code for this control: linuxcnc, fanuc or siemens</source>
+        <translation>Écrire du code G pour cette commande : linuxcnc, fanuc ou siemens</translation>
+    </message>
+    <message>
+        <source>List the table files of a drive</source>
+        <translation>Lister les fichiers de table d&apos;un variateur</translation>
+    </message>
+    <message>
+        <source>Upload a file unchanged and verify it, for drive programs that use tables</source>
+        <translation>Envoyer un fichier tel quel et le vérifier, pour les programmes de variateur qui utilisent des tables</translation>
+    </message>
+    <message>
+        <source>File on this computer</source>
+        <translation>Fichier sur cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Path in the drive, such as tables/small1.TAMtbl</source>
+        <translation>Chemin dans le variateur, par exemple tables/small1.TAMtbl</translation>
+    </message>
+    <message>
+        <source>Download a file unchanged</source>
+        <translation>Récupérer un fichier tel quel</translation>
+    </message>
+    <message>
+        <source>Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)</source>
+        <translation>Registre qui fournit la position de la dimension 1 : chemin, URI tam:// ou adresse (0x1234)</translation>
+    </message>
+    <message>
+        <source>The same for dimension 2</source>
+        <translation>De même pour la dimension 2</translation>
+    </message>
+    <message>
+        <source>The same for dimension 3</source>
+        <translation>De même pour la dimension 3</translation>
+    </message>
+    <message>
+        <source>The source is the axis&apos;s own position, for tables of one dimension; with --map each axis&apos;s own</source>
+        <translation>La source est la position propre de l&apos;axe, pour les tables à une dimension ; avec --map, celle de chaque axe</translation>
+    </message>
+    <message>
+        <source>Write a compensation table to an axis in the safe order, and verify it</source>
+        <translation>Écrire une table de compensation sur un axe dans l&apos;ordre sûr et la vérifier</translation>
+    </message>
+    <message>
+        <source>Calibration file (.csv), table (.TAMtbl), or file of another controller; without it the axis keeps its table</source>
+        <translation>Fichier d&apos;étalonnage (.csv), table (.TAMtbl) ou fichier d&apos;une autre commande ; par défaut, l&apos;axe garde sa table</translation>
+    </message>
+    <message>
+        <source>Record of a compensation in place of --data: its table is written, and it notes drive, slot and CRC</source>
+        <translation>Fiche d&apos;une compensation au lieu de --data : sa table est écrite, et le variateur, l&apos;emplacement et le CRC y sont notés</translation>
+    </message>
+    <message>
+        <source>Store the table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>Enregistrer la table en mémoire flash du variateur, pour qu&apos;elle survive à un redémarrage</translation>
+    </message>
+    <message>
+        <source>Keep the table in memory until the next reboot (the default for a new table)</source>
+        <translation>Garder la table en mémoire vive jusqu&apos;au prochain redémarrage (par défaut pour une nouvelle table)</translation>
+    </message>
+    <message>
+        <source>Unit of the values in place of what the file says, such as um; drive for the drive&apos;s own</source>
+        <translation>Unité des valeurs au lieu de celle du fichier, par exemple um ; drive pour celle du variateur</translation>
+    </message>
+    <message>
+        <source>The same for the positions</source>
+        <translation>De même pour les positions</translation>
+    </message>
+    <message>
+        <source>Slot to use, small1 to small8, large1 or large2; chosen unless given</source>
+        <translation>Emplacement à utiliser, small1 à small8, large1 ou large2 ; choisi par défaut</translation>
+    </message>
+    <message>
+        <source>Write this column of the file (name or number) to this axis; AXIS alone is the column that is named as the axis. May be given several times. Nothing is written unless all of the writes are possible</source>
+        <translation>Écrire cette colonne du fichier (nom ou numéro) sur cet axe ; AXIS seul désigne la colonne du même nom que l&apos;axe. Répétable. Rien n&apos;est écrit si toutes les écritures ne sont pas possibles</translation>
+    </message>
+    <message>
+        <source>Write corrections above 1 % of the range, or with a slope above 0.1, which without this are taken for a wrong unit</source>
+        <translation>Écrire aussi des corrections supérieures à 1 % de l&apos;étendue ou de pente supérieure à 0,1, prises sans cette option pour une erreur d&apos;unité</translation>
+    </message>
+    <message>
+        <source>Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp activate` switches it on.</source>
+        <translation>Sans --source1, l&apos;axe garde ses sources. La compensation reste désactivée : `axiscomp activate` l&apos;active.</translation>
+    </message>
+    <message>
+        <source>Axis that the values correct, for each column or for all: its name, #1 for the first source, or other for an axis that is no source; by default as the file says</source>
+        <translation>Axe que les valeurs corrigent, par colonne ou pour toutes : son nom, #1 pour la première source, ou other pour un axe qui n&apos;est pas une source ; par défaut, selon le fichier</translation>
+    </message>
+    <message>
+        <source>Conversion</source>
+        <translation>Conversion</translation>
+    </message>
+    <message>
+        <source>Convention of the input: feedback (added to the encoder position) or command (added to the commanded position); by default that of its format, needed where that is assumed</source>
+        <translation>Convention de l&apos;entrée : feedback (valeurs ajoutées à la position du codeur) ou command (valeurs ajoutées à la position de consigne) ; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
+    </message>
+    <message>
+        <source>Which values to use if the file has both directions of motion: mean, positive or negative</source>
+        <translation>Valeurs à utiliser si le fichier contient les deux sens de déplacement : mean, positive ou negative</translation>
+    </message>
+    <message>
+        <source>Multiply the values by this number, before anything else</source>
+        <translation>Multiplier les valeurs par ce nombre, avant toute autre opération</translation>
+    </message>
+    <message>
+        <source>Add this to the values, in their unit</source>
+        <translation>Ajouter ceci aux valeurs, dans leur unité</translation>
+    </message>
+    <message>
+        <source>Shift the values so that they are 0 at this position</source>
+        <translation>Décaler les valeurs pour qu&apos;elles vaillent 0 à cette position</translation>
+    </message>
+    <message>
+        <source>Treat a modulo axis as a linear one</source>
+        <translation>Traiter un axe modulo comme linéaire</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with N points, for each source or for all</source>
+        <translation>Rééchantillonner sur une grille régulière de N points, par source ou pour toutes</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with spacing D, for each source or for all</source>
+        <translation>Rééchantillonner sur une grille régulière de pas D, par source ou pour toutes</translation>
+    </message>
+    <message>
+        <source>Resample onto the coarsest even grid within this deviation, in the unit of the values</source>
+        <translation>Rééchantillonner sur la grille régulière la moins fine dans cet écart, dans l&apos;unité des valeurs</translation>
+    </message>
+    <message>
+        <source>Between the points of the source: linear (the default), cubic (monotone), spline (natural cubic) or smooth (smoothing spline)</source>
+        <translation>Entre les points de la source : linear (par défaut), cubic (monotone), spline (cubique naturelle) ou smooth (spline de lissage)</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in positions per second: says the steps of the velocity that are left with spline and smooth</source>
+        <translation>Vitesse de l&apos;axe en unités de position par seconde : indique les sauts de vitesse qui restent avec spline et smooth</translation>
+    </message>
+    <message>
+        <source>Let the even grid extend beyond the data, where the end values are held</source>
+        <translation>Laisser la grille régulière s&apos;étendre au-delà des données, où les valeurs d&apos;extrémité sont maintenues</translation>
+    </message>
+    <message>
+        <source>Convention of the output: feedback or command; by default that of its format, needed where that is assumed</source>
+        <translation>Convention de la sortie : feedback ou command ; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
+    </message>
+    <message>
+        <source>Setting that the output format needs; `axiscomp formats NAME` lists them</source>
+        <translation>Réglage que demande le format de sortie ; `axiscomp formats NAME` en donne la liste</translation>
+    </message>
+    <message>
+        <source>Corrections, made only when asked for</source>
+        <translation>Corrections, seulement sur demande</translation>
+    </message>
+    <message>
+        <source>Temperature of the axis&apos;s scale in C</source>
+        <translation>Température de la règle de l&apos;axe en °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of expansion of the axis&apos;s scale in 1/K, such as 11.5e-6</source>
+        <translation>Coefficient de dilatation de la règle de l&apos;axe en 1/K, par exemple 11.5e-6</translation>
+    </message>
+    <message>
+        <source>Temperature of the reference in C</source>
+        <translation>Température de la référence en °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation</source>
+        <translation>Coefficient de dilatation de la référence en 1/K ; 0 pour un laser compensé en longueur d&apos;onde</translation>
+    </message>
+    <message>
+        <source>Position in mm that does not move with temperature; the first target unless given</source>
+        <translation>Position en mm que la température ne déplace pas ; par défaut, la première position cible</translation>
+    </message>
+    <message>
+        <source>The values are not corrected to 20 C, where the file does not say it</source>
+        <translation>Les valeurs ne sont pas corrigées à 20 °C, si le fichier ne l&apos;indique pas</translation>
+    </message>
+    <message>
+        <source>Dead path of the interferometer: a JSON file with its length and the air of each run</source>
+        <translation>Trajet mort de l&apos;interféromètre : un fichier JSON avec sa longueur et l&apos;air de chaque passe</translation>
+    </message>
+    <message>
+        <source>Limits, such as A=10um,R=4um; exit code 8 when one is not met</source>
+        <translation>Limites, par exemple A=10um,R=4um ; code de retour 8 si l&apos;une n&apos;est pas respectée</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms</source>
+        <translation>Incertitude de mesure avec k = 2 : U=2.1um, ou un fichier JSON avec ses composantes</translation>
+    </message>
+    <message>
+        <source>Measurement files, joined when there are several; - for standard input</source>
+        <translation>Fichiers de mesure, réunis s&apos;il y en a plusieurs ; - pour l&apos;entrée standard</translation>
+    </message>
+    <message>
+        <source>Format of the files, if their content leaves it open</source>
+        <translation>Format des fichiers, si leur contenu ne le détermine pas</translation>
+    </message>
+    <message>
+        <source>Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>Omettre des valeurs : down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Exchange up and down</source>
+        <translation>Permuter les deux sens</translation>
+    </message>
+    <message>
+        <source>What a file leaves open</source>
+        <translation>Ce qu&apos;un fichier n&apos;indique pas</translation>
+    </message>
+    <message>
+        <source>Which column of a CSV file is what, by number or name: &apos;target=1,direction=3,deviation=5&apos;</source>
+        <translation>Rôle de chaque colonne d&apos;un fichier CSV, par numéro ou par nom : &apos;target=1,direction=3,deviation=5&apos;</translation>
+    </message>
+    <message>
+        <source>Lines before the header of a CSV file</source>
+        <translation>Lignes avant l&apos;en-tête d&apos;un fichier CSV</translation>
+    </message>
+    <message>
+        <source>Unit of targets and encoder</source>
+        <translation>Unité des positions cibles et du codeur</translation>
+    </message>
+    <message>
+        <source>Unit of deviations and reference</source>
+        <translation>Unité des écarts et de la référence</translation>
+    </message>
+    <message>
+        <source>What the values are: deviation (reference minus target) or reference (positions)</source>
+        <translation>Nature des valeurs : deviation (référence moins position cible) ou reference (positions)</translation>
+    </message>
+    <message>
+        <source>order: the direction of a run follows from the order of its targets</source>
+        <translation>order : le sens d&apos;une passe découle de l&apos;ordre de ses positions cibles</translation>
+    </message>
+    <message>
+        <source>How far a track moves after a turn before its samples count, in mm or deg; 1 % of the range unless given</source>
+        <translation>Déplacement d&apos;un relevé continu après une inversion avant que ses échantillons comptent, en mm ou degrés ; par défaut, 1 % de l&apos;étendue</translation>
+    </message>
+    <message>
+        <source>Number of dimensions of a CSV file: its first D columns are positions</source>
+        <translation>Nombre de dimensions d&apos;un fichier CSV : ses D premières colonnes sont des positions</translation>
+    </message>
+    <message>
+        <source>Format of the input, if content and name leave it open</source>
+        <translation>Format de l&apos;entrée, si son contenu et son nom ne le déterminent pas</translation>
+    </message>
+    <message>
+        <source>Setting that the file leaves open; `axiscomp formats NAME` lists them</source>
+        <translation>Réglage que le fichier n&apos;indique pas ; `axiscomp formats NAME` en donne la liste</translation>
+    </message>
+    <message>
+        <source>Incomplete grids</source>
+        <translation>Grilles incomplètes</translation>
+    </message>
+    <message>
+        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <translation>Donner aux points sans valeur celle du point mesuré le plus proche (nearest), celle du plan passant par tous les points (plane) ou les valeurs de courbure minimale (smooth)</translation>
+    </message>
+    <message>
+        <source>Cut the grid to the largest part in which every point has a value</source>
+        <translation>Réduire la grille à la plus grande partie où chaque point a une valeur</translation>
+    </message>
+    <message>
+        <source>Take positions of a calibration file that are this close to the grid for grid positions, in their unit</source>
+        <translation>Accrocher à la grille les positions d&apos;un fichier d&apos;étalonnage qui en sont aussi proches, dans leur unité</translation>
+    </message>
+    <message>
+        <source>Table of the file, by name or by number from 1 (name:TEXT, #N where that could be either); not needed if there is only one</source>
+        <translation>Table du fichier, par nom ou par numéro à partir de 1 (name:TEXT, #N en cas d&apos;ambiguïté) ; inutile s&apos;il n&apos;y en a qu&apos;une</translation>
+    </message>
+    <message>
+        <source>Drive profile (JSON) in place of the built-in one, generic</source>
+        <translation>Profil de variateur (JSON) au lieu du profil intégré, generic</translation>
+    </message>
+    <message>
+        <source>Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given</source>
+        <translation>Adresse du variateur, répétable ; par défaut, $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Address of the drive; $AXISCOMP_DRIVE unless given</source>
+        <translation>Adresse du variateur ; par défaut, $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Trust the https certificate with this fingerprint from now on; any other one is refused</source>
+        <translation>Accepter désormais le certificat https de cette empreinte ; tout autre est refusé</translation>
+    </message>
+    <message>
+        <source>Time limit for one exchange with the drive (5 unless given)</source>
+        <translation>Délai maximal d&apos;un échange avec le variateur (5 par défaut)</translation>
+    </message>
+    <message>
+        <source>Index or name of the axis; not needed if the drive has only one</source>
+        <translation>Indice ou nom de l&apos;axe ; inutile si le variateur n&apos;en a qu&apos;un</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Options</translation>
+    </message>
+    <message>
+        <source>Show this help</source>
+        <translation>Afficher cette aide</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>Arguments</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>options</translation>
+    </message>
+    <message>
+        <source>COMMAND</source>
+        <translation>COMMAND</translation>
+    </message>
+    <message>
+        <source>usage</source>
+        <translation>utilisation</translation>
+    </message>
+    <message>
+        <source>Serve the drive&apos;s web pages here; port 0 picks a free one (127.0.0.1:0 unless this or --serial is given). Several drives take ports in a row</source>
+        <translation>Servir ici les pages web du variateur ; le port 0 en choisit un libre (127.0.0.1:0, sauf si cette option ou --serial est indiquée). Plusieurs variateurs prennent des ports consécutifs</translation>
+    </message>
+    <message>
+        <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
+        <translation>Servir la liaison série sur un pseudo-terminal et faire de LINK un lien symbolique vers lui. Plusieurs variateurs prennent LINK, LINK-2, ...</translation>
+    </message>
+    <message>
+        <source>Make the serial link as slow as a line of this speed (as fast as it can unless given)</source>
+        <translation>Rendre la liaison série aussi lente qu&apos;une ligne de ce débit (par défaut, aussi rapide que possible)</translation>
+    </message>
+    <message>
+        <source>Name of the drive (Virtual-1 unless given)</source>
+        <translation>Nom du variateur (Virtual-1 par défaut)</translation>
+    </message>
+    <message>
+        <source>Number of axes, 1 to 16 (2 unless given)</source>
+        <translation>Nombre d&apos;axes, de 1 à 16 (2 par défaut)</translation>
+    </message>
+    <message>
+        <source>Take names, axes and parameters from a TAM configuration; several drives in it are several virtual drives</source>
+        <translation>Prendre les noms, les axes et les paramètres d&apos;une configuration TAM ; plusieurs variateurs y donnent plusieurs variateurs virtuels</translation>
+    </message>
+    <message>
+        <source>Move the machine of this file (JSON): axes with errors that nobody knows, and an instrument that measures them</source>
+        <translation>Déplacer la machine de ce fichier (JSON) : des axes avec des erreurs que personne ne connaît, et un instrument qui les mesure</translation>
+    </message>
+    <message>
+        <source>Play this measuring plan (axiscomp targets) as the machine&apos;s control would, from 10 s after the start</source>
+        <translation>Exécuter ce plan de mesure (axiscomp targets) comme le ferait la commande de la machine, à partir de 10 s après le démarrage</translation>
+    </message>
+    <message>
+        <source>Begin the program so many seconds after the start, whatever --speed is; unless given, after 10 s of the machine&apos;s time</source>
+        <translation>Commencer le programme tant de secondes après le démarrage, quel que soit --speed ; par défaut, après 10 s du temps de la machine</translation>
+    </message>
+    <message>
+        <source>Serve the instrument&apos;s lines on a pseudo-terminal, and make LINK a symbolic link to it</source>
+        <translation>Servir les lignes de l&apos;instrument sur un pseudo-terminal et faire de LINK un lien symbolique vers lui</translation>
+    </message>
+    <message>
+        <source>Keep flash and saved parameters here across runs, a folder per drive</source>
+        <translation>Conserver ici la mémoire flash et les paramètres enregistrés d&apos;une exécution à l&apos;autre, un dossier par variateur</translation>
+    </message>
+    <message>
+        <source>Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N or reject=CODE; may be given several times</source>
+        <translation>Mal fonctionner : drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N ou reject=CODE ; répétable</translation>
+    </message>
+    <message>
+        <source>Simulated seconds per second (1 unless given)</source>
+        <translation>Secondes simulées par seconde (1 par défaut)</translation>
+    </message>
+    <message>
+        <source>Start with axes that are not homed</source>
+        <translation>Démarrer avec des axes sans origine prise</translation>
+    </message>
+    <message>
+        <source>Ask for this user name</source>
+        <translation>Demander ce nom d&apos;utilisateur</translation>
+    </message>
+    <message>
+        <source>File whose first line is the password of --user</source>
+        <translation>Fichier dont la première ligne est le mot de passe de --user</translation>
+    </message>
+    <message>
+        <source>Serve https with this certificate</source>
+        <translation>Servir https avec ce certificat</translation>
+    </message>
+    <message>
+        <source>Private key of --certificate</source>
+        <translation>Clé privée de --certificate</translation>
+    </message>
+    <message>
+        <source>A servo drive in software, with the web pages, registers and behaviour of a real one.</source>
+        <translation>Un servovariateur logiciel, avec les pages web, les registres et le comportement d&apos;un variateur réel.</translation>
+    </message>
+    <message>
+        <source>Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs until Ctrl-C.</source>
+        <translation>Écrit une ligne `ready http=URL serial=DEVICE drive=NAME` par variateur et fonctionne jusqu&apos;à Ctrl-C.</translation>
+    </message>
+    <message>
+        <source>Use this drive in place of the remembered ones; may be given several times: http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</source>
+        <translation>Utiliser ce variateur au lieu de ceux mémorisés ; répétable : http://[utilisateur:motdepasse@]hôte[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</translation>
+    </message>
+    <message>
+        <source>Open this file of compensation data</source>
+        <translation>Ouvrir ce fichier de données de compensation</translation>
+    </message>
+    <message>
+        <source>Open this record of a compensation (.axcal)</source>
+        <translation>Ouvrir cette fiche d&apos;une compensation (.axcal)</translation>
+    </message>
+    <message>
+        <source>How long one exchange with a drive may take (5 unless given)</source>
+        <translation>Durée maximale d&apos;un échange avec un variateur (5 par défaut)</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to servo drives, in a window.</source>
+        <translation>Écrit des tables de compensation des erreurs d&apos;axe mesurées dans des servovariateurs, dans une fenêtre.</translation>
+    </message>
+    <message>
+        <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
+        <translation>Sans --drive, les variateurs de la dernière fois sont utilisés, ou le variateur de démonstration intégré.</translation>
+    </message>
+</context>
+<context>
     <name>JudgeOutlook</name>
     <message>
         <source>%1: not defined, so that the tolerance %2 cannot be met.</source>
-        <translation>%1 : non défini, la tolérance %2 ne peut donc pas être respectée.</translation>
+        <translation>%1&#xa0;: non défini, la tolérance %2 ne peut donc pas être respectée.</translation>
     </message>
     <message>
         <source>%1: %2, nearer to the tolerance %3 than the uncertainty. That is undecided.</source>
-        <translation>%1 : %2, plus proche de la tolérance %3 que l&apos;incertitude de mesure. C&apos;est indéterminé.</translation>
+        <translation>%1&#xa0;: %2, plus proche de la tolérance %3 que l&apos;incertitude de mesure. C&apos;est indéterminé.</translation>
     </message>
     <message>
         <source>%1: %2, above the tolerance %3. Go on to Fit: a table may make it smaller.</source>
-        <translation>%1 : %2, au-dessus de la tolérance %3. Passer à Ajuster : une table peut améliorer cette valeur.</translation>
+        <translation>%1&#xa0;: %2, au-dessus de la tolérance %3. Passer à Ajuster&#xa0;: une table peut améliorer cette valeur.</translation>
     </message>
     <message>
         <source>%1: %2, above the tolerance %3. No table makes it smaller: look at the mechanics.</source>
-        <translation>%1 : %2, au-dessus de la tolérance %3. Aucune table n&apos;améliore cette valeur : examiner la mécanique.</translation>
+        <translation>%1&#xa0;: %2, au-dessus de la tolérance %3. Aucune table n&apos;améliore cette valeur&#xa0;: examiner la mécanique.</translation>
     </message>
     <message>
         <source>A condition of the standard is not met: %1.</source>
-        <translation>Une condition de la norme n&apos;est pas remplie : %1.</translation>
+        <translation>Une condition de la norme n&apos;est pas remplie&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Add the files of a measurement on the tab Measure.</source>
@@ -7118,7 +8169,7 @@
     </message>
     <message>
         <source>A file cannot be used: the tab Measure says why.</source>
-        <translation>Un fichier n&apos;est pas utilisable : l&apos;onglet Mesurer en donne la raison.</translation>
+        <translation>Un fichier n&apos;est pas utilisable&#xa0;: l&apos;onglet Mesurer en donne la raison.</translation>
     </message>
     <message>
         <source>This measurement has no targets, and so no figures of ISO 230-2. Go on to Fit, or measure at targets.</source>
@@ -7130,7 +8181,7 @@
     </message>
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
-        <translation>Toutes les tolérances sont respectées. Une table peut encore améliorer l&apos;axe : passer à Ajuster.</translation>
+        <translation>Toutes les tolérances sont respectées. Une table peut encore améliorer l&apos;axe&#xa0;: passer à Ajuster.</translation>
     </message>
 </context>
 <context>
@@ -7169,7 +8220,7 @@
     </message>
     <message>
         <source>differs: {fields}</source>
-        <translation>diffère : {fields}</translation>
+        <translation>diffère&#xa0;: {fields}</translation>
     </message>
     <message>
         <source>failed</source>
@@ -7232,27 +8283,27 @@
     </message>
     <message>
         <source>at least {due} targets over {range}: {count}</source>
-        <translation>au moins {due} positions cibles sur {range} : {count}</translation>
+        <translation>au moins {due} positions cibles sur {range}&#xa0;: {count}</translation>
     </message>
     <message>
         <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
-        <translation>une position cible environ tous les 250 mm pour un axe de plus de 2 m : {count} sur {range}</translation>
+        <translation>une position cible environ tous les 250 mm pour un axe de plus de 2 m&#xa0;: {count} sur {range}</translation>
     </message>
     <message>
         <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>
-        <translation>au moins 5 positions cibles, et 5 par mètre : {count} sur {range}</translation>
+        <translation>au moins 5 positions cibles, et 5 par mètre&#xa0;: {count} sur {range}</translation>
     </message>
     <message>
         <source>a run in each direction on an axis above 2 m, for E, B and M alone: {count}</source>
-        <translation>une passe dans chaque sens pour un axe de plus de 2 m, pour E, B et M seulement : {count}</translation>
+        <translation>une passe dans chaque sens pour un axe de plus de 2 m, pour E, B et M seulement&#xa0;: {count}</translation>
     </message>
     <message>
         <source>5 runs in each direction: the file has means</source>
-        <translation>5 passes dans chaque sens : le fichier contient des moyennes</translation>
+        <translation>5 passes dans chaque sens&#xa0;: le fichier contient des moyennes</translation>
     </message>
     <message>
         <source>5 runs in each direction: {count} at the target with the fewest</source>
-        <translation>5 passes dans chaque sens : {count} à la position cible qui en a le moins</translation>
+        <translation>5 passes dans chaque sens&#xa0;: {count} à la position cible qui en a le moins</translation>
     </message>
     <message>
         <source>every target is approached in both directions</source>
@@ -7316,7 +8367,7 @@
     </message>
     <message>
         <source>more than a fifth of the values {direction} do not fit the others: the measurement was disturbed, and nothing is proposed</source>
-        <translation>plus d&apos;un cinquième des valeurs en {direction} ne concordent pas avec les autres : la mesure a été perturbée, et rien n&apos;est proposé</translation>
+        <translation>plus d&apos;un cinquième des valeurs en {direction} ne concordent pas avec les autres&#xa0;: la mesure a été perturbée, et rien n&apos;est proposé</translation>
     </message>
     <message numerus="yes">
         <source>{count} values excluded, not an evaluation by ISO 230-2</source>
@@ -7336,7 +8387,7 @@
     </message>
     <message>
         <source>{statement}; computed from its values: {computed}</source>
-        <translation>{statement} ; calculé à partir de ses valeurs : {computed}</translation>
+        <translation>{statement}&#xa0;; calculé à partir de ses valeurs&#xa0;: {computed}</translation>
     </message>
     <message>
         <source>passed</source>
@@ -7384,7 +8435,7 @@
     </message>
     <message>
         <source>the steepest part of {table} is between {from} and {to}: {step}, {slope} for each {one}</source>
-        <translation>{table} est le plus raide entre {from} et {to} : {step}, soit {slope} par {one}</translation>
+        <translation>{table} est le plus raide entre {from} et {to}&#xa0;: {step}, soit {slope} par {one}</translation>
     </message>
     <message>
         <source>a drive holds numbers with 24 bits, which changes a value of {table} by at most {rounding}</source>
@@ -7400,31 +8451,31 @@
     </message>
     <message>
         <source>merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}</source>
-        <translation>fusion avec {name}, gain {gain} : une valeur varie de {change} au plus, à {place}</translation>
+        <translation>fusion avec {name}, gain {gain}&#xa0;: une valeur varie de {change} au plus, à {place}</translation>
     </message>
     <message>
         <source>the table improves little: {figure} from {before} to {after}, less than a fifth</source>
-        <translation>la table améliore peu : {figure} de {before} à {after}, moins d&apos;un cinquième</translation>
+        <translation>la table améliore peu&#xa0;: {figure} de {before} à {after}, moins d&apos;un cinquième</translation>
     </message>
     <message>
         <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}; measure at more targets</source>
-        <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue : prévu sans chaque position cible, M vaut {heldOut} ; mesurer à plus de positions cibles</translation>
+        <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue&#xa0;: prévu sans chaque position cible, M vaut {heldOut}&#xa0;; mesurer à plus de positions cibles</translation>
     </message>
     <message>
         <source>between the targets the error is not known well enough: foretold without each target, M is {heldOut}, before it was {before}; measure at more targets</source>
-        <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue : prévu sans chaque position cible, M vaut {heldOut}, contre {before} avant ; mesurer à plus de positions cibles</translation>
+        <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue&#xa0;: prévu sans chaque position cible, M vaut {heldOut}, contre {before} avant&#xa0;; mesurer à plus de positions cibles</translation>
     </message>
     <message>
         <source>most of this error is reversal, which no table removes: up to {reversal} remains in each direction</source>
-        <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime : il reste jusqu&apos;à {reversal} dans chaque sens</translation>
+        <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime&#xa0;: il reste jusqu&apos;à {reversal} dans chaque sens</translation>
     </message>
     <message>
         <source>the table is for both directions: up to {reversal} of the reversal remains in each</source>
-        <translation>la table vaut pour les deux sens : il reste jusqu&apos;à {reversal} de l&apos;inversion dans chacun</translation>
+        <translation>la table vaut pour les deux sens&#xa0;: il reste jusqu&apos;à {reversal} de l&apos;inversion dans chacun</translation>
     </message>
     <message>
         <source>the table is for one direction: in the other up to {reversal} of reversal remains</source>
-        <translation>la table vaut pour un sens : dans l&apos;autre, il reste jusqu&apos;à {reversal} d&apos;inversion</translation>
+        <translation>la table vaut pour un sens&#xa0;: dans l&apos;autre, il reste jusqu&apos;à {reversal} d&apos;inversion</translation>
     </message>
     <message>
         <source>{count} targets lie in {turns} periods of {period}</source>
@@ -7460,11 +8511,11 @@
     </message>
     <message>
         <source>the measurement does not say which table was active; {name} ({known}) is taken to have been</source>
-        <translation>la mesure n&apos;indique pas quelle table était active ; {name} ({known}) est supposée l&apos;avoir été</translation>
+        <translation>la mesure n&apos;indique pas quelle table était active&#xa0;; {name} ({known}) est supposée l&apos;avoir été</translation>
     </message>
     <message>
         <source>the raw positions of the encoder are on file: the table is made of reference minus encoder, whatever compensation was active</source>
-        <translation>les positions brutes du codeur sont dans le fichier : la table est établie par référence moins codeur, quelle que soit la compensation active</translation>
+        <translation>les positions brutes du codeur sont dans le fichier&#xa0;: la table est établie par référence moins codeur, quelle que soit la compensation active</translation>
     </message>
     <message>
         <source>measured with the compensation off</source>
@@ -7472,11 +8523,11 @@
     </message>
     <message>
         <source>{table} explains {share} % of the variance of {count} values; {rms} rms remains</source>
-        <translation>{table} explique {share} % de la variance de {count} valeurs ; il reste {rms} RMS</translation>
+        <translation>{table} explique {share}&#xa0;% de la variance de {count} valeurs&#xa0;; il reste {rms} RMS</translation>
     </message>
     <message>
         <source>{table} explains little: values that were left out are foretold with {left} rms, and they are {values} rms themselves</source>
-        <translation>{table} explique peu : les valeurs omises sont prévues à {left} RMS près, alors qu&apos;elles valent elles-mêmes {values} RMS</translation>
+        <translation>{table} explique peu&#xa0;: les valeurs omises sont prévues à {left} RMS près, alors qu&apos;elles valent elles-mêmes {values} RMS</translation>
     </message>
     <message numerus="yes">
         <source>{count} values lie outside the grid and were left out</source>
@@ -7490,8 +8541,8 @@
         <source>{count} values of {table} do not fit the others and count little; the first is point {first}, {residual} off</source>
         <comment>1 value of {table} does not fit the others and counts little: point {first}, {residual} off</comment>
         <translation>
-            <numerusform>1 valeur de {table} ne concorde pas avec les autres et compte peu : point {first}, écart de {residual}</numerusform>
-            <numerusform>{count} valeurs de {table} ne concordent pas avec les autres et comptent peu ; la première est le point {first}, écart de {residual}</numerusform>
+            <numerusform>1 valeur de {table} ne concorde pas avec les autres et compte peu&#xa0;: point {first}, écart de {residual}</numerusform>
+            <numerusform>{count} valeurs de {table} ne concordent pas avec les autres et comptent peu&#xa0;; la première est le point {first}, écart de {residual}</numerusform>
         </translation>
     </message>
     <message>
@@ -7500,7 +8551,7 @@
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
-        <translation>un facteur d&apos;échelle de {scale} par {length} a été retiré ; il comprend l&apos;erreur d&apos;échelle moyenne des axes, qui reste dans la machine</translation>
+        <translation>un facteur d&apos;échelle de {scale} par {length} a été retiré&#xa0;; il comprend l&apos;erreur d&apos;échelle moyenne des axes, qui reste dans la machine</translation>
     </message>
     <message>
         <source>{axis} {position}</source>
@@ -7508,11 +8559,11 @@
     </message>
     <message>
         <source>at {position} the reference was {measured} beside the encoder in {table}; the drive will add {added}</source>
-        <translation>à {position}, la référence était à {measured} du codeur dans {table} ; le variateur ajoutera {added}</translation>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; le variateur ajoutera {added}</translation>
     </message>
     <message>
         <source>how well the error between the targets is known cannot be told: {reason}</source>
-        <translation>impossible de dire si l&apos;erreur entre les positions cibles est bien connue : {reason}</translation>
+        <translation>impossible de dire si l&apos;erreur entre les positions cibles est bien connue&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>at {speed} the velocity jumps by at most {step} at a point of the table</source>
@@ -7526,37 +8577,37 @@
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
         <comment>where the encoder reads {reading} the reference said {reference}, measured once; the drive will add {added}</comment>
         <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois ; le variateur ajoutera {added}</numerusform>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs ; le variateur ajoutera {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois&#xa0;; le variateur ajoutera {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; le variateur ajoutera {added}</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
         <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
         <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois ; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs ; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
         </translation>
     </message>
     <message>
         <source>the error is {factor} times what it was before: the table has the wrong sign</source>
-        <translation>l&apos;erreur vaut {factor} fois celle d&apos;avant : la table a le mauvais signe</translation>
+        <translation>l&apos;erreur vaut {factor} fois celle d&apos;avant&#xa0;: la table a le mauvais signe</translation>
     </message>
     <message>
         <source>the error is the same as before: the compensation was not active, or another axis was measured</source>
-        <translation>l&apos;erreur est la même qu&apos;avant : la compensation n&apos;était pas active, ou un autre axe a été mesuré</translation>
+        <translation>l&apos;erreur est la même qu&apos;avant&#xa0;: la compensation n&apos;était pas active, ou un autre axe a été mesuré</translation>
     </message>
     <message>
         <source>what is left is {factor} times the error before: the table adds {share} times what it should; look at the units of measurement and table</source>
-        <translation>ce qui reste vaut {factor} fois l&apos;erreur d&apos;avant : la table ajoute {share} fois ce qu&apos;elle devrait ; vérifier les unités de la mesure et de la table</translation>
+        <translation>ce qui reste vaut {factor} fois l&apos;erreur d&apos;avant&#xa0;: la table ajoute {share} fois ce qu&apos;elle devrait&#xa0;; vérifier les unités de la mesure et de la table</translation>
     </message>
     <message>
         <source>what is left resembles neither the error before nor its slope: the machine was in another state, such as another temperature or load, or it is another axis</source>
-        <translation>ce qui reste ne ressemble ni à l&apos;erreur d&apos;avant ni à sa pente : la machine était dans un autre état, par exemple de température ou de charge, ou c&apos;est un autre axe</translation>
+        <translation>ce qui reste ne ressemble ni à l&apos;erreur d&apos;avant ni à sa pente&#xa0;: la machine était dans un autre état, par exemple de température ou de charge, ou c&apos;est un autre axe</translation>
     </message>
     <message>
         <source>what is left follows the slope of the error before: the table is shifted by about {shift} against the axis; look at the home position and the source of the table</source>
-        <translation>ce qui reste suit la pente de l&apos;erreur d&apos;avant : la table est décalée d&apos;environ {shift} par rapport à l&apos;axe ; vérifier la position d&apos;origine et la source de la table</translation>
+        <translation>ce qui reste suit la pente de l&apos;erreur d&apos;avant&#xa0;: la table est décalée d&apos;environ {shift} par rapport à l&apos;axe&#xa0;; vérifier la position d&apos;origine et la source de la table</translation>
     </message>
     <message>
         <source>not known</source>
@@ -7574,8 +8625,8 @@
         <source>{count} values do not fit the others: look at them, and exclude them or leave them in</source>
         <comment>1 value does not fit the others: look at it, and exclude it or leave it in</comment>
         <translation>
-            <numerusform>1 valeur ne concorde pas avec les autres : l&apos;examiner, puis l&apos;exclure ou la garder</numerusform>
-            <numerusform>{count} valeurs ne concordent pas avec les autres : les examiner, puis les exclure ou les garder</numerusform>
+            <numerusform>1 valeur ne concorde pas avec les autres&#xa0;: l&apos;examiner, puis l&apos;exclure ou la garder</numerusform>
+            <numerusform>{count} valeurs ne concordent pas avec les autres&#xa0;: les examiner, puis les exclure ou les garder</numerusform>
         </translation>
     </message>
     <message>
@@ -7596,7 +8647,7 @@
     </message>
     <message>
         <source>measured in {count} thermal states: {temperatures}; outside of them the drive holds the values of the ends</source>
-        <translation>mesuré dans {count} états thermiques : {temperatures} ; en dehors, le variateur maintient les valeurs d&apos;extrémité</translation>
+        <translation>mesuré dans {count} états thermiques&#xa0;: {temperatures}&#xa0;; en dehors, le variateur maintient les valeurs d&apos;extrémité</translation>
     </message>
     <message>
         <source>the table is straight over temperature, which leaves up to {largest} of what was measured in a state</source>
@@ -7604,11 +8655,11 @@
     </message>
     <message>
         <source>the table has the movement of the zero from one thermal state to the other, as the instrument saw it: that is only right if its own zero was not set anew in between</source>
-        <translation>la table contient le déplacement du zéro d&apos;un état thermique à l&apos;autre, tel que l&apos;instrument l&apos;a vu : ce n&apos;est exact que si son propre zéro n&apos;a pas été refait entre-temps</translation>
+        <translation>la table contient le déplacement du zéro d&apos;un état thermique à l&apos;autre, tel que l&apos;instrument l&apos;a vu&#xa0;: ce n&apos;est exact que si son propre zéro n&apos;a pas été refait entre-temps</translation>
     </message>
     <message>
         <source>at {temperature}: {sentence}</source>
-        <translation>à {temperature} : {sentence}</translation>
+        <translation>à {temperature}&#xa0;: {sentence}</translation>
     </message>
     <message>
         <source>{figure} {before} before, {after} after</source>
@@ -7632,15 +8683,15 @@
     </message>
     <message>
         <source>{values} (tolerance {tolerance}: {result})</source>
-        <translation>{values} (tolérance {tolerance} : {result})</translation>
+        <translation>{values} (tolérance {tolerance}&#xa0;: {result})</translation>
     </message>
     <message>
         <source>{first}; {next}</source>
-        <translation>{first} ; {next}</translation>
+        <translation>{first}&#xa0;; {next}</translation>
     </message>
     <message>
         <source>measured {date}: {figures}</source>
-        <translation>mesuré le {date} : {figures}</translation>
+        <translation>mesuré le {date}&#xa0;: {figures}</translation>
     </message>
     <message>
         <source>{figure} {before} before</source>
@@ -7652,15 +8703,15 @@
     </message>
     <message>
         <source>there is a table for each direction, and the reversal of up to {reversal} is in them: switch off the controller&apos;s own backlash compensation</source>
-        <translation>il y a une table par sens, et l&apos;inversion de {reversal} au plus y est comprise : désactiver la compensation de jeu propre à la commande</translation>
+        <translation>il y a une table par sens, et l&apos;inversion de {reversal} au plus y est comprise&#xa0;: désactiver la compensation de jeu propre à la commande</translation>
     </message>
     <message>
         <source>approached upwards: {sentence}</source>
-        <translation>abordé en sens positif : {sentence}</translation>
+        <translation>abordé en sens positif&#xa0;: {sentence}</translation>
     </message>
     <message>
         <source>approached downwards: {sentence}</source>
-        <translation>abordé en sens négatif : {sentence}</translation>
+        <translation>abordé en sens négatif&#xa0;: {sentence}</translation>
     </message>
     <message>
         <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
@@ -7668,19 +8719,19 @@
     </message>
     <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
-        <translation>la nouvelle table est moins fine que {name} : jusqu&apos;à {lost} de ce que celle-ci contient entre les nouveaux points est perdu ; prendre plus de points</translation>
+        <translation>la nouvelle table est moins fine que {name}&#xa0;: jusqu&apos;à {lost} de ce que celle-ci contient entre les nouveaux points est perdu&#xa0;; prendre plus de points</translation>
     </message>
     <message numerus="yes">
         <source>{count} values do not fit the others and are in the table; judging names them, and they can be excluded</source>
         <comment>1 value does not fit the others and is in the table; judging names it, and it can be excluded</comment>
         <translation>
-            <numerusform>1 valeur ne concorde pas avec les autres et figure dans la table ; l&apos;analyse la signale, et elle peut être exclue</numerusform>
-            <numerusform>{count} valeurs ne concordent pas avec les autres et figurent dans la table ; l&apos;analyse les signale, et elles peuvent être exclues</numerusform>
+            <numerusform>1 valeur ne concorde pas avec les autres et figure dans la table&#xa0;; l&apos;analyse la signale, et elle peut être exclue</numerusform>
+            <numerusform>{count} valeurs ne concordent pas avec les autres et figurent dans la table&#xa0;; l&apos;analyse les signale, et elles peuvent être exclues</numerusform>
         </translation>
     </message>
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
-        <translation>les positions cibles ne sont pas toutes au même endroit d&apos;une période de l&apos;axe ; aucune période n&apos;est indiquée</translation>
+        <translation>les positions cibles ne sont pas toutes au même endroit d&apos;une période de l&apos;axe&#xa0;; aucune période n&apos;est indiquée</translation>
     </message>
     <message>
         <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
@@ -7734,7 +8785,7 @@
     <name>PlanText</name>
     <message>
         <source>Axis %1: %2 targets, %3 values</source>
-        <translation>Axe %1 : %2 positions cibles, %3 valeurs</translation>
+        <translation>Axe %1&#xa0;: %2 positions cibles, %3 valeurs</translation>
     </message>
 </context>
 <context>
@@ -7845,7 +8896,7 @@
     </message>
     <message>
         <source>the even grid is used; print more decimals if that is not meant</source>
-        <translation>la grille régulière est utilisée ; si ce n&apos;est pas voulu, imprimer plus de décimales</translation>
+        <translation>la grille régulière est utilisée&#xa0;; si ce n&apos;est pas voulu, imprimer plus de décimales</translation>
     </message>
     <message>
         <source>a value loses precision when it is stored as float32</source>
@@ -7909,23 +8960,23 @@
     </message>
     <message>
         <source>found &quot;{found}&quot;</source>
-        <translation>trouvé « {found} »</translation>
+        <translation>trouvé «&#xa0;{found}&#xa0;»</translation>
     </message>
     <message>
         <source>found {found}</source>
-        <translation>trouvé : {found}</translation>
+        <translation>trouvé&#xa0;: {found}</translation>
     </message>
     <message>
         <source>{problem}: {found}</source>
-        <translation>{problem} : {found}</translation>
+        <translation>{problem}&#xa0;: {found}</translation>
     </message>
     <message>
         <source>{problem}, expected {expected}</source>
-        <translation>{problem}, attendu : {expected}</translation>
+        <translation>{problem}, attendu&#xa0;: {expected}</translation>
     </message>
     <message>
         <source>{problem}; {wayOut}</source>
-        <translation>{problem} ; {wayOut}</translation>
+        <translation>{problem}&#xa0;; {wayOut}</translation>
     </message>
     <message>
         <source>the axis that the values correct cannot be told</source>
@@ -8025,7 +9076,7 @@
     </message>
     <message>
         <source>if they are positions of the reference, say so: --values reference, or name the column reference</source>
-        <translation>si ce sont des positions de la référence, l&apos;indiquer : --values reference, ou nommer la colonne reference</translation>
+        <translation>si ce sont des positions de la référence, l&apos;indiquer&#xa0;: --values reference, ou nommer la colonne reference</translation>
     </message>
     <message>
         <source>the size of the values is unusual</source>
@@ -8077,7 +9128,7 @@
     </message>
     <message>
         <source>a known key; the nearest is {key}</source>
-        <translation>une clé connue ; la plus proche est {key}</translation>
+        <translation>une clé connue&#xa0;; la plus proche est {key}</translation>
     </message>
     <message>
         <source>valid TOML ({reason})</source>
@@ -8152,7 +9203,7 @@
     </message>
     <message>
         <source>Deviation over position: means of both directions with bands of 2 s, the mean of both, single runs</source>
-        <translation>Écart selon la position : moyennes des deux sens avec bandes de 2 s, moyenne des deux, passes individuelles</translation>
+        <translation>Écart selon la position&#xa0;: moyennes des deux sens avec bandes de 2 s, moyenne des deux, passes individuelles</translation>
     </message>
     <message>
         <source>What lines and markers mean</source>
@@ -8184,11 +9235,11 @@
     </message>
     <message>
         <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
-        <translation>de {material} à 20 °C avec {expansion} : valeurs modifiées de {largest} au plus</translation>
+        <translation>de {material} à 20 °C avec {expansion}&#xa0;: valeurs modifiées de {largest} au plus</translation>
     </message>
     <message>
         <source>dead path of {length}: values changed by up to {largest}</source>
-        <translation>trajet mort de {length} : valeurs modifiées de {largest} au plus</translation>
+        <translation>trajet mort de {length}&#xa0;: valeurs modifiées de {largest} au plus</translation>
     </message>
     <message>
         <source>drift taken out for the table, not for figures</source>
@@ -8228,7 +9279,7 @@
     </message>
     <message>
         <source>Where the encoder reads {reading}, the reference said {reference}: the drive adds {added}.</source>
-        <translation>Là où le codeur indique {reading}, la référence indiquait {reference} : le variateur ajoute {added}.</translation>
+        <translation>Là où le codeur indique {reading}, la référence indiquait {reference}&#xa0;: le variateur ajoute {added}.</translation>
     </message>
     <message>
         <source>Compensation of axis {axis}, machine {machine}</source>
@@ -8240,11 +9291,11 @@
     </message>
     <message>
         <source>Accuracy A: {before} before, {after} after.</source>
-        <translation>Exactitude A : {before} avant, {after} après.</translation>
+        <translation>Exactitude A&#xa0;: {before} avant, {after} après.</translation>
     </message>
     <message>
         <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
-        <translation>Exactitude A : {before} avant. La fiche ne contient pas de mesure ultérieure.</translation>
+        <translation>Exactitude A&#xa0;: {before} avant. La fiche ne contient pas de mesure ultérieure.</translation>
     </message>
     <message>
         <source>The accuracy A before is not defined.</source>
@@ -8352,7 +9403,7 @@
     </message>
     <message>
         <source>no targets: {kind}</source>
-        <translation>pas de positions cibles : {kind}</translation>
+        <translation>pas de positions cibles&#xa0;: {kind}</translation>
     </message>
     <message numerus="yes">
         <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
@@ -8372,15 +9423,15 @@
     </message>
     <message>
         <source>{count} values: not an evaluation by ISO 230-2</source>
-        <translation>{count} valeurs : pas une évaluation selon l&apos;ISO 230-2</translation>
+        <translation>{count} valeurs&#xa0;: pas une évaluation selon l&apos;ISO 230-2</translation>
     </message>
     <message>
         <source>{values}: not an evaluation by ISO 230-2</source>
-        <translation>{values} : pas une évaluation selon l&apos;ISO 230-2</translation>
+        <translation>{values}&#xa0;: pas une évaluation selon l&apos;ISO 230-2</translation>
     </message>
     <message>
         <source>Deviation over position: before, after, to one scale</source>
-        <translation>Écart selon la position : avant, après, à la même échelle</translation>
+        <translation>Écart selon la position&#xa0;: avant, après, à la même échelle</translation>
     </message>
     <message>
         <source>Deviation over position, before</source>
@@ -8404,7 +9455,7 @@
     </message>
     <message>
         <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
-        <translation>Hors ajustement : ce qui reste aux positions cibles sans lesquelles la table a été établie : M {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
+        <translation>Hors ajustement&#xa0;: ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: M {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
     </message>
     <message>
         <source>Verdict on the measurement after</source>
@@ -8512,7 +9563,7 @@
     </message>
     <message>
         <source>Made by Axis Compensation Wizard {version}. Figures that the values do not define are not defined; what is not on record is not stated.</source>
-        <translation>Établi par Axis Compensation Wizard {version}. Les caractéristiques que les valeurs ne déterminent pas sont non définies ; ce qui ne figure pas dans la fiche n&apos;est pas indiqué.</translation>
+        <translation>Établi par Axis Compensation Wizard {version}. Les caractéristiques que les valeurs ne déterminent pas sont non définies&#xa0;; ce qui ne figure pas dans la fiche n&apos;est pas indiqué.</translation>
     </message>
     <message>
         <source>Targets before, in {unit}</source>
@@ -8544,7 +9595,7 @@
     </message>
     <message>
         <source>Left out: {values}</source>
-        <translation>Exclu : {values}</translation>
+        <translation>Exclu&#xa0;: {values}</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -8882,6 +9933,16 @@
         <source>%1 points</source>
         <translation>%1 points</translation>
     </message>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>.</source>
+        <comment>ends a sentence</comment>
+        <translation>.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::app::WizardWindow</name>
@@ -8977,7 +10038,7 @@
     <name>axiscomp::ui::ActionRules</name>
     <message>
         <source>No drive is connected: add a connection first.</source>
-        <translation>Aucun variateur n&apos;est connecté : ajouter d&apos;abord une connexion.</translation>
+        <translation>Aucun variateur n&apos;est connecté&#xa0;: ajouter d&apos;abord une connexion.</translation>
     </message>
     <message>
         <source>Reading the axes of the drives.</source>
@@ -8997,7 +10058,7 @@
     </message>
     <message>
         <source>Please wait: %1.</source>
-        <translation>Patienter : %1.</translation>
+        <translation>Patienter&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The axis is being read.</source>
@@ -9005,11 +10066,11 @@
     </message>
     <message>
         <source>The compensation is active: deactivate it first.</source>
-        <translation>La compensation est active : la désactiver d&apos;abord.</translation>
+        <translation>La compensation est active&#xa0;: la désactiver d&apos;abord.</translation>
     </message>
     <message>
         <source>No table is chosen: open compensation data.</source>
-        <translation>Aucune table n&apos;est choisie : ouvrir des données de compensation.</translation>
+        <translation>Aucune table n&apos;est choisie&#xa0;: ouvrir des données de compensation.</translation>
     </message>
     <message>
         <source>The table has 1 dimension, but %1D is chosen.</source>
@@ -9053,11 +10114,11 @@
     </message>
     <message>
         <source>The axis has no table on the drive: write one first.</source>
-        <translation>L&apos;axe n&apos;a pas de table sur le variateur : en écrire d&apos;abord une.</translation>
+        <translation>L&apos;axe n&apos;a pas de table sur le variateur&#xa0;: en écrire d&apos;abord une.</translation>
     </message>
     <message>
         <source>An earlier write left the axis in neither the old nor the new state: write again or restore the previous state.</source>
-        <translation>Une écriture précédente a laissé l&apos;axe dans un état qui n&apos;est ni l&apos;ancien ni le nouveau : écrire de nouveau ou restaurer l&apos;état précédent.</translation>
+        <translation>Une écriture précédente a laissé l&apos;axe dans un état qui n&apos;est ni l&apos;ancien ni le nouveau&#xa0;: écrire de nouveau ou restaurer l&apos;état précédent.</translation>
     </message>
     <message>
         <source>The compensation is already active.</source>
@@ -9077,7 +10138,7 @@
     </message>
     <message>
         <source>This axis has no backup yet; every write makes one.</source>
-        <translation>Cet axe n&apos;a pas encore de sauvegarde ; chaque écriture en crée une.</translation>
+        <translation>Cet axe n&apos;a pas encore de sauvegarde&#xa0;; chaque écriture en crée une.</translation>
     </message>
     <message>
         <source>Nothing is running.</source>
@@ -9089,11 +10150,11 @@
     </message>
     <message>
         <source>Finishes an earlier write: saves the parameters of the drive.</source>
-        <translation>Achève une écriture précédente : enregistre les paramètres du variateur.</translation>
+        <translation>Achève une écriture précédente&#xa0;: enregistre les paramètres du variateur.</translation>
     </message>
     <message>
         <source>Writes to the drive and stores in flash; uses %1 of the %2 flash operations available now.</source>
-        <translation>Écrit dans le variateur et enregistre en mémoire flash ; utilise %1 des %2 opérations flash disponibles actuellement.</translation>
+        <translation>Écrit dans le variateur et enregistre en mémoire flash&#xa0;; utilise %1 des %2 opérations flash disponibles actuellement.</translation>
     </message>
     <message>
         <source>Writes to the drive and stores in flash.</source>
@@ -9101,11 +10162,11 @@
     </message>
     <message>
         <source>Writes to the drive and saves its parameters; the table in flash stays.</source>
-        <translation>Écrit dans le variateur et enregistre ses paramètres ; la table en mémoire flash reste.</translation>
+        <translation>Écrit dans le variateur et enregistre ses paramètres&#xa0;; la table en mémoire flash reste.</translation>
     </message>
     <message>
         <source>Writes to the drive; a reboot of the drive restores the stored state.</source>
-        <translation>Écrit dans le variateur ; un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+        <translation>Écrit dans le variateur&#xa0;; un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>Adds the table to the encoder position and proves that the drive&apos;s output matches the table.</source>
@@ -9117,7 +10178,7 @@
     </message>
     <message>
         <source>Switches the compensation off; table and settings stay on the drive.</source>
-        <translation>Désactive la compensation ; table et réglages restent sur le variateur.</translation>
+        <translation>Désactive la compensation&#xa0;; table et réglages restent sur le variateur.</translation>
     </message>
     <message>
         <source>Resets the fields to the drive&apos;s values.</source>
@@ -9153,7 +10214,7 @@
     </message>
     <message>
         <source>An earlier write was interrupted: its parameters may not be saved. Write to finish it.</source>
-        <translation>Une écriture précédente a été interrompue : ses paramètres ne sont peut-être pas enregistrés. Écrire pour l&apos;achever.</translation>
+        <translation>Une écriture précédente a été interrompue&#xa0;: ses paramètres ne sont peut-être pas enregistrés. Écrire pour l&apos;achever.</translation>
     </message>
     <message>
         <source>The compensation is active.</source>
@@ -9161,7 +10222,7 @@
     </message>
     <message>
         <source>The compensation is being evaluated: the drive adds nothing.</source>
-        <translation>La compensation est en évaluation : le variateur n&apos;ajoute rien.</translation>
+        <translation>La compensation est en évaluation&#xa0;: le variateur n&apos;ajoute rien.</translation>
     </message>
     <message>
         <source>This axis has no unfinished write.</source>
@@ -9225,7 +10286,7 @@
     </message>
     <message>
         <source>The record of this drive&apos;s flash operations was damaged, so all of them count as used up. Write volatile, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
-        <translation>Le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées. Écrire en volatil ou exécuter « axiscomp status --reset-flash-count ».</translation>
+        <translation>Le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées. Écrire en volatil ou exécuter «&#xa0;axiscomp status --reset-flash-count&#xa0;».</translation>
     </message>
     <message>
         <source>The axis has no table on the drive.</source>
@@ -9233,7 +10294,7 @@
     </message>
     <message>
         <source>Deletes the axis&apos;s table from the drive; a backup is kept.</source>
-        <translation>Supprime la table de l&apos;axe du variateur ; une sauvegarde est conservée.</translation>
+        <translation>Supprime la table de l&apos;axe du variateur&#xa0;; une sauvegarde est conservée.</translation>
     </message>
     <message>
         <source>deleting the table</source>
@@ -9241,7 +10302,7 @@
     </message>
     <message>
         <source>An earlier write was interrupted: finish or undo it first.</source>
-        <translation>Une écriture précédente a été interrompue : l&apos;achever ou l&apos;annuler d&apos;abord.</translation>
+        <translation>Une écriture précédente a été interrompue&#xa0;: l&apos;achever ou l&apos;annuler d&apos;abord.</translation>
     </message>
     <message>
         <source>Writes the table and source parameters of a TAM configuration to the drive.</source>
@@ -9261,11 +10322,11 @@
     </message>
     <message>
         <source>Removing the table from flash is a flash operation too, and the record of this drive&apos;s flash operations was damaged, so all of them count as used up. Keep the table persistent, or run &quot;axiscomp status --reset-flash-count&quot;.</source>
-        <translation>Retirer la table de la mémoire flash est aussi une opération flash, et le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées. Laisser la table persistante ou exécuter « axiscomp status --reset-flash-count ».</translation>
+        <translation>Retirer la table de la mémoire flash est aussi une opération flash, et le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées. Laisser la table persistante ou exécuter «&#xa0;axiscomp status --reset-flash-count&#xa0;».</translation>
     </message>
     <message>
         <source>Removing the table from flash is a flash operation too: wait %1, or keep the table persistent.</source>
-        <translation>Retirer la table de la mémoire flash est aussi une opération flash : attendre %1 ou laisser la table persistante.</translation>
+        <translation>Retirer la table de la mémoire flash est aussi une opération flash&#xa0;: attendre %1 ou laisser la table persistante.</translation>
     </message>
     <message>
         <source>Removes the table from flash, which uses %1 of the %2 flash operations available now.</source>
@@ -9308,7 +10369,7 @@
     </message>
     <message>
         <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
-        <translation>Les axes activés sont validés ; sans cette option, « active » du fichier est seulement comparé</translation>
+        <translation>Les axes activés sont validés&#xa0;; sans cette option, «&#xa0;active&#xa0;» du fichier est seulement comparé</translation>
     </message>
     <message>
         <source>Leave &amp;out drives that do not answer</source>
@@ -9345,17 +10406,17 @@
     <message>
         <source>%1: %2</source>
         <comment>axis and remark</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>field and value</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>drive or axis, and warning</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>This drive is not among the connections any more.</source>
@@ -9384,12 +10445,12 @@
     <message>
         <source>%1: %2</source>
         <comment>axis and problem</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>drive and problem</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Uses no flash operation.</source>
@@ -9397,11 +10458,11 @@
     </message>
     <message>
         <source>Flash operations in total: %1.</source>
-        <translation>Opérations flash au total : %1.</translation>
+        <translation>Opérations flash au total&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Stopping: each drive ends where it is safe …</source>
-        <translation>Arrêt en cours : chaque variateur s&apos;arrête là où c&apos;est sûr …</translation>
+        <translation>Arrêt en cours&#xa0;: chaque variateur s&apos;arrête là où c&apos;est sûr …</translation>
     </message>
     <message>
         <source>Writing …</source>
@@ -9413,7 +10474,7 @@
     </message>
     <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
-        <translation>Arrête les écritures ; l&apos;ancien état est restauré pour celles en cours (Échap)</translation>
+        <translation>Arrête les écritures&#xa0;; l&apos;ancien état est restauré pour celles en cours (Échap)</translation>
     </message>
 </context>
 <context>
@@ -9443,19 +10504,19 @@
     <name>axiscomp::ui::AxisState</name>
     <message>
         <source>Compensation: %1.</source>
-        <translation>Compensation : %1.</translation>
+        <translation>Compensation&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Homing: %1.</source>
-        <translation>Prise d&apos;origine : %1.</translation>
+        <translation>Prise d&apos;origine&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The compensation is in error: %1.</source>
-        <translation>La compensation est en erreur : %1.</translation>
+        <translation>La compensation est en erreur&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The drive is in error: %1.</source>
-        <translation>Le variateur est en erreur : %1.</translation>
+        <translation>Le variateur est en erreur&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -9501,7 +10562,7 @@
     </message>
     <message>
         <source>Before each write this computer keeps what the axis had. Choose what %1 shall have again; the preview shows what that changes before anything is written.</source>
-        <translation>Avant chaque écriture, cet ordinateur conserve ce qu&apos;avait l&apos;axe. Choisir ce que %1 doit retrouver ; l&apos;aperçu affiche ce qui change, avant toute écriture.</translation>
+        <translation>Avant chaque écriture, cet ordinateur conserve ce qu&apos;avait l&apos;axe. Choisir ce que %1 doit retrouver&#xa0;; l&apos;aperçu affiche ce qui change, avant toute écriture.</translation>
     </message>
     <message>
         <source>Date</source>
@@ -9562,11 +10623,11 @@
     </message>
     <message>
         <source>This backup is damaged: %1</source>
-        <translation>Cette sauvegarde est endommagée : %1</translation>
+        <translation>Cette sauvegarde est endommagée&#xa0;: %1</translation>
     </message>
     <message>
         <source>This backup is of the drive with the serial number %1; this one is %2.</source>
-        <translation>Cette sauvegarde est celle du variateur de numéro de série %1 ; celui-ci a le numéro %2.</translation>
+        <translation>Cette sauvegarde est celle du variateur de numéro de série %1&#xa0;; celui-ci a le numéro %2.</translation>
     </message>
     <message>
         <source>Table of the backup</source>
@@ -9637,7 +10698,7 @@
     </message>
     <message>
         <source>The current one; something else moves it</source>
-        <translation>L&apos;axe actuel ; il est déplacé par ailleurs</translation>
+        <translation>L&apos;axe actuel&#xa0;; il est déplacé par ailleurs</translation>
     </message>
     <message>
         <source>Pla&amp;n</source>
@@ -9661,7 +10722,7 @@
     </message>
     <message>
         <source>Which says where the axis really is: chosen from the list, or a path, URI or address</source>
-        <translation>Il indique où se trouve réellement l&apos;axe : choisi dans la liste, ou un chemin, une URI ou une adresse</translation>
+        <translation>Il indique où se trouve réellement l&apos;axe&#xa0;: choisi dans la liste, ou un chemin, une URI ou une adresse</translation>
     </message>
     <message>
         <source>&amp;Port</source>
@@ -9677,7 +10738,7 @@
     </message>
     <message>
         <source>Sent before each reading, with \r and \n for line ends; empty: the instrument sends by itself</source>
-        <translation>Envoyée avant chaque lecture, avec \r et \n pour les fins de ligne ; vide : l&apos;instrument émet de lui-même</translation>
+        <translation>Envoyée avant chaque lecture, avec \r et \n pour les fins de ligne&#xa0;; vide&#xa0;: l&apos;instrument émet de lui-même</translation>
     </message>
     <message>
         <source>Pa&amp;ttern</source>
@@ -9685,7 +10746,7 @@
     </message>
     <message>
         <source>Regular expression for the number in a line; empty: the first number of the line</source>
-        <translation>Expression régulière pour le nombre dans une ligne ; vide : le premier nombre de la ligne</translation>
+        <translation>Expression régulière pour le nombre dans une ligne&#xa0;; vide&#xa0;: le premier nombre de la ligne</translation>
     </message>
     <message>
         <source>&amp;Unit</source>
@@ -9733,7 +10794,7 @@
     </message>
     <message>
         <source>File of the values; one that is there goes on where it ends</source>
-        <translation>Fichier des valeurs ; un fichier existant est poursuivi là où il s&apos;arrête</translation>
+        <translation>Fichier des valeurs&#xa0;; un fichier existant est poursuivi là où il s&apos;arrête</translation>
     </message>
     <message>
         <source>The instrument counts the &amp;other way</source>
@@ -9797,7 +10858,7 @@
     </message>
     <message>
         <source>Choose a plan; New Program makes one.</source>
-        <translation>Choisir un plan ; Nouveau programme en établit un.</translation>
+        <translation>Choisir un plan&#xa0;; Nouveau programme en établit un.</translation>
     </message>
     <message>
         <source>Choose the register of the reference.</source>
@@ -9844,7 +10905,7 @@
     </message>
     <message>
         <source>The reference minus where the axis is: its encoder and what the drive adds</source>
-        <translation>La référence moins la position de l&apos;axe : son codeur et ce qu&apos;ajoute le variateur</translation>
+        <translation>La référence moins la position de l&apos;axe&#xa0;: son codeur et ce qu&apos;ajoute le variateur</translation>
     </message>
     <message>
         <source>Steps of the plan</source>
@@ -9864,7 +10925,7 @@
     </message>
     <message>
         <source>%1: values to %2</source>
-        <translation>%1 : valeurs dans %2</translation>
+        <translation>%1&#xa0;: valeurs dans %2</translation>
     </message>
     <message>
         <source>T&amp;he instrument says [%1]</source>
@@ -9904,11 +10965,11 @@
     </message>
     <message>
         <source>Take the last value off the file; its step is due again</source>
-        <translation>Retirer la dernière valeur du fichier ; son étape est de nouveau à mesurer</translation>
+        <translation>Retirer la dernière valeur du fichier&#xa0;; son étape est de nouveau à mesurer</translation>
     </message>
     <message>
         <source>Go on; the axis has to come to its target once more</source>
-        <translation>Continuer ; l&apos;axe doit revenir à sa position cible</translation>
+        <translation>Continuer&#xa0;; l&apos;axe doit revenir à sa position cible</translation>
     </message>
     <message>
         <source>Take nothing until Resume, such as while somebody works at the machine</source>
@@ -9916,43 +10977,43 @@
     </message>
     <message>
         <source>End here; what was taken stays in the file, and Capture goes on behind it with the same plan</source>
-        <translation>Terminer ici ; ce qui a été relevé reste dans le fichier, et Acquérir poursuit à la suite avec le même plan</translation>
+        <translation>Terminer ici&#xa0;; ce qui a été relevé reste dans le fichier, et Acquérir poursuit à la suite avec le même plan</translation>
     </message>
     <message>
         <source>The drive does not say the unit of the axis: it is taken to be that of the plan.</source>
-        <translation>Le variateur n&apos;indique pas l&apos;unité de l&apos;axe : celle du plan est supposée.</translation>
+        <translation>Le variateur n&apos;indique pas l&apos;unité de l&apos;axe&#xa0;: celle du plan est supposée.</translation>
     </message>
     <message>
         <source>The clock of this computer is behind the last value of the file: times go on from there.</source>
-        <translation>L&apos;horloge de cet ordinateur est en retard sur la dernière valeur du fichier : les temps se poursuivent à partir de là.</translation>
+        <translation>L&apos;horloge de cet ordinateur est en retard sur la dernière valeur du fichier&#xa0;: les temps se poursuivent à partir de là.</translation>
     </message>
     <message>
         <source>The reference is a Single: at %1 its numbers are %2 apart.</source>
-        <translation>La référence est un Single : à %1, ses nombres sont espacés de %2.</translation>
+        <translation>La référence est un Single&#xa0;: à %1, ses nombres sont espacés de %2.</translation>
     </message>
     <message>
         <source>The instrument is far from the axis, as if it said 0 at %1: if that is right, begin a new file with this as the zero.</source>
-        <translation>L&apos;instrument est loin de l&apos;axe, comme s&apos;il indiquait 0 à %1 : si c&apos;est exact, commencer un nouveau fichier avec ce zéro.</translation>
+        <translation>L&apos;instrument est loin de l&apos;axe, comme s&apos;il indiquait 0 à %1&#xa0;: si c&apos;est exact, commencer un nouveau fichier avec ce zéro.</translation>
     </message>
     <message>
         <source>Step %1 is due: %2, upwards from %3.</source>
-        <translation>Étape %1 à mesurer : %2, en sens positif depuis %3.</translation>
+        <translation>Étape %1 à mesurer&#xa0;: %2, en sens positif depuis %3.</translation>
     </message>
     <message>
         <source>Step %1 is due: %2, downwards from %3.</source>
-        <translation>Étape %1 à mesurer : %2, en sens négatif depuis %3.</translation>
+        <translation>Étape %1 à mesurer&#xa0;: %2, en sens négatif depuis %3.</translation>
     </message>
     <message>
         <source>The axis stands at step %1: %2 of %3 readings.</source>
-        <translation>L&apos;axe est à l&apos;arrêt à l&apos;étape %1 : %2 lectures sur %3.</translation>
+        <translation>L&apos;axe est à l&apos;arrêt à l&apos;étape %1&#xa0;: %2 lectures sur %3.</translation>
     </message>
     <message>
         <source>The axis stands; it is waited until it has come to rest.</source>
-        <translation>L&apos;axe est à l&apos;arrêt ; attente de sa stabilisation.</translation>
+        <translation>L&apos;axe est à l&apos;arrêt&#xa0;; attente de sa stabilisation.</translation>
     </message>
     <message>
         <source>The axis stands at step %1: read the instrument, and type what it says.</source>
-        <translation>L&apos;axe est à l&apos;arrêt à l&apos;étape %1 : lire l&apos;instrument et saisir ce qu&apos;il indique.</translation>
+        <translation>L&apos;axe est à l&apos;arrêt à l&apos;étape %1&#xa0;: lire l&apos;instrument et saisir ce qu&apos;il indique.</translation>
     </message>
     <message>
         <source>Taken. %1</source>
@@ -9968,7 +11029,7 @@
     </message>
     <message>
         <source>Every step has its value: %1 values are in %2.</source>
-        <translation>Chaque étape a sa valeur : %1 valeurs sont dans %2.</translation>
+        <translation>Chaque étape a sa valeur&#xa0;: %1 valeurs sont dans %2.</translation>
     </message>
     <message>
         <source>Stopped. %1 Capture goes on behind them with the same plan and file.</source>
@@ -9980,7 +11041,7 @@
     </message>
     <message>
         <source>Nothing is taken: %1 It goes on when the drive answers again.</source>
-        <translation>Aucun relevé : %1 La suite reprend quand le variateur répond de nouveau.</translation>
+        <translation>Aucun relevé&#xa0;: %1 La suite reprend quand le variateur répond de nouveau.</translation>
     </message>
     <message>
         <source>Nothing is taken while the window does something else on this drive.</source>
@@ -9988,7 +11049,7 @@
     </message>
     <message>
         <source>Paused: nothing is taken. %1</source>
-        <translation>En pause : aucun relevé. %1</translation>
+        <translation>En pause&#xa0;: aucun relevé. %1</translation>
     </message>
 </context>
 <context>
@@ -10117,7 +11178,7 @@
     <message>
         <source>%1; shown: the middle slice, %2 %3</source>
         <comment>largest value, dimension, place</comment>
-        <translation>%1 ; affichée : la coupe du milieu, %2 %3</translation>
+        <translation>%1&#xa0;; affichée&#xa0;: la coupe du milieu, %2 %3</translation>
     </message>
     <message>
         <source>%1 at %2</source>
@@ -10133,7 +11194,7 @@
     </message>
     <message>
         <source>%1 is selected twice; an axis has only one table.</source>
-        <translation>%1 est sélectionné deux fois ; un axe n&apos;a qu&apos;une table.</translation>
+        <translation>%1 est sélectionné deux fois&#xa0;; un axe n&apos;a qu&apos;une table.</translation>
     </message>
     <message>
         <source>Axis %1</source>
@@ -10192,7 +11253,7 @@
     </message>
     <message>
         <source>What this column is. Once one is chosen, only chosen columns are read; until then the names of the columns say it.</source>
-        <translation>Le rôle de cette colonne. Dès qu&apos;un rôle est choisi, seules les colonnes choisies sont lues ; jusque-là, les noms des colonnes en décident.</translation>
+        <translation>Le rôle de cette colonne. Dès qu&apos;un rôle est choisi, seules les colonnes choisies sont lues&#xa0;; jusque-là, les noms des colonnes en décident.</translation>
     </message>
     <message>
         <source>%1 in column %2</source>
@@ -10203,7 +11264,7 @@
     <name>axiscomp::ui::ColumnProposal</name>
     <message>
         <source>Proposed, as you chose it for the last file with these columns: %1.</source>
-        <translation>Proposé, selon le choix fait pour le dernier fichier ayant ces colonnes : %1.</translation>
+        <translation>Proposé, selon le choix fait pour le dernier fichier ayant ces colonnes&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Use T&amp;hese</source>
@@ -10232,7 +11293,7 @@
     <message>
         <source>%1: %2</source>
         <comment>figure and its values</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -10268,7 +11329,7 @@
     </message>
     <message>
         <source>What is left at targets that the table was made without: the figure to believe</source>
-        <translation>Ce qui reste aux positions cibles sans lesquelles la table a été établie : la valeur à laquelle se fier</translation>
+        <translation>Ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: la valeur à laquelle se fier</translation>
     </message>
 </context>
 <context>
@@ -10286,7 +11347,7 @@
     </message>
     <message>
         <source>Met?</source>
-        <translation>Remplie ?</translation>
+        <translation>Remplie&#xa0;?</translation>
     </message>
     <message>
         <source>%1 (assumption)</source>
@@ -10369,7 +11430,7 @@
     </message>
     <message>
         <source>answers; serial number %1, axes: %2</source>
-        <translation>répond ; numéro de série %1, axes : %2</translation>
+        <translation>répond&#xa0;; numéro de série %1, axes&#xa0;: %2</translation>
     </message>
     <message>
         <source>asking …</source>
@@ -10385,7 +11446,7 @@
     </message>
     <message>
         <source>Added, but not answering yet: %1</source>
-        <translation>Ajouté, mais sans réponse pour l&apos;instant : %1</translation>
+        <translation>Ajouté, mais sans réponse pour l&apos;instant&#xa0;: %1</translation>
     </message>
     <message>
         <source>A&amp;dd</source>
@@ -10405,7 +11466,7 @@
     </message>
     <message>
         <source>Drives are reached through their web server, such as http://192.168.1.20, or a serial line, such as serial:/dev/ttyUSB0. A web address may contain a user name and password (http://user:password@host); they are used until the program ends and never stored.</source>
-        <translation>Les variateurs sont joints par leur serveur web, par exemple http://192.168.1.20, ou par une liaison série, par exemple serial:/dev/ttyUSB0. Une adresse web peut contenir un nom d&apos;utilisateur et un mot de passe (http://utilisateur:motdepasse@hôte) ; ils servent jusqu&apos;à la fin du programme et ne sont jamais enregistrés.</translation>
+        <translation>Les variateurs sont joints par leur serveur web, par exemple http://192.168.1.20, ou par une liaison série, par exemple serial:/dev/ttyUSB0. Une adresse web peut contenir un nom d&apos;utilisateur et un mot de passe (http://utilisateur:motdepasse@hôte)&#xa0;; ils servent jusqu&apos;à la fin du programme et ne sont jamais enregistrés.</translation>
     </message>
     <message>
         <source>&amp;Find …</source>
@@ -10432,7 +11493,7 @@
     </message>
     <message>
         <source>The table as the drive applies it, or converted to another controller&apos;s convention: its sign, and its rules beyond the ends</source>
-        <translation>La table telle que le variateur l&apos;applique, ou convertie selon la convention d&apos;une autre commande : son signe et ses règles au-delà des extrémités</translation>
+        <translation>La table telle que le variateur l&apos;applique, ou convertie selon la convention d&apos;une autre commande&#xa0;: son signe et ses règles au-delà des extrémités</translation>
     </message>
     <message>
         <source>Applied by</source>
@@ -10482,7 +11543,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no number, and no list such as 21; 31.</source>
-        <translation>« %1 » n&apos;est ni un nombre ni une liste telle que 21; 31.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est ni un nombre ni une liste telle que 21; 31.</translation>
     </message>
     <message>
         <source>&amp;Format</source>
@@ -10526,11 +11587,11 @@
     </message>
     <message>
         <source>The drive holds one value for both directions of motion; choose which one</source>
-        <translation>Le variateur a une seule valeur pour les deux sens de déplacement ; choisir laquelle</translation>
+        <translation>Le variateur a une seule valeur pour les deux sens de déplacement&#xa0;; choisir laquelle</translation>
     </message>
     <message>
         <source>For an axis that stays within one revolution: the table is used as it is</source>
-        <translation>Pour un axe qui reste dans un seul tour : la table est utilisée telle quelle</translation>
+        <translation>Pour un axe qui reste dans un seul tour&#xa0;: la table est utilisée telle quelle</translation>
     </message>
     <message>
         <source>Brings the table onto evenly spaced positions</source>
@@ -10554,19 +11615,19 @@
     </message>
     <message>
         <source>as the format says: feedback</source>
-        <translation>selon le format : feedback</translation>
+        <translation>selon le format&#xa0;: feedback</translation>
     </message>
     <message>
         <source>as the format says: command</source>
-        <translation>selon le format : command</translation>
+        <translation>selon le format&#xa0;: command</translation>
     </message>
     <message>
         <source>feedback: added to the encoder position</source>
-        <translation>feedback : ajouté à la position du codeur</translation>
+        <translation>feedback&#xa0;: ajouté à la position du codeur</translation>
     </message>
     <message>
         <source>command: added to the commanded position</source>
-        <translation>command : ajouté à la position de consigne</translation>
+        <translation>command&#xa0;: ajouté à la position de consigne</translation>
     </message>
     <message>
         <source>choose one</source>
@@ -10614,7 +11675,7 @@
     </message>
     <message>
         <source>At least 2; one number for all sources, or one for each: 21; 31</source>
-        <translation>Au moins 2 ; un nombre pour toutes les sources, ou un pour chacune : 21; 31</translation>
+        <translation>Au moins 2&#xa0;; un nombre pour toutes les sources, ou un pour chacune&#xa0;: 21; 31</translation>
     </message>
     <message>
         <source>Dista&amp;nce</source>
@@ -10622,7 +11683,7 @@
     </message>
     <message>
         <source>In the unit of the positions; one number for all sources, or one for each: 5; 10</source>
-        <translation>Dans l&apos;unité des positions ; un nombre pour toutes les sources, ou un pour chacune : 5; 10</translation>
+        <translation>Dans l&apos;unité des positions&#xa0;; un nombre pour toutes les sources, ou un pour chacune&#xa0;: 5; 10</translation>
     </message>
     <message>
         <source>Deviatio&amp;n</source>
@@ -10630,7 +11691,7 @@
     </message>
     <message>
         <source>In the unit of the values; the coarsest grid within it is used</source>
-        <translation>Dans l&apos;unité des valeurs ; la grille la moins fine qui le respecte est utilisée</translation>
+        <translation>Dans l&apos;unité des valeurs&#xa0;; la grille la moins fine qui le respecte est utilisée</translation>
     </message>
     <message>
         <source>Target &amp;axis</source>
@@ -10638,7 +11699,7 @@
     </message>
     <message>
         <source>The axis that the values correct: one of the sources, or another axis; the sign is converted accordingly</source>
-        <translation>L&apos;axe que les valeurs corrigent : l&apos;une des sources ou un autre axe ; le signe est converti en conséquence</translation>
+        <translation>L&apos;axe que les valeurs corrigent&#xa0;: l&apos;une des sources ou un autre axe&#xa0;; le signe est converti en conséquence</translation>
     </message>
     <message>
         <source>as the file says</source>
@@ -10666,7 +11727,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no tolerance: enter a number above 0, or nothing.</source>
-        <translation>« %1 » n&apos;est pas une tolérance : saisir un nombre supérieur à 0, ou rien.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une tolérance&#xa0;: saisir un nombre supérieur à 0, ou rien.</translation>
     </message>
     <message>
         <source>Missin&amp;g points</source>
@@ -10686,7 +11747,7 @@
     </message>
     <message>
         <source>Positions that are this close to an even grid are taken for its positions, in their unit; empty: as they stand in the file</source>
-        <translation>Les positions aussi proches d&apos;une grille régulière sont prises pour les siennes, dans leur unité ; vide : comme dans le fichier</translation>
+        <translation>Les positions aussi proches d&apos;une grille régulière sont prises pour les siennes, dans leur unité&#xa0;; vide&#xa0;: comme dans le fichier</translation>
     </message>
     <message>
         <source>none may be missing</source>
@@ -10706,7 +11767,7 @@
     </message>
     <message>
         <source>left out: the grid is cropped</source>
-        <translation>omis : la grille est rognée</translation>
+        <translation>omis&#xa0;: la grille est rognée</translation>
     </message>
     <message>
         <source>spline (natural cubic)</source>
@@ -10718,18 +11779,18 @@
     </message>
     <message>
         <source>choose one; feedback is assumed</source>
-        <translation>à choisir ; feedback est supposé</translation>
+        <translation>à choisir&#xa0;; feedback est supposé</translation>
     </message>
     <message>
         <source>choose one; command is assumed</source>
-        <translation>à choisir ; command est supposé</translation>
+        <translation>à choisir&#xa0;; command est supposé</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::CorrectionsDialog</name>
     <message>
         <source>%1 mm; runs with their air: %2</source>
-        <translation>%1 mm ; passes avec leur air : %2</translation>
+        <translation>%1 mm&#xa0;; passes avec leur air&#xa0;: %2</translation>
     </message>
     <message>
         <source>not corrected for</source>
@@ -10737,7 +11798,7 @@
     </message>
     <message>
         <source>Enter temperatures and coefficients as numbers; only the position that does not move may be left empty.</source>
-        <translation>Saisir les températures et les coefficients sous forme de nombres ; seule la position qui ne bouge pas peut rester vide.</translation>
+        <translation>Saisir les températures et les coefficients sous forme de nombres&#xa0;; seule la position qui ne bouge pas peut rester vide.</translation>
     </message>
     <message>
         <source>The file does not say whether its values are at 20 °C already. Only values that are not may be corrected.</source>
@@ -10777,7 +11838,7 @@
     </message>
     <message>
         <source>Of the same material; steel has about 11.5</source>
-        <translation>Du même matériau ; l&apos;acier a environ 11,5</translation>
+        <translation>Du même matériau&#xa0;; l&apos;acier a environ 11,5</translation>
     </message>
     <message>
         <source>Of the measuring instrument</source>
@@ -10789,7 +11850,7 @@
     </message>
     <message>
         <source>Empty: the first target</source>
-        <translation>Vide : la première position cible</translation>
+        <translation>Vide&#xa0;: la première position cible</translation>
     </message>
     <message>
         <source>the first target</source>
@@ -10946,7 +12007,7 @@
     </message>
     <message>
         <source>A click selects a value; arrow keys go from value to value. The wheel and + and - zoom, dragging moves, Home or a double click shows everything.</source>
-        <translation>Un clic sélectionne une valeur ; les flèches vont de valeur en valeur. La molette ainsi que + et - zooment, un glissement déplace, Début ou un double-clic affiche tout.</translation>
+        <translation>Un clic sélectionne une valeur&#xa0;; les flèches vont de valeur en valeur. La molette ainsi que + et - zooment, un glissement déplace, Début ou un double-clic affiche tout.</translation>
     </message>
     <message>
         <source>run %1, %2</source>
@@ -10978,7 +12039,7 @@
     <message>
         <source>%1: %2</source>
         <comment>axis, and how it stands to the machine file</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -11044,7 +12105,7 @@
     <name>axiscomp::ui::DriftPlot</name>
     <message>
         <source>%1, run %2: offset %3</source>
-        <translation>%1, passe %2 : décalage %3</translation>
+        <translation>%1, passe %2&#xa0;: décalage %3</translation>
     </message>
     <message>
         <source>Run</source>
@@ -11064,7 +12125,7 @@
     </message>
     <message>
         <source>Drift: offsets of the runs</source>
-        <translation>Dérive : décalages des passes</translation>
+        <translation>Dérive&#xa0;: décalages des passes</translation>
     </message>
     <message>
         <source>How far each run lies beside the mean of its direction. A click or the arrow keys select a run.</source>
@@ -11108,7 +12169,7 @@
     <message>
         <source>%1: %2</source>
         <comment>table and grid</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>persistent</source>
@@ -11168,16 +12229,16 @@
     <message>
         <source>%1: %2</source>
         <comment>file and problem</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1, line %2: %3</source>
         <comment>file, line and problem</comment>
-        <translation>%1, ligne %2 : %3</translation>
+        <translation>%1, ligne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>This cannot be written now: %1</source>
-        <translation>Écriture impossible actuellement : %1</translation>
+        <translation>Écriture impossible actuellement&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -11200,7 +12261,7 @@
     </message>
     <message>
         <source>The drive of the selected axis; lists all drives under Connections</source>
-        <translation>Le variateur de l&apos;axe sélectionné ; liste tous les variateurs des connexions</translation>
+        <translation>Le variateur de l&apos;axe sélectionné&#xa0;; liste tous les variateurs des connexions</translation>
     </message>
     <message>
         <source>Co&amp;nnections…</source>
@@ -11216,7 +12277,7 @@
     </message>
     <message>
         <source>More: language, log, settings</source>
-        <translation>Autres : langue, journal, réglages</translation>
+        <translation>Autres&#xa0;: langue, journal, réglages</translation>
     </message>
     <message>
         <source>Menu</source>
@@ -11228,7 +12289,7 @@
     </message>
     <message>
         <source>no drive: add one under Connections</source>
-        <translation>aucun variateur : en ajouter un dans Connexions</translation>
+        <translation>aucun variateur&#xa0;: en ajouter un dans Connexions</translation>
     </message>
     <message>
         <source>connecting …</source>
@@ -11255,7 +12316,7 @@
     </message>
     <message>
         <source>A different drive now answers at %1: %2. Unwritten changes were discarded.</source>
-        <translation>Un autre variateur répond maintenant à %1 : %2. Les modifications non écrites ont été abandonnées.</translation>
+        <translation>Un autre variateur répond maintenant à %1&#xa0;: %2. Les modifications non écrites ont été abandonnées.</translation>
     </message>
 </context>
 <context>
@@ -11284,7 +12345,7 @@
     </message>
     <message>
         <source>Puts the table and source parameters of %1 into %2. Everything else in the file stays as it is; nothing on the drive changes.</source>
-        <translation>Reporte les paramètres de tables et de sources de %1 dans %2. Le reste du fichier ne change pas ; rien ne change sur le variateur.</translation>
+        <translation>Reporte les paramètres de tables et de sources de %1 dans %2. Le reste du fichier ne change pas&#xa0;; rien ne change sur le variateur.</translation>
     </message>
     <message>
         <source>What the drive has</source>
@@ -11347,7 +12408,7 @@
     </message>
     <message>
         <source>Writes the table &quot;%1&quot; to a file for another controller. Nothing on the drive changes.</source>
-        <translation>Écrit la table « %1 » dans un fichier pour une autre commande. Rien ne change sur le variateur.</translation>
+        <translation>Écrit la table «&#xa0;%1&#xa0;» dans un fichier pour une autre commande. Rien ne change sur le variateur.</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
@@ -11363,7 +12424,7 @@
     </message>
     <message>
         <source>Writes the table &quot;%1&quot; to a file of the drive or of another controller. Nothing on the drive changes.</source>
-        <translation>Écrit la table « %1 » dans un fichier du variateur ou d&apos;une autre commande. Rien ne change sur le variateur.</translation>
+        <translation>Écrit la table «&#xa0;%1&#xa0;» dans un fichier du variateur ou d&apos;une autre commande. Rien ne change sur le variateur.</translation>
     </message>
     <message>
         <source>S&amp;ave…</source>
@@ -11378,15 +12439,15 @@
     </message>
     <message>
         <source>changed, on the drive: %1</source>
-        <translation>modifié, sur le variateur : %1</translation>
+        <translation>modifié, sur le variateur&#xa0;: %1</translation>
     </message>
     <message>
         <source>on the drive: %1</source>
-        <translation>sur le variateur : %1</translation>
+        <translation>sur le variateur&#xa0;: %1</translation>
     </message>
     <message>
         <source>Revert to the drive&apos;s value: %1</source>
-        <translation>Rétablir la valeur du variateur : %1</translation>
+        <translation>Rétablir la valeur du variateur&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Revert to the drive&apos;s value</source>
@@ -11398,7 +12459,7 @@
     </message>
     <message>
         <source>proposed: %1</source>
-        <translation>proposé : %1</translation>
+        <translation>proposé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Use</source>
@@ -11407,7 +12468,7 @@
     </message>
     <message>
         <source>Use what is proposed: %1</source>
-        <translation>Adopter la proposition : %1</translation>
+        <translation>Adopter la proposition&#xa0;: %1</translation>
     </message>
     <message>
         <source>Use what is proposed for %1</source>
@@ -11629,7 +12690,7 @@
     </message>
     <message>
         <source>For a file without directions: a run is up while its targets rise</source>
-        <translation>Pour un fichier sans sens : une passe est en sens positif tant que ses positions cibles croissent</translation>
+        <translation>Pour un fichier sans sens&#xa0;: une passe est en sens positif tant que ses positions cibles croissent</translation>
     </message>
     <message>
         <source>For an instrument that counts down while the axis moves up</source>
@@ -11640,7 +12701,7 @@
     <name>axiscomp::ui::FileFacts</name>
     <message>
         <source>off: the drive added nothing</source>
-        <translation>désactivée : le variateur n&apos;ajoutait rien</translation>
+        <translation>désactivée&#xa0;: le variateur n&apos;ajoutait rien</translation>
     </message>
     <message>
         <source>on, with table %1</source>
@@ -11755,7 +12816,7 @@
     <name>axiscomp::ui::FileLinesModel</name>
     <message>
         <source>line %1, column %2: %3</source>
-        <translation>ligne %1, colonne %2 : %3</translation>
+        <translation>ligne %1, colonne %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>empty</source>
@@ -11856,7 +12917,7 @@
     </message>
     <message>
         <source>Asks every serial port of this computer for a drive; nothing else is sent. A port that is not listed can be entered as an address, such as serial:/dev/ttyUSB0?baud=921600.</source>
-        <translation>Interroge chaque port série de cet ordinateur pour y trouver un variateur ; rien d&apos;autre n&apos;est envoyé. Un port non listé peut être saisi comme adresse, par exemple serial:/dev/ttyUSB0?baud=921600.</translation>
+        <translation>Interroge chaque port série de cet ordinateur pour y trouver un variateur&#xa0;; rien d&apos;autre n&apos;est envoyé. Un port non listé peut être saisi comme adresse, par exemple serial:/dev/ttyUSB0?baud=921600.</translation>
     </message>
     <message>
         <source>Try all common &amp;baud rates at every port</source>
@@ -11896,7 +12957,7 @@
     </message>
     <message>
         <source>%1, serial number %2, axes: %3</source>
-        <translation>%1, numéro de série %2, axes : %3</translation>
+        <translation>%1, numéro de série %2, axes&#xa0;: %3</translation>
     </message>
     <message>
         <source>All serial ports of this computer are already in the list.</source>
@@ -11904,7 +12965,7 @@
     </message>
     <message>
         <source>Ports searched: %1; drives found: %2</source>
-        <translation>Ports interrogés : %1 ; variateurs trouvés : %2</translation>
+        <translation>Ports interrogés&#xa0;: %1&#xa0;; variateurs trouvés&#xa0;: %2</translation>
     </message>
     <message>
         <source>&amp;Add to the Connections</source>
@@ -11916,11 +12977,11 @@
     </message>
     <message>
         <source>A network is asked only when you confirm its addresses: each of them gets one request.</source>
-        <translation>Un réseau n&apos;est interrogé qu&apos;après confirmation de ses adresses : chacune reçoit une requête.</translation>
+        <translation>Un réseau n&apos;est interrogé qu&apos;après confirmation de ses adresses&#xa0;: chacune reçoit une requête.</translation>
     </message>
     <message>
         <source>&amp;Network:</source>
-        <translation>&amp;Réseau :</translation>
+        <translation>&amp;Réseau&#xa0;:</translation>
     </message>
     <message>
         <source>Addresses of a network</source>
@@ -11941,19 +13002,19 @@
     </message>
     <message>
         <source>Ask no more; what was found stays</source>
-        <translation>Ne plus interroger ; ce qui a été trouvé est conservé</translation>
+        <translation>Ne plus interroger&#xa0;; ce qui a été trouvé est conservé</translation>
     </message>
     <message>
         <source>Asked %1 of %2 addresses; drives found: %3</source>
-        <translation>%1 adresses interrogées sur %2 ; variateurs trouvés : %3</translation>
+        <translation>%1 adresses interrogées sur %2&#xa0;; variateurs trouvés&#xa0;: %3</translation>
     </message>
     <message>
         <source>Stopped. Addresses asked: %1; drives found: %2</source>
-        <translation>Arrêté. Adresses interrogées : %1 ; variateurs trouvés : %2</translation>
+        <translation>Arrêté. Adresses interrogées&#xa0;: %1&#xa0;; variateurs trouvés&#xa0;: %2</translation>
     </message>
     <message>
         <source>Addresses asked: %1; drives found: %2</source>
-        <translation>Adresses interrogées : %1 ; variateurs trouvés : %2</translation>
+        <translation>Adresses interrogées&#xa0;: %1&#xa0;; variateurs trouvés&#xa0;: %2</translation>
     </message>
     <message>
         <source>Ask A&amp;ddresses (%1)</source>
@@ -11965,7 +13026,7 @@
     </message>
     <message>
         <source>Each address gets one request over http, for the list of its files; what answers as a drive does is asked who it is</source>
-        <translation>Chaque adresse reçoit une requête http, demandant la liste de ses fichiers ; si la réponse est celle d&apos;un variateur, celui-ci est invité à s&apos;identifier</translation>
+        <translation>Chaque adresse reçoit une requête http, demandant la liste de ses fichiers&#xa0;; si la réponse est celle d&apos;un variateur, celui-ci est invité à s&apos;identifier</translation>
     </message>
     <message>
         <source>Enter the addresses first</source>
@@ -11976,7 +13037,7 @@
     <name>axiscomp::ui::FitForm</name>
     <message>
         <source>%1: a number is needed. %2</source>
-        <translation>%1 : il faut un nombre. %2</translation>
+        <translation>%1&#xa0;: il faut un nombre. %2</translation>
     </message>
     <message>
         <source>The current axis has no source.</source>
@@ -11996,7 +13057,7 @@
     </message>
     <message>
         <source>The raw positions are on file: it does not matter what was active.</source>
-        <translation>Les positions brutes sont dans le fichier : peu importe ce qui était actif.</translation>
+        <translation>Les positions brutes sont dans le fichier&#xa0;: peu importe ce qui était actif.</translation>
     </message>
     <message>
         <source>Measured with the compensation off, as the file says.</source>
@@ -12020,7 +13081,7 @@
     </message>
     <message>
         <source>Where the drive looks its table up; it decides where the values belong</source>
-        <translation>Où le variateur consulte sa table ; cela décide de la place des valeurs</translation>
+        <translation>Où le variateur consulte sa table&#xa0;; cela décide de la place des valeurs</translation>
     </message>
     <message>
         <source>as the source of the axis says</source>
@@ -12080,7 +13141,7 @@
     </message>
     <message>
         <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
-        <translation>Des écarts résiduels : 1, ou 0,7 si la machine réagit tard ; au plus 2</translation>
+        <translation>Des écarts résiduels&#xa0;: 1, ou 0,7 si la machine réagit tard&#xa0;; au plus 2</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -12096,23 +13157,23 @@
     </message>
     <message>
         <source>linear: straight lines</source>
-        <translation>linear : lignes droites</translation>
+        <translation>linear&#xa0;: lignes droites</translation>
     </message>
     <message>
         <source>cubic: without overshoot</source>
-        <translation>cubic : sans dépassement</translation>
+        <translation>cubic&#xa0;: sans dépassement</translation>
     </message>
     <message>
         <source>spline: natural cubic</source>
-        <translation>spline : cubique naturelle</translation>
+        <translation>spline&#xa0;: cubique naturelle</translation>
     </message>
     <message>
         <source>smooth: near the values</source>
-        <translation>smooth : près des valeurs</translation>
+        <translation>smooth&#xa0;: près des valeurs</translation>
     </message>
     <message>
         <source>harmonic: of a turn</source>
-        <translation>harmonic : d&apos;un tour</translation>
+        <translation>harmonic&#xa0;: d&apos;un tour</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -12140,7 +13201,7 @@
     </message>
     <message>
         <source>A number from 0 on; by cross-validation when the field is empty</source>
-        <translation>Un nombre à partir de 0 ; par validation croisée si le champ est vide</translation>
+        <translation>Un nombre à partir de 0&#xa0;; par validation croisée si le champ est vide</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -12152,7 +13213,7 @@
     </message>
     <message>
         <source>Known periods above 0, such as the lead of the screw: 10; 2.5</source>
-        <translation>Périodes connues, supérieures à 0, par exemple le pas de la vis : 10; 2,5</translation>
+        <translation>Périodes connues, supérieures à 0, par exemple le pas de la vis&#xa0;: 10; 2,5</translation>
     </message>
     <message>
         <source>none</source>
@@ -12172,7 +13233,7 @@
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
-        <translation>Longueur d&apos;un tour d&apos;un axe modulo, par exemple 360 : la table finit comme elle commence</translation>
+        <translation>Longueur d&apos;un tour d&apos;un axe modulo, par exemple 360&#xa0;: la table finit comme elle commence</translation>
     </message>
     <message>
         <source>no modulo axis</source>
@@ -12212,7 +13273,7 @@
     </message>
     <message>
         <source>Whole numbers from 2 on: one for all axes, or 41; 31</source>
-        <translation>Nombres entiers à partir de 2 : un pour tous les axes, ou 41; 31</translation>
+        <translation>Nombres entiers à partir de 2&#xa0;: un pour tous les axes, ou 41; 31</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -12220,7 +13281,7 @@
     </message>
     <message>
         <source>Above 0, in the unit of the positions: one for all axes, or 10; 5</source>
-        <translation>Supérieur à 0, dans l&apos;unité des positions : un pour tous les axes, ou 10; 5</translation>
+        <translation>Supérieur à 0, dans l&apos;unité des positions&#xa0;: un pour tous les axes, ou 10; 5</translation>
     </message>
     <message>
         <source>Deviation</source>
@@ -12248,7 +13309,7 @@
     </message>
     <message>
         <source>Where the table is 0: the zero of the instrument is arbitrary</source>
-        <translation>Où la table vaut 0 : le zéro de l&apos;instrument est arbitraire</translation>
+        <translation>Où la table vaut 0&#xa0;: le zéro de l&apos;instrument est arbitraire</translation>
     </message>
     <message>
         <source>home, else first target</source>
@@ -12300,7 +13361,7 @@
     </message>
     <message>
         <source>It is taken out of straightness alone: scale error is real</source>
-        <translation>Elle n&apos;est retirée que de la rectitude : une erreur d&apos;échelle est réelle</translation>
+        <translation>Elle n&apos;est retirée que de la rectitude&#xa0;: une erreur d&apos;échelle est réelle</translation>
     </message>
     <message>
         <source>kept</source>
@@ -12402,7 +13463,7 @@
     </message>
     <message>
         <source>An earlier table; a new one is being made …</source>
-        <translation>Une table antérieure ; calcul d&apos;une nouvelle …</translation>
+        <translation>Une table antérieure&#xa0;; calcul d&apos;une nouvelle …</translation>
     </message>
     <message>
         <source>The table is being made …</source>
@@ -12430,7 +13491,7 @@
     </message>
     <message>
         <source>Add the files of a measurement on Measure; here a table is made of it.</source>
-        <translation>Ajouter les fichiers d&apos;une mesure dans Mesurer ; une table en est établie ici.</translation>
+        <translation>Ajouter les fichiers d&apos;une mesure dans Mesurer&#xa0;; une table en est établie ici.</translation>
     </message>
     <message>
         <source>The files on Measure cannot be used.</source>
@@ -12438,15 +13499,15 @@
     </message>
     <message>
         <source>Choose where the drive looks its table up: it decides where the values belong.</source>
-        <translation>Choisir où le variateur consulte sa table : cela décide de la place des valeurs.</translation>
+        <translation>Choisir où le variateur consulte sa table&#xa0;: cela décide de la place des valeurs.</translation>
     </message>
     <message>
         <source>Read the warnings; then the table can be used: it is taken over to Write.</source>
-        <translation>Lire les avertissements ; la table est ensuite utilisable : elle est reprise dans Écrire.</translation>
+        <translation>Lire les avertissements&#xa0;; la table est ensuite utilisable&#xa0;: elle est reprise dans Écrire.</translation>
     </message>
     <message>
         <source>The table can be used: it is taken over to Write, where nothing is written before you say so.</source>
-        <translation>La table est utilisable : elle est reprise dans Écrire, où rien n&apos;est écrit sans confirmation.</translation>
+        <translation>La table est utilisable&#xa0;: elle est reprise dans Écrire, où rien n&apos;est écrit sans confirmation.</translation>
     </message>
     <message>
         <source>Use as Table</source>
@@ -12466,7 +13527,7 @@
     </message>
     <message>
         <source>The table corrects axis %1, and the current axis is %2: it is refused there. Choose the axis that was measured.</source>
-        <translation>La table corrige l&apos;axe %1, et l&apos;axe actuel est %2 : elle y est refusée. Choisir l&apos;axe qui a été mesuré.</translation>
+        <translation>La table corrige l&apos;axe %1, et l&apos;axe actuel est %2&#xa0;: elle y est refusée. Choisir l&apos;axe qui a été mesuré.</translation>
     </message>
 </context>
 <context>
@@ -12497,22 +13558,22 @@
     </message>
     <message>
         <source>The table over what was measured, and what remains. Left and right go from point to point; the wheel and + and - zoom, Home shows all.</source>
-        <translation>La table superposée à la mesure, et ce qui reste. Gauche et droite vont de point en point ; la molette ainsi que + et - zooment, Début affiche tout.</translation>
+        <translation>La table superposée à la mesure, et ce qui reste. Gauche et droite vont de point en point&#xa0;; la molette ainsi que + et - zooment, Début affiche tout.</translation>
     </message>
     <message>
         <source>%1: measured %2 ± %3, %4 remains</source>
-        <translation>%1 : mesuré %2 ± %3, reste %4</translation>
+        <translation>%1&#xa0;: mesuré %2 ± %3, reste %4</translation>
     </message>
     <message>
         <source>%1: measured %2, %3 remains</source>
-        <translation>%1 : mesuré %2, reste %3</translation>
+        <translation>%1&#xa0;: mesuré %2, reste %3</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::FitResults</name>
     <message>
         <source>Largest correction: %1 at %2.</source>
-        <translation>Plus grande correction : %1 à %2.</translation>
+        <translation>Plus grande correction&#xa0;: %1 à %2.</translation>
     </message>
     <message>
         <source>What remains, rms</source>
@@ -12540,11 +13601,11 @@
     </message>
     <message>
         <source>Warning: %1</source>
-        <translation>Avertissement : %1</translation>
+        <translation>Avertissement&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1: foretold %2, tolerance %3: %4.</source>
-        <translation>%1 : prévu %2, tolérance %3 : %4.</translation>
+        <translation>%1&#xa0;: prévu %2, tolérance %3&#xa0;: %4.</translation>
     </message>
     <message>
         <source>not defined</source>
@@ -12552,7 +13613,7 @@
     </message>
     <message>
         <source>Table %1: %2; CRC %3.</source>
-        <translation>Table %1 : %2 ; CRC %3.</translation>
+        <translation>Table %1&#xa0;: %2&#xa0;; CRC %3.</translation>
     </message>
     <message>
         <source>Looked up at the encoder&apos;s position, before the compensation.</source>
@@ -12568,11 +13629,11 @@
     </message>
     <message>
         <source>Points of the grid that were filled: %1 of %2.</source>
-        <translation>Points de la grille remplis : %1 sur %2.</translation>
+        <translation>Points de la grille remplis&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
         <source>Held out: each target foretold without it, which is the one to believe between the targets.</source>
-        <translation>Hors ajustement : chaque position cible prévue sans elle, la valeur à laquelle se fier entre les positions cibles.</translation>
+        <translation>Hors ajustement&#xa0;: chaque position cible prévue sans elle, la valeur à laquelle se fier entre les positions cibles.</translation>
     </message>
     <message>
         <source>Figures before and foretold</source>
@@ -12587,7 +13648,7 @@
     <name>axiscomp::ui::ForeignChange</name>
     <message>
         <source>The axis has lost its homing, as after a restart of the drive: the compensation is off. Home the axis and activate again.</source>
-        <translation>L&apos;axe a perdu son origine, comme après un redémarrage du variateur : la compensation est désactivée. Effectuer la prise d&apos;origine de l&apos;axe et activer de nouveau.</translation>
+        <translation>L&apos;axe a perdu son origine, comme après un redémarrage du variateur&#xa0;: la compensation est désactivée. Effectuer la prise d&apos;origine de l&apos;axe et activer de nouveau.</translation>
     </message>
     <message>
         <source>The axis has lost its homing, as after a restart of the drive.</source>
@@ -12595,11 +13656,11 @@
     </message>
     <message>
         <source>The compensation is off: something other than this window has switched it off.</source>
-        <translation>La compensation est désactivée : elle ne l&apos;a pas été depuis cette fenêtre.</translation>
+        <translation>La compensation est désactivée&#xa0;: elle ne l&apos;a pas été depuis cette fenêtre.</translation>
     </message>
     <message>
         <source>The compensation is on: something other than this window has switched it on.</source>
-        <translation>La compensation est activée : elle ne l&apos;a pas été depuis cette fenêtre.</translation>
+        <translation>La compensation est activée&#xa0;: elle ne l&apos;a pas été depuis cette fenêtre.</translation>
     </message>
     <message>
         <source>The axis has no table any more.</source>
@@ -12607,7 +13668,7 @@
     </message>
     <message>
         <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation>Sa table volatile a disparu : l&apos;écrire de nouveau ou la rendre persistante.</translation>
+        <translation>Sa table volatile a disparu&#xa0;: l&apos;écrire de nouveau ou la rendre persistante.</translation>
     </message>
     <message>
         <source>dimensionality</source>
@@ -12627,7 +13688,7 @@
     </message>
     <message>
         <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation>Un autre programme a modifié les réglages de cet axe sur le variateur : %1.</translation>
+        <translation>Un autre programme a modifié les réglages de cet axe sur le variateur&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -12649,7 +13710,7 @@
     </message>
     <message>
         <source>Writes the table and source parameters in %1 to the axes of %2, one after the other. The tables themselves must be on the drive. Each write makes a backup and is verified; no compensation is switched on.</source>
-        <translation>Écrit les paramètres de tables et de sources de %1 sur les axes de %2, l&apos;un après l&apos;autre. Les tables elles-mêmes doivent être sur le variateur. Chaque écriture crée une sauvegarde et est vérifiée ; aucune compensation n&apos;est activée.</translation>
+        <translation>Écrit les paramètres de tables et de sources de %1 sur les axes de %2, l&apos;un après l&apos;autre. Les tables elles-mêmes doivent être sur le variateur. Chaque écriture crée une sauvegarde et est vérifiée&#xa0;; aucune compensation n&apos;est activée.</translation>
     </message>
 </context>
 <context>
@@ -12668,11 +13729,11 @@
     </message>
     <message>
         <source>Use the file with these choices; nothing is written to the drive yet</source>
-        <translation>Utiliser le fichier avec ces choix ; rien n&apos;est encore écrit dans le variateur</translation>
+        <translation>Utiliser le fichier avec ces choix&#xa0;; rien n&apos;est encore écrit dans le variateur</translation>
     </message>
     <message>
         <source>Line %1: </source>
-        <translation>Ligne %1 : </translation>
+        <translation>Ligne %1&#xa0;: </translation>
     </message>
 </context>
 <context>
@@ -12761,15 +13822,15 @@
     <name>axiscomp::ui::LimitFields</name>
     <message>
         <source>The largest value that is allowed, such as 10 µm; empty: no tolerance</source>
-        <translation>La plus grande valeur admise, par exemple 10 µm ; vide : aucune tolérance</translation>
+        <translation>La plus grande valeur admise, par exemple 10 µm&#xa0;; vide&#xa0;: aucune tolérance</translation>
     </message>
     <message>
         <source>Uncertainty of the measurement with k = 2, such as 2.1 µm; empty: not stated</source>
-        <translation>Incertitude de mesure avec k = 2, par exemple 2,1 µm ; vide : non indiquée</translation>
+        <translation>Incertitude de mesure avec k = 2, par exemple 2,1 µm&#xa0;; vide&#xa0;: non indiquée</translation>
     </message>
     <message>
         <source>Tolerance: %1</source>
-        <translation>Tolérance : %1</translation>
+        <translation>Tolérance&#xa0;: %1</translation>
     </message>
     <message>
         <source>Uncertainty U, k = 2</source>
@@ -12838,27 +13899,27 @@
     <name>axiscomp::ui::MachineApplication</name>
     <message>
         <source>All drives already had what %1 says; nothing was written.</source>
-        <translation>Tous les variateurs avaient déjà le contenu de %1 ; rien n&apos;a été écrit.</translation>
+        <translation>Tous les variateurs avaient déjà le contenu de %1&#xa0;; rien n&apos;a été écrit.</translation>
     </message>
     <message>
         <source>%1 is applied. Written and verified: %2.</source>
-        <translation>%1 est appliqué. Écrit et vérifié : %2.</translation>
+        <translation>%1 est appliqué. Écrit et vérifié&#xa0;: %2.</translation>
     </message>
     <message>
         <source>%1 is not applied as a whole: %2</source>
-        <translation>%1 n&apos;est pas entièrement appliqué : %2</translation>
+        <translation>%1 n&apos;est pas entièrement appliqué&#xa0;: %2</translation>
     </message>
     <message>
         <source>Failed: %1.</source>
-        <translation>Échec : %1.</translation>
+        <translation>Échec&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Written and verified: %1.</source>
-        <translation>Écrit et vérifié : %1.</translation>
+        <translation>Écrit et vérifié&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Not written: %1.</source>
-        <translation>Non écrit : %1.</translation>
+        <translation>Non écrit&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Applying it again does the rest.</source>
@@ -12867,21 +13928,21 @@
     <message>
         <source>%1: %2; it holds: %3.</source>
         <comment>axis, what became of it, and its table</comment>
-        <translation>%1 : %2 ; contenu : %3.</translation>
+        <translation>%1&#xa0;: %2&#xa0;; contenu&#xa0;: %3.</translation>
     </message>
     <message>
         <source>%1: %2; what it holds is not known.</source>
         <comment>axis, and what became of it</comment>
-        <translation>%1 : %2 ; contenu inconnu.</translation>
+        <translation>%1&#xa0;: %2&#xa0;; contenu inconnu.</translation>
     </message>
     <message>
         <source>Begin: applying the machine file %1.</source>
-        <translation>Début : application du fichier machine %1.</translation>
+        <translation>Début&#xa0;: application du fichier machine %1.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <comment>drive and problem</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -12943,7 +14004,7 @@
     </message>
     <message>
         <source>The drives stay connected; nothing is changed</source>
-        <translation>Les variateurs restent connectés ; rien ne change</translation>
+        <translation>Les variateurs restent connectés&#xa0;; rien ne change</translation>
     </message>
     <message>
         <source>Problems of the machine file</source>
@@ -12956,32 +14017,32 @@
     <message>
         <source>as the file says: %1</source>
         <comment>number of axes</comment>
-        <translation>conformes au fichier : %1</translation>
+        <translation>conformes au fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>differ: %1</source>
         <comment>number of axes</comment>
-        <translation>différents : %1</translation>
+        <translation>différents&#xa0;: %1</translation>
     </message>
     <message>
         <source>cannot be compared: %1</source>
         <comment>number of axes</comment>
-        <translation>non comparables : %1</translation>
+        <translation>non comparables&#xa0;: %1</translation>
     </message>
     <message>
         <source>not reachable: %1</source>
         <comment>number of axes</comment>
-        <translation>injoignables : %1</translation>
+        <translation>injoignables&#xa0;: %1</translation>
     </message>
     <message>
         <source>not among the connections: %1</source>
         <comment>number of axes</comment>
-        <translation>absents des connexions : %1</translation>
+        <translation>absents des connexions&#xa0;: %1</translation>
     </message>
     <message>
         <source>not compared yet: %1</source>
         <comment>number of axes</comment>
-        <translation>pas encore comparés : %1</translation>
+        <translation>pas encore comparés&#xa0;: %1</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -12991,7 +14052,7 @@
     <message>
         <source>%1: axes %2.</source>
         <comment>machine file and numbers of axes</comment>
-        <translation>%1 : axes %2.</translation>
+        <translation>%1&#xa0;: axes %2.</translation>
     </message>
     <message>
         <source>Compared at %1.</source>
@@ -13000,7 +14061,7 @@
     <message>
         <source>%1: %2</source>
         <comment>drive or axis, and what is wrong</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>This drive is not among the connections any more.</source>
@@ -13063,7 +14124,7 @@
     </message>
     <message>
         <source>Without targets there are no figures of ISO 230-2; Fit makes a table of it.</source>
-        <translation>Sans positions cibles, pas de caractéristiques selon l&apos;ISO 230-2 ; Ajuster en établit une table.</translation>
+        <translation>Sans positions cibles, pas de caractéristiques selon l&apos;ISO 230-2&#xa0;; Ajuster en établit une table.</translation>
     </message>
     <message>
         <source>The measurement can be used. Go on to Judge and Fit.</source>
@@ -13082,7 +14143,7 @@
     </message>
     <message>
         <source>Add files of a measurement; they can also be dropped here (Ctrl+O)</source>
-        <translation>Ajouter des fichiers d&apos;une mesure ; ils peuvent aussi être déposés ici (Ctrl+O)</translation>
+        <translation>Ajouter des fichiers d&apos;une mesure&#xa0;; ils peuvent aussi être déposés ici (Ctrl+O)</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
@@ -13123,7 +14184,7 @@
     </message>
     <message>
         <source>warnings: %1</source>
-        <translation>avertissements : %1</translation>
+        <translation>avertissements&#xa0;: %1</translation>
     </message>
     <message>
         <source>ready</source>
@@ -13131,11 +14192,11 @@
     </message>
     <message>
         <source>samples: %1</source>
-        <translation>échantillons : %1</translation>
+        <translation>échantillons&#xa0;: %1</translation>
     </message>
     <message>
         <source>points: %1</source>
-        <translation>points : %1</translation>
+        <translation>points&#xa0;: %1</translation>
     </message>
     <message>
         <source>means</source>
@@ -13174,7 +14235,7 @@
     <name>axiscomp::ui::MeasuringActions</name>
     <message>
         <source>Values are being captured: stop that first</source>
-        <translation>Acquisition de valeurs en cours : l&apos;arrêter d&apos;abord</translation>
+        <translation>Acquisition de valeurs en cours&#xa0;: l&apos;arrêter d&apos;abord</translation>
     </message>
     <message>
         <source>Choose a drive and an axis first</source>
@@ -13185,7 +14246,7 @@
     <name>axiscomp::ui::MessagePresenter</name>
     <message>
         <source>This is the built-in demo drive. Try everything; no real drive is affected.</source>
-        <translation>Ceci est le variateur de démonstration intégré. Tout peut être essayé ; aucun variateur réel n&apos;est concerné.</translation>
+        <translation>Ceci est le variateur de démonstration intégré. Tout peut être essayé&#xa0;; aucun variateur réel n&apos;est concerné.</translation>
     </message>
     <message>
         <source>Wor&amp;k with Real Drives…</source>
@@ -13193,7 +14254,7 @@
     </message>
     <message>
         <source>%1 Your changes are kept; reconnecting …</source>
-        <translation>%1 Les modifications sont conservées ; reconnexion …</translation>
+        <translation>%1 Les modifications sont conservées&#xa0;; reconnexion …</translation>
     </message>
     <message>
         <source>%1 Reconnecting …</source>
@@ -13263,7 +14324,7 @@
     </message>
     <message>
         <source>Writes columns of %1 to axes of %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified.</source>
-        <translation>Écrit des colonnes de %1 sur des axes de %2, l&apos;une après l&apos;autre. Toutes les écritures sont vérifiées avant que la première commence ; chacune crée une sauvegarde et est vérifiée.</translation>
+        <translation>Écrit des colonnes de %1 sur des axes de %2, l&apos;une après l&apos;autre. Toutes les écritures sont vérifiées avant que la première commence&#xa0;; chacune crée une sauvegarde et est vérifiée.</translation>
     </message>
     <message>
         <source>&amp;Sources</source>
@@ -13279,15 +14340,15 @@
     </message>
     <message>
         <source>The same for all, as on the page: %1</source>
-        <translation>Les mêmes pour tous, comme sur la page : %1</translation>
+        <translation>Les mêmes pour tous, comme sur la page&#xa0;: %1</translation>
     </message>
     <message>
         <source>Persistent, as on the page: all tables are stored in flash.</source>
-        <translation>Persistant, comme sur la page : toutes les tables sont enregistrées en mémoire flash.</translation>
+        <translation>Persistant, comme sur la page&#xa0;: toutes les tables sont enregistrées en mémoire flash.</translation>
     </message>
     <message>
         <source>Volatile, as on the page: a reboot of the drive restores the stored state.</source>
-        <translation>Volatil, comme sur la page : un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+        <translation>Volatil, comme sur la page&#xa0;: un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>Each axis its own position</source>
@@ -13295,7 +14356,7 @@
     </message>
     <message>
         <source>No register is known for the position of %1: select other sources.</source>
-        <translation>Aucun registre connu pour la position de %1 : choisir d&apos;autres sources.</translation>
+        <translation>Aucun registre connu pour la position de %1&#xa0;: choisir d&apos;autres sources.</translation>
     </message>
 </context>
 <context>
@@ -13306,11 +14367,11 @@
     </message>
     <message>
         <source>They are volatile: a reboot of the drive restores the stored state.</source>
-        <translation>Elles sont volatiles : un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+        <translation>Elles sont volatiles&#xa0;: un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>Written and verified: %1. %2</source>
-        <translation>Écrit et vérifié : %1. %2</translation>
+        <translation>Écrit et vérifié&#xa0;: %1. %2</translation>
     </message>
     <message>
         <source>The writes were stopped.</source>
@@ -13323,7 +14384,7 @@
     <message>
         <source>%1: %2</source>
         <comment>axis and sentence</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>No axis was changed.</source>
@@ -13331,19 +14392,19 @@
     </message>
     <message>
         <source>New state: %1.</source>
-        <translation>Nouvel état : %1.</translation>
+        <translation>Nouvel état&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Old state, complete: %1.</source>
-        <translation>Ancien état, complet : %1.</translation>
+        <translation>Ancien état, complet&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
-        <translation>Enregistrées en mémoire flash : %1. Volatiles : %2 ; un redémarrage du variateur rétablit leur état enregistré.</translation>
+        <translation>Enregistrées en mémoire flash&#xa0;: %1. Volatiles&#xa0;: %2&#xa0;; un redémarrage du variateur rétablit leur état enregistré.</translation>
     </message>
     <message>
         <source>%1 The tables that no axis uses are not all restored: %2</source>
-        <translation>%1 Les tables qu&apos;aucun axe n&apos;utilise ne sont pas toutes restaurées : %2</translation>
+        <translation>%1 Les tables qu&apos;aucun axe n&apos;utilise ne sont pas toutes restaurées&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -13366,7 +14427,7 @@
     </message>
     <message>
         <source>nothing: the drive already has all of this</source>
-        <translation>rien : le variateur a déjà tout cela</translation>
+        <translation>rien&#xa0;: le variateur a déjà tout cela</translation>
     </message>
     <message>
         <source>chosen when it is written</source>
@@ -13386,7 +14447,7 @@
     </message>
     <message>
         <source>Dim%1: %2</source>
-        <translation>Dim%1 : %2</translation>
+        <translation>Dim%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Axis</source>
@@ -13411,7 +14472,7 @@
     <message>
         <source>%1: %2</source>
         <comment>axis and remark</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Uses no flash operation.</source>
@@ -13419,22 +14480,22 @@
     </message>
     <message>
         <source>Flash operations in total: %1.</source>
-        <translation>Opérations flash au total : %1.</translation>
+        <translation>Opérations flash au total&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Flash operations: %1 used, %2 left right after.</source>
-        <translation>Opérations flash : %1 utilisées, %2 restantes juste après.</translation>
+        <translation>Opérations flash&#xa0;: %1 utilisées, %2 restantes juste après.</translation>
     </message>
     <message>
         <source>These large corrections are &amp;right: their unit has been checked</source>
-        <translation>Ces &amp;grandes corrections sont justes : leur unité a été vérifiée</translation>
+        <translation>Ces &amp;grandes corrections sont justes&#xa0;: leur unité a été vérifiée</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::NumberEdit</name>
     <message>
         <source>%1: &quot;%2&quot; cannot be taken. %3</source>
-        <translation>%1 : « %2 » n&apos;est pas accepté. %3</translation>
+        <translation>%1&#xa0;: «&#xa0;%2&#xa0;» n&apos;est pas accepté. %3</translation>
     </message>
 </context>
 <context>
@@ -13442,32 +14503,32 @@
     <message>
         <source>Begin: %1, %2.</source>
         <comment>task and drive</comment>
-        <translation>Début : %1, %2.</translation>
+        <translation>Début&#xa0;: %1, %2.</translation>
     </message>
     <message>
         <source>Begin: %1 %2.</source>
-        <translation>Début : %1 %2.</translation>
+        <translation>Début&#xa0;: %1 %2.</translation>
     </message>
     <message>
         <source>%1: %2, %3</source>
         <comment>task, axis and step</comment>
-        <translation>%1 : %2, %3</translation>
+        <translation>%1&#xa0;: %2, %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: stopping</source>
-        <translation>%1 : arrêt en cours</translation>
+        <translation>%1&#xa0;: arrêt en cours</translation>
     </message>
     <message>
         <source>The fields were changed while the write was planned: write again.</source>
-        <translation>Les champs ont été modifiés pendant la planification de l&apos;écriture : écrire de nouveau.</translation>
+        <translation>Les champs ont été modifiés pendant la planification de l&apos;écriture&#xa0;: écrire de nouveau.</translation>
     </message>
     <message>
         <source>The drive or the fields have changed since the write was planned: write again.</source>
-        <translation>Le variateur ou les champs ont changé depuis la planification de l&apos;écriture : écrire de nouveau.</translation>
+        <translation>Le variateur ou les champs ont changé depuis la planification de l&apos;écriture&#xa0;: écrire de nouveau.</translation>
     </message>
     <message>
         <source>Stopped by the user.</source>
@@ -13475,7 +14536,7 @@
     </message>
     <message>
         <source>Wrote %1: axes: %2, tables: %3.</source>
-        <translation>%1 écrit : axes : %2, tables : %3.</translation>
+        <translation>%1 écrit&#xa0;: axes&#xa0;: %2, tables&#xa0;: %3.</translation>
     </message>
 </context>
 <context>
@@ -13490,15 +14551,15 @@
     </message>
     <message>
         <source>It is volatile: a reboot of the drive restores the stored state.</source>
-        <translation>Il est volatil : un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+        <translation>Il est volatil&#xa0;: un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
     </message>
     <message>
         <source>Written and verified: the drive holds the new state. %1</source>
-        <translation>Écrit et vérifié : le variateur est dans le nouvel état. %1</translation>
+        <translation>Écrit et vérifié&#xa0;: le variateur est dans le nouvel état. %1</translation>
     </message>
     <message>
         <source>Nothing to write: the drive already has all of this.</source>
-        <translation>Rien à écrire : le variateur a déjà tout cela.</translation>
+        <translation>Rien à écrire&#xa0;: le variateur a déjà tout cela.</translation>
     </message>
     <message>
         <source>The write was stopped.</source>
@@ -13514,7 +14575,7 @@
     </message>
     <message>
         <source>The compensation is being evaluated: the drive adds nothing.</source>
-        <translation>La compensation est en évaluation : le variateur n&apos;ajoute rien.</translation>
+        <translation>La compensation est en évaluation&#xa0;: le variateur n&apos;ajoute rien.</translation>
     </message>
     <message>
         <source>The proof was stopped.</source>
@@ -13522,19 +14583,19 @@
     </message>
     <message>
         <source>%1 But the proof failed: deactivate it unless you know why. %2</source>
-        <translation>%1 Mais la validation a échoué : désactiver, sauf si la raison est connue. %2</translation>
+        <translation>%1 Mais la validation a échoué&#xa0;: désactiver, sauf si la raison est connue. %2</translation>
     </message>
     <message>
         <source>Restored: the drive holds the state from before the write of %1.</source>
-        <translation>Restauré : le variateur est dans l&apos;état d&apos;avant l&apos;écriture du %1.</translation>
+        <translation>Restauré&#xa0;: le variateur est dans l&apos;état d&apos;avant l&apos;écriture du %1.</translation>
     </message>
     <message>
         <source>The drive holds the complete new state; nothing more to do.</source>
-        <translation>Le variateur est entièrement dans le nouvel état ; il n&apos;y a plus rien à faire.</translation>
+        <translation>Le variateur est entièrement dans le nouvel état&#xa0;; il n&apos;y a plus rien à faire.</translation>
     </message>
     <message>
         <source>The write of %1 was interrupted (last step: %2). %3</source>
-        <translation>L&apos;écriture du %1 a été interrompue (dernière étape : %2). %3</translation>
+        <translation>L&apos;écriture du %1 a été interrompue (dernière étape&#xa0;: %2). %3</translation>
     </message>
     <message>
         <source>%1 The write is still unfinished.</source>
@@ -13542,11 +14603,11 @@
     </message>
     <message>
         <source>Finished and verified: the drive holds the complete new state.</source>
-        <translation>Achevé et vérifié : le variateur est entièrement dans le nouvel état.</translation>
+        <translation>Achevé et vérifié&#xa0;: le variateur est entièrement dans le nouvel état.</translation>
     </message>
     <message>
         <source>Undone and verified: the drive holds the complete old state.</source>
-        <translation>Annulé et vérifié : le variateur est entièrement dans l&apos;ancien état.</translation>
+        <translation>Annulé et vérifié&#xa0;: le variateur est entièrement dans l&apos;ancien état.</translation>
     </message>
     <message>
         <source>The drive holds the complete new state, but its parameters may not be saved.</source>
@@ -13554,7 +14615,7 @@
     </message>
     <message>
         <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>
-        <translation>Le variateur n&apos;est ni dans l&apos;ancien ni dans le nouvel état : achever ou annuler l&apos;écriture avant d&apos;activer l&apos;axe.</translation>
+        <translation>Le variateur n&apos;est ni dans l&apos;ancien ni dans le nouvel état&#xa0;: achever ou annuler l&apos;écriture avant d&apos;activer l&apos;axe.</translation>
     </message>
     <message>
         <source>Not proved.</source>
@@ -13574,11 +14635,11 @@
     </message>
     <message>
         <source>Deleted and verified: %1 is empty, and the axis uses no table.</source>
-        <translation>Supprimé et vérifié : %1 est vide, et l&apos;axe n&apos;utilise aucune table.</translation>
+        <translation>Supprimé et vérifié&#xa0;: %1 est vide, et l&apos;axe n&apos;utilise aucune table.</translation>
     </message>
     <message>
         <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
-        <translation>Validé sur %1 de la table : plus grande différence %2. Déplacer l&apos;axe pour valider davantage.</translation>
+        <translation>Validé sur %1 de la table&#xa0;: plus grande différence %2. Déplacer l&apos;axe pour valider davantage.</translation>
     </message>
     <message>
         <source>Its table indices are right.</source>
@@ -13601,7 +14662,7 @@
     </message>
     <message>
         <source>Grubbs, 5 %</source>
-        <translation>Grubbs, 5 %</translation>
+        <translation>Grubbs, 5&#xa0;%</translation>
     </message>
     <message>
         <source>no rule</source>
@@ -13613,7 +14674,7 @@
     </message>
     <message>
         <source>How values that do not fit the others are found; a proposal, nothing is left out by it</source>
-        <translation>Comment trouver les valeurs qui ne concordent pas avec les autres ; une proposition, rien n&apos;est omis pour autant</translation>
+        <translation>Comment trouver les valeurs qui ne concordent pas avec les autres&#xa0;; une proposition, rien n&apos;est omis pour autant</translation>
     </message>
     <message>
         <source>Proposed for exclusion, and excluded</source>
@@ -13744,7 +14805,7 @@
     <message>
         <source>%1: %2</source>
         <comment>file and column</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>persistent</source>
@@ -13811,7 +14872,7 @@
     </message>
     <message>
         <source>The table that the axis uses: its file and column where this window has written it, otherwise its place on the drive; and the checksum of its values</source>
-        <translation>La table que l&apos;axe utilise : son fichier et sa colonne si elle a été écrite depuis cette fenêtre, sinon son emplacement sur le variateur ; et la somme de contrôle de ses valeurs</translation>
+        <translation>La table que l&apos;axe utilise&#xa0;: son fichier et sa colonne si elle a été écrite depuis cette fenêtre, sinon son emplacement sur le variateur&#xa0;; et la somme de contrôle de ses valeurs</translation>
     </message>
     <message>
         <source>Whether the table survives a reboot</source>
@@ -13913,7 +14974,7 @@ A compensation value is reference minus encoder; the drive adds it to the encode
 Free software under the GNU General Public License, version 3 or later.</source>
         <translation>Écrit des tables de compensation d&apos;erreurs dans des servovariateurs, les active et valide que le variateur les applique.
 
-Une valeur de compensation est référence moins codeur ; le variateur l&apos;ajoute à la position du codeur.
+Une valeur de compensation est référence moins codeur&#xa0;; le variateur l&apos;ajoute à la position du codeur.
 
 Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure.</translation>
     </message>
@@ -13947,7 +15008,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>&amp;Undo: %1</source>
-        <translation>&amp;Annuler : %1</translation>
+        <translation>&amp;Annuler&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -13955,11 +15016,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>&amp;Redo: %1</source>
-        <translation>Re&amp;faire : %1</translation>
+        <translation>Re&amp;faire&#xa0;: %1</translation>
     </message>
     <message>
         <source>Takes the last change of the fields back; the drive is not reached</source>
-        <translation>Annule la dernière modification des champs ; sans effet sur le variateur</translation>
+        <translation>Annule la dernière modification des champs&#xa0;; sans effet sur le variateur</translation>
     </message>
     <message>
         <source>Makes the change that was undone again</source>
@@ -14007,7 +15068,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The drives stay connected; nothing is changed</source>
-        <translation>Les variateurs restent connectés ; rien ne change</translation>
+        <translation>Les variateurs restent connectés&#xa0;; rien ne change</translation>
     </message>
     <message>
         <source>&amp;Machine</source>
@@ -14109,7 +15170,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>axiscomp::ui::ParameterExport</name>
     <message>
         <source>Wrote %1: only compensation registers have changed.</source>
-        <translation>%1 écrit : seuls des registres de compensation ont changé.</translation>
+        <translation>%1 écrit&#xa0;: seuls des registres de compensation ont changé.</translation>
     </message>
 </context>
 <context>
@@ -14184,7 +15245,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Measured in every run; above the first</source>
-        <translation>Mesurée dans chaque passe ; supérieure à la première</translation>
+        <translation>Mesurée dans chaque passe&#xa0;; supérieure à la première</translation>
     </message>
     <message>
         <source>&amp;Targets</source>
@@ -14200,7 +15261,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Of the axis&apos;s error, such as the lead of its screw: targets are spread over it</source>
-        <translation>De l&apos;erreur de l&apos;axe, par exemple le pas de sa vis : les positions cibles y sont réparties</translation>
+        <translation>De l&apos;erreur de l&apos;axe, par exemple le pas de sa vis&#xa0;: les positions cibles y sont réparties</translation>
     </message>
     <message>
         <source>&amp;Cycles</source>
@@ -14208,7 +15269,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Runs in each direction; the standard wants five</source>
-        <translation>Passes dans chaque sens ; la norme en demande cinq</translation>
+        <translation>Passes dans chaque sens&#xa0;; la norme en demande cinq</translation>
     </message>
     <message>
         <source>&amp;Overrun</source>
@@ -14268,15 +15329,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1. The axis moves from %2 to %3: check that this way is free.</source>
-        <translation>%1. L&apos;axe se déplace de %2 à %3 : vérifier que ce trajet est libre.</translation>
+        <translation>%1. L&apos;axe se déplace de %2 à %3&#xa0;: vérifier que ce trajet est libre.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>This program never moves an axis: the control of the machine plays the program, or a person moves from target to target.</source>
-        <translation>Ce programme ne déplace jamais un axe : la commande de la machine exécute le programme, ou une personne va d&apos;une position cible à l&apos;autre.</translation>
+        <translation>Ce programme ne déplace jamais un axe&#xa0;: la commande de la machine exécute le programme, ou une personne va d&apos;une position cible à l&apos;autre.</translation>
     </message>
     <message>
         <source>For Capture, which takes the values by it</source>
@@ -14412,7 +15473,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 cannot be used; the previous selection is kept.</source>
-        <translation>%1 n&apos;est pas utilisable ; la sélection précédente est conservée.</translation>
+        <translation>%1 n&apos;est pas utilisable&#xa0;; la sélection précédente est conservée.</translation>
     </message>
     <message>
         <source>%1 is used, with these warnings.</source>
@@ -14420,7 +15481,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Further problems: %1.</source>
-        <translation>Autres problèmes : %1.</translation>
+        <translation>Autres problèmes&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Click a problem, or press Enter, to see the file&apos;s line.</source>
@@ -14474,15 +15535,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Not within the tolerances: %1.</source>
-        <translation>Hors des tolérances : %1.</translation>
+        <translation>Hors des tolérances&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Not judged by: %1.</source>
-        <translation>Sans verdict : %1.</translation>
+        <translation>Sans verdict&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Undecided, since the uncertainty is too large: %1.</source>
-        <translation>Indéterminé, car l&apos;incertitude de mesure est trop grande : %1.</translation>
+        <translation>Indéterminé, car l&apos;incertitude de mesure est trop grande&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The machine is not as good as was predicted.</source>
@@ -14550,23 +15611,23 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>What to look at: %1</source>
-        <translation>À examiner : %1</translation>
+        <translation>À examiner&#xa0;: %1</translation>
     </message>
     <message>
         <source>Nothing was predicted between the targets: before and after are compared alone.</source>
-        <translation>Rien n&apos;était prévu entre les positions cibles : seuls avant et après sont comparés.</translation>
+        <translation>Rien n&apos;était prévu entre les positions cibles&#xa0;: seuls avant et après sont comparés.</translation>
     </message>
     <message>
         <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Conforme à la prévision : M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
+        <translation>Conforme à la prévision&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
     </message>
     <message>
         <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Non conforme à la prévision : M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
+        <translation>Non conforme à la prévision&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
     </message>
     <message>
         <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
-        <translation>Aucune table de cette fiche n&apos;est utilisée : une deuxième mesure n&apos;est comparée qu&apos;à celle de Mesurer. Ouvrir une fiche avec une table pour valider celle-ci.</translation>
+        <translation>Aucune table de cette fiche n&apos;est utilisée&#xa0;: une deuxième mesure n&apos;est comparée qu&apos;à celle de Mesurer. Ouvrir une fiche avec une table pour valider celle-ci.</translation>
     </message>
     <message>
         <source>Write the table and activate it, measure again, and add the files of that measurement here.</source>
@@ -14578,7 +15639,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The measurement is in the record: save that, and write the report.</source>
-        <translation>La mesure est dans la fiche : l&apos;enregistrer et écrire le rapport.</translation>
+        <translation>La mesure est dans la fiche&#xa0;: l&apos;enregistrer et écrire le rapport.</translation>
     </message>
     <message>
         <source>Keep it in the record.</source>
@@ -14590,7 +15651,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The second measurement does not say which table was active. If it was the table %1, say so above; otherwise measure again with it.</source>
-        <translation>La deuxième mesure n&apos;indique pas quelle table était active. S&apos;il s&apos;agissait de la table %1, l&apos;indiquer ci-dessus ; sinon, mesurer de nouveau avec elle.</translation>
+        <translation>La deuxième mesure n&apos;indique pas quelle table était active. S&apos;il s&apos;agissait de la table %1, l&apos;indiquer ci-dessus&#xa0;; sinon, mesurer de nouveau avec elle.</translation>
     </message>
     <message>
         <source>The measurements are being compared …</source>
@@ -14598,7 +15659,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>There is no measurement to compare it with: add that one in Measure.</source>
-        <translation>Il n&apos;y a pas de mesure à laquelle la comparer : l&apos;ajouter dans Mesurer.</translation>
+        <translation>Il n&apos;y a pas de mesure à laquelle la comparer&#xa0;: l&apos;ajouter dans Mesurer.</translation>
     </message>
 </context>
 <context>
@@ -14721,14 +15782,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The drive has the table; only the record does not say so: %1</source>
-        <translation>Le variateur a la table ; seule la fiche ne l&apos;indique pas : %1</translation>
+        <translation>Le variateur a la table&#xa0;; seule la fiche ne l&apos;indique pas&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordBar</name>
     <message>
         <source>Record:</source>
-        <translation>Fiche :</translation>
+        <translation>Fiche&#xa0;:</translation>
     </message>
     <message>
         <source>Open…</source>
@@ -14736,7 +15797,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Open a record (.axcal); it can also be dropped on the window (Ctrl+Alt+O)</source>
-        <translation>Ouvrir une fiche (.axcal) ; elle peut aussi être déposée sur la fenêtre (Ctrl+Alt+O)</translation>
+        <translation>Ouvrir une fiche (.axcal)&#xa0;; elle peut aussi être déposée sur la fenêtre (Ctrl+Alt+O)</translation>
     </message>
     <message>
         <source>Save</source>
@@ -14842,18 +15903,18 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Fit: %1</source>
-        <translation>Ajustement : %1</translation>
+        <translation>Ajustement&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>axiscomp::ui::ResidualModel</name>
     <message>
         <source>at %1: %2, standard error %3</source>
-        <translation>à %1 : %2, erreur type %3</translation>
+        <translation>à %1&#xa0;: %2, erreur type %3</translation>
     </message>
     <message>
         <source>at %1: %2, standard error not defined</source>
-        <translation>à %1 : %2, erreur type non définie</translation>
+        <translation>à %1&#xa0;: %2, erreur type non définie</translation>
     </message>
     <message>
         <source>Target</source>
@@ -14900,7 +15961,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Dashed, with squares: before. Full line, with dots: after; the band is the standard error of the mean.</source>
-        <translation>Tirets et carrés : avant. Trait plein et points : après ; la bande est l&apos;erreur type de la moyenne.</translation>
+        <translation>Tirets et carrés&#xa0;: avant. Trait plein et points&#xa0;: après&#xa0;; la bande est l&apos;erreur type de la moyenne.</translation>
     </message>
 </context>
 <context>
@@ -14911,11 +15972,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The backup is of another drive: confirm it first.</source>
-        <translation>La sauvegarde est celle d&apos;un autre variateur : à confirmer d&apos;abord.</translation>
+        <translation>La sauvegarde est celle d&apos;un autre variateur&#xa0;: à confirmer d&apos;abord.</translation>
     </message>
     <message>
         <source>Backup of %1, serial number %2; axes: %3</source>
-        <translation>Sauvegarde de %1, numéro de série %2 ; axes : %3</translation>
+        <translation>Sauvegarde de %1, numéro de série %2&#xa0;; axes&#xa0;: %3</translation>
     </message>
     <message>
         <source>, of %1</source>
@@ -14924,7 +15985,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Tables that no axis uses, restored after the axes: %1</source>
-        <translation>Tables qu&apos;aucun axe n&apos;utilise, restaurées après les axes : %1</translation>
+        <translation>Tables qu&apos;aucun axe n&apos;utilise, restaurées après les axes&#xa0;: %1</translation>
     </message>
     <message>
         <source>Restore Whole Drive</source>
@@ -14932,7 +15993,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Brings all axes of %1 back to the backup in %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified. No compensation is switched on.</source>
-        <translation>Ramène tous les axes de %1 à la sauvegarde %2, l&apos;un après l&apos;autre. Toutes les écritures sont vérifiées avant que la première commence ; chacune crée une sauvegarde et est vérifiée. Aucune compensation n&apos;est activée.</translation>
+        <translation>Ramène tous les axes de %1 à la sauvegarde %2, l&apos;un après l&apos;autre. Toutes les écritures sont vérifiées avant que la première commence&#xa0;; chacune crée une sauvegarde et est vérifiée. Aucune compensation n&apos;est activée.</translation>
     </message>
     <message>
         <source>The backup is of &amp;another drive, which this one replaces</source>
@@ -14985,7 +16046,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Leave the selected values out of every figure and table; in the first column, whole targets (Del)</source>
-        <translation>Omettre les valeurs sélectionnées de toute caractéristique et de toute table ; dans la première colonne, des positions cibles entières (Suppr)</translation>
+        <translation>Omettre les valeurs sélectionnées de toute caractéristique et de toute table&#xa0;; dans la première colonne, des positions cibles entières (Suppr)</translation>
     </message>
     <message>
         <source>Exclude W&amp;hole Run</source>
@@ -15005,11 +16066,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Too many cells are selected: at most %1 in one step. A whole target is its cell in the first column; &quot;Exclude Whole Run&quot; takes a whole run.</source>
-        <translation>Trop de cellules sont sélectionnées : au plus %1 à la fois. Pour une position cible entière, sa cellule de la première colonne suffit ; pour une passe entière, utiliser « Exclure toute la passe ».</translation>
+        <translation>Trop de cellules sont sélectionnées&#xa0;: au plus %1 à la fois. Pour une position cible entière, sa cellule de la première colonne suffit&#xa0;; pour une passe entière, utiliser «&#xa0;Exclure toute la passe&#xa0;».</translation>
     </message>
     <message>
         <source>Values: %1, excluded: %2 (✕). ↑ up, ↓ down.</source>
-        <translation>Valeurs : %1, exclues : %2 (✕). ↑ sens positif, ↓ sens négatif.</translation>
+        <translation>Valeurs&#xa0;: %1, exclues&#xa0;: %2 (✕). ↑ sens positif, ↓ sens négatif.</translation>
     </message>
 </context>
 <context>
@@ -15065,7 +16126,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 does not answer: a machine file without one of its drives would be another machine.</source>
-        <translation>%1 ne répond pas : un fichier machine sans l&apos;un de ses variateurs serait une autre machine.</translation>
+        <translation>%1 ne répond pas&#xa0;: un fichier machine sans l&apos;un de ses variateurs serait une autre machine.</translation>
     </message>
     <message>
         <source>Wait for the end of the write.</source>
@@ -15077,7 +16138,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The folder has other files of these names, which would be replaced: %1.</source>
-        <translation>Le dossier contient d&apos;autres fichiers de ces noms, qui seraient remplacés : %1.</translation>
+        <translation>Le dossier contient d&apos;autres fichiers de ces noms, qui seraient remplacés&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Reading the drives …</source>
@@ -15094,11 +16155,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1: %2</source>
         <comment>drive and problem</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Saved %1: drives: %2, tables: %3.</source>
-        <translation>%1 enregistré : variateurs : %2, tables : %3.</translation>
+        <translation>%1 enregistré&#xa0;: variateurs&#xa0;: %2, tables&#xa0;: %3.</translation>
     </message>
     <message>
         <source>Folder for the Machine File</source>
@@ -15113,7 +16174,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>default: %1</source>
-        <translation>par défaut : %1</translation>
+        <translation>par défaut&#xa0;: %1</translation>
     </message>
     <message>
         <source>needed</source>
@@ -15171,7 +16232,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The axis to compensate; lists all axes of all drives</source>
-        <translation>L&apos;axe à compenser ; liste tous les axes de tous les variateurs</translation>
+        <translation>L&apos;axe à compenser&#xa0;; liste tous les axes de tous les variateurs</translation>
     </message>
     <message>
         <source>The axis to compensate</source>
@@ -15183,7 +16244,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The number of positions that the compensation depends on: 1D one, 2D two, 3D three</source>
-        <translation>Le nombre de positions dont dépend la compensation : 1D une, 2D deux, 3D trois</translation>
+        <translation>Le nombre de positions dont dépend la compensation&#xa0;: 1D une, 2D deux, 3D trois</translation>
     </message>
     <message>
         <source>The number of positions that the compensation depends on</source>
@@ -15203,7 +16264,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The register that supplies the position for dimension %1: select one, or type a path, a tam:// URI or a hexadecimal address and press Enter</source>
-        <translation>Le registre qui fournit la position de la dimension %1 : en choisir un, ou saisir un chemin, une URI tam:// ou une adresse hexadécimale et appuyer sur Entrée</translation>
+        <translation>Le registre qui fournit la position de la dimension %1&#xa0;: en choisir un, ou saisir un chemin, une URI tam:// ou une adresse hexadécimale et appuyer sur Entrée</translation>
     </message>
     <message>
         <source>The register that supplies the position for dimension %1</source>
@@ -15215,11 +16276,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>A file of positions and compensation values; needed only for a new table</source>
-        <translation>Un fichier de positions et de valeurs de compensation ; nécessaire seulement pour une nouvelle table</translation>
+        <translation>Un fichier de positions et de valeurs de compensation&#xa0;; nécessaire seulement pour une nouvelle table</translation>
     </message>
     <message>
         <source>A file of compensation values; needed only for a new table</source>
-        <translation>Un fichier de valeurs de compensation ; nécessaire seulement pour une nouvelle table</translation>
+        <translation>Un fichier de valeurs de compensation&#xa0;; nécessaire seulement pour une nouvelle table</translation>
     </message>
     <message>
         <source>Ta&amp;ble</source>
@@ -15227,7 +16288,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The table for the axis: the one on the drive, or one from the file</source>
-        <translation>La table de l&apos;axe : celle du variateur ou l&apos;une de celles du fichier</translation>
+        <translation>La table de l&apos;axe&#xa0;: celle du variateur ou l&apos;une de celles du fichier</translation>
     </message>
     <message>
         <source>The table for the axis</source>
@@ -15239,7 +16300,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Persistent: stored in the drive&apos;s flash and kept over a reboot. Volatile: lost on a reboot. Applies to the table on the drive as well</source>
-        <translation>Persistant : enregistré dans la mémoire flash du variateur, conservé après un redémarrage. Volatil : perdu au redémarrage. Vaut aussi pour la table sur le variateur</translation>
+        <translation>Persistant&#xa0;: enregistré dans la mémoire flash du variateur, conservé après un redémarrage. Volatil&#xa0;: perdu au redémarrage. Vaut aussi pour la table sur le variateur</translation>
     </message>
     <message>
         <source>Whether the table survives a reboot</source>
@@ -15281,7 +16342,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>now %1</source>
         <comment>value</comment>
-        <translation>actuel : %1</translation>
+        <translation>actuel&#xa0;: %1</translation>
     </message>
     <message>
         <source>one source, one column of positions</source>
@@ -15297,7 +16358,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>On the drive: %1</source>
-        <translation>Sur le variateur : %1</translation>
+        <translation>Sur le variateur&#xa0;: %1</translation>
     </message>
     <message>
         <source>none on the drive</source>
@@ -15305,7 +16366,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Parsed: %1</source>
-        <translation>Du fichier : %1</translation>
+        <translation>Du fichier&#xa0;: %1</translation>
     </message>
     <message>
         <source>from %1</source>
@@ -15317,11 +16378,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>problems: %1; the file is not used</source>
-        <translation>problèmes : %1 ; le fichier n&apos;est pas utilisé</translation>
+        <translation>problèmes&#xa0;: %1&#xa0;; le fichier n&apos;est pas utilisé</translation>
     </message>
     <message>
         <source>CSV; needed only for a new table</source>
-        <translation>CSV ; nécessaire seulement pour une nouvelle table</translation>
+        <translation>CSV&#xa0;; nécessaire seulement pour une nouvelle table</translation>
     </message>
     <message>
         <source>reading %1</source>
@@ -15329,7 +16390,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>tables: %1, points: %2</source>
-        <translation>tables : %1, points : %2</translation>
+        <translation>tables&#xa0;: %1, points&#xa0;: %2</translation>
     </message>
     <message>
         <source>in flash</source>
@@ -15342,7 +16403,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>; %1 of %2 flash operations available now</source>
         <comment>of the flash</comment>
-        <translation> ; %1 opérations flash sur %2 disponibles actuellement</translation>
+        <translation>&#xa0;; %1 opérations flash sur %2 disponibles actuellement</translation>
     </message>
     <message>
         <source>not set</source>
@@ -15370,19 +16431,19 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>; %1 of typically %2 flash cycles used</source>
         <comment>of the flash</comment>
-        <translation> ; %1 cycles flash utilisés sur %2 typiques</translation>
+        <translation>&#xa0;; %1 cycles flash utilisés sur %2 typiques</translation>
     </message>
     <message>
         <source>; read as %1, converted</source>
-        <translation> ; lu comme %1, converti</translation>
+        <translation>&#xa0;; lu comme %1, converti</translation>
     </message>
     <message>
         <source>from %1; the drive has it already</source>
-        <translation>de %1 ; le variateur l&apos;a déjà</translation>
+        <translation>de %1&#xa0;; le variateur l&apos;a déjà</translation>
     </message>
     <message>
         <source>Fitted: %1</source>
-        <translation>Ajustée : %1</translation>
+        <translation>Ajustée&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -15413,7 +16474,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Stops the writes; the current one is rolled back (Esc)</source>
-        <translation>Arrête les écritures ; l&apos;ancien état est restauré pour celle en cours (Échap)</translation>
+        <translation>Arrête les écritures&#xa0;; l&apos;ancien état est restauré pour celle en cours (Échap)</translation>
     </message>
     <message>
         <source>C&amp;lose</source>
@@ -15444,11 +16505,11 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>axiscomp::ui::SignSentence</name>
     <message>
         <source>all values are 0: the drive will add nothing</source>
-        <translation>toutes les valeurs sont 0 : le variateur n&apos;ajoutera rien</translation>
+        <translation>toutes les valeurs sont 0&#xa0;: le variateur n&apos;ajoutera rien</translation>
     </message>
     <message>
         <source>where the encoder reads %1, the reference reads %2: the drive will add %3</source>
-        <translation>là où le codeur indique %1, la référence indique %2 : le variateur ajoutera %3</translation>
+        <translation>là où le codeur indique %1, la référence indique %2&#xa0;: le variateur ajoutera %3</translation>
     </message>
     <message>
         <source>at %1, %2</source>
@@ -15456,15 +16517,15 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>at %1 the reference reads %2 more than the encoder: the drive will add %3</source>
-        <translation>à %1, la référence indique %2 de plus que le codeur : le variateur ajoutera %3</translation>
+        <translation>à %1, la référence indique %2 de plus que le codeur&#xa0;: le variateur ajoutera %3</translation>
     </message>
     <message>
         <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
-        <translation>à %1, la référence indique %2 de moins que le codeur : le variateur ajoutera %3</translation>
+        <translation>à %1, la référence indique %2 de moins que le codeur&#xa0;: le variateur ajoutera %3</translation>
     </message>
     <message>
         <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
-        <translation>les valeurs sont en %1, ce qui ne peut pas être converti en %2, l&apos;unité de l&apos;axe : elles ne seront pas écrites</translation>
+        <translation>les valeurs sont en %1, ce qui ne peut pas être converti en %2, l&apos;unité de l&apos;axe&#xa0;: elles ne seront pas écrites</translation>
     </message>
 </context>
 <context>
@@ -15502,7 +16563,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>The dimension that is held constant; the other two are shown</source>
-        <translation>La dimension maintenue constante ; les deux autres sont affichées</translation>
+        <translation>La dimension maintenue constante&#xa0;; les deux autres sont affichées</translation>
     </message>
     <message>
         <source>Sliced dimension</source>
@@ -15513,7 +16574,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>axiscomp::ui::SourceCheck</name>
     <message>
         <source>The drive is not connected: the source cannot be checked.</source>
-        <translation>Le variateur n&apos;est pas connecté : la source ne peut pas être vérifiée.</translation>
+        <translation>Le variateur n&apos;est pas connecté&#xa0;: la source ne peut pas être vérifiée.</translation>
     </message>
 </context>
 <context>
@@ -15548,7 +16609,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Live values of the drive: the compensation output and the table index</source>
-        <translation>Valeurs du variateur en direct : la sortie de la compensation et l&apos;indice de table</translation>
+        <translation>Valeurs du variateur en direct&#xa0;: la sortie de la compensation et l&apos;indice de table</translation>
     </message>
     <message>
         <source>since %1</source>
@@ -15577,7 +16638,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>outside the table: end value held</source>
-        <translation>hors de la table : valeur d&apos;extrémité maintenue</translation>
+        <translation>hors de la table&#xa0;: valeur d&apos;extrémité maintenue</translation>
     </message>
     <message>
         <source>contradicts its table</source>
@@ -15594,7 +16655,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Compensation: %1</source>
         <comment>state</comment>
-        <translation>Compensation : %1</translation>
+        <translation>Compensation&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -15652,7 +16713,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Stops the operation; a write is rolled back (Esc)</source>
-        <translation>Arrête l&apos;opération ; pour une écriture, l&apos;ancien état est restauré (Échap)</translation>
+        <translation>Arrête l&apos;opération&#xa0;; pour une écriture, l&apos;ancien état est restauré (Échap)</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -15786,8 +16847,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>A: %1     B: %2
 B - A: %3</source>
-        <translation>A : %1     B : %2
-B - A : %3</translation>
+        <translation>A&#xa0;: %1     B&#xa0;: %2
+B - A&#xa0;: %3</translation>
     </message>
     <message>
         <source>Show</source>
@@ -15823,7 +16884,7 @@ B - A : %3</translation>
     </message>
     <message>
         <source>outside the table: end value held</source>
-        <translation>hors de la table : valeur d&apos;extrémité maintenue</translation>
+        <translation>hors de la table&#xa0;: valeur d&apos;extrémité maintenue</translation>
     </message>
     <message>
         <source>The file name must end in .png, .svg, .pdf or .csv.</source>
@@ -15870,15 +16931,15 @@ B - A : %3</translation>
     <name>axiscomp::ui::TableSelection</name>
     <message>
         <source>%1 has been read: %2 points, tables: %3.</source>
-        <translation>%1 a été lu : %2 points, tables : %3.</translation>
+        <translation>%1 a été lu&#xa0;: %2 points, tables&#xa0;: %3.</translation>
     </message>
     <message>
         <source>%1 cannot be used: %2 problems.</source>
-        <translation>%1 n&apos;est pas utilisable : %2 problèmes.</translation>
+        <translation>%1 n&apos;est pas utilisable&#xa0;: %2 problèmes.</translation>
     </message>
     <message>
         <source>%1 is used as the table: %2 points, tables: %3.</source>
-        <translation>%1 est utilisé comme table : %2 points, tables : %3.</translation>
+        <translation>%1 est utilisé comme table&#xa0;: %2 points, tables&#xa0;: %3.</translation>
     </message>
 </context>
 <context>
@@ -16025,7 +17086,7 @@ B - A : %3</translation>
     </message>
     <message>
         <source>Copied cells: %1</source>
-        <translation>Cellules copiées : %1</translation>
+        <translation>Cellules copiées&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -16068,11 +17129,11 @@ B - A : %3</translation>
     </message>
     <message>
         <source>Thin: the grid as the encoders read it. Bold: where the axes really are, errors × %1.</source>
-        <translation>Trait fin : la grille telle que l&apos;indiquent les codeurs. Trait épais : où sont réellement les axes, erreurs × %1.</translation>
+        <translation>Trait fin&#xa0;: la grille telle que l&apos;indiquent les codeurs. Trait épais&#xa0;: où sont réellement les axes, erreurs × %1.</translation>
     </message>
     <message>
         <source>The file has no errors of both axes of this slice: cut another dimension.</source>
-        <translation>Le fichier n&apos;a pas les erreurs des deux axes de cette coupe : couper une autre dimension.</translation>
+        <translation>Le fichier n&apos;a pas les erreurs des deux axes de cette coupe&#xa0;: couper une autre dimension.</translation>
     </message>
     <message>
         <source>%1 and %2, errors × %3</source>
@@ -16156,7 +17217,7 @@ B - A : %3</translation>
     </message>
     <message>
         <source>Persistent writes always show the preview; the menu turns it back on for volatile ones</source>
-        <translation>Une écriture persistante affiche toujours l&apos;aperçu ; le menu le rétablit pour les écritures volatiles</translation>
+        <translation>Une écriture persistante affiche toujours l&apos;aperçu&#xa0;; le menu le rétablit pour les écritures volatiles</translation>
     </message>
     <message>
         <source>&amp;Write</source>
@@ -16213,19 +17274,19 @@ B - A : %3</translation>
     </message>
     <message>
         <source>Uses no flash operation. Volatile: lost on a reboot.</source>
-        <translation>N&apos;utilise aucune opération flash. Volatil : perdu au redémarrage.</translation>
+        <translation>N&apos;utilise aucune opération flash. Volatil&#xa0;: perdu au redémarrage.</translation>
     </message>
     <message>
         <source>Uses no flash operation: the flash already holds it.</source>
-        <translation>N&apos;utilise aucune opération flash : la mémoire flash la contient déjà.</translation>
+        <translation>N&apos;utilise aucune opération flash&#xa0;: la mémoire flash la contient déjà.</translation>
     </message>
     <message>
         <source>Flash operations: %1 used, %2 left right after.</source>
-        <translation>Opérations flash : %1 utilisées, %2 restantes juste après.</translation>
+        <translation>Opérations flash&#xa0;: %1 utilisées, %2 restantes juste après.</translation>
     </message>
     <message>
         <source>%1 held an earlier table of this axis; the current one stays complete until the axis has switched to the new one.</source>
-        <translation>%1 contenait une table antérieure de cet axe ; l&apos;actuelle reste complète jusqu&apos;à ce que l&apos;axe ait basculé sur la nouvelle.</translation>
+        <translation>%1 contenait une table antérieure de cet axe&#xa0;; l&apos;actuelle reste complète jusqu&apos;à ce que l&apos;axe ait basculé sur la nouvelle.</translation>
     </message>
     <message>
         <source>not set</source>
@@ -16251,7 +17312,7 @@ B - A : %3</translation>
     </message>
     <message>
         <source>These large corrections are &amp;right: their unit has been checked</source>
-        <translation>Ces &amp;grandes corrections sont justes : leur unité a été vérifiée</translation>
+        <translation>Ces &amp;grandes corrections sont justes&#xa0;: leur unité a été vérifiée</translation>
     </message>
     <message>
         <source>Confirm the large corrections first</source>

@@ -7029,6 +7029,10 @@
         <source>the table is {length} long, but a turn of the axis is {turn}: a prediction needs a table of one turn</source>
         <translation>テーブルの長さが {length} ですが、軸の 1 回転は {turn} です。予測には 1 回転分のテーブルが必要です</translation>
     </message>
+    <message>
+        <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
+        <translation>この形式の符号は公表されていません。[書き込み] でインポートして符号を指定し、校正ファイルとしてエクスポートしたうえで、それを選択してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -7043,6 +7047,1053 @@
     <message>
         <source>Measurements</source>
         <translation>測定</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Record of the compensation (axiscomp write --record), which notes the proof</source>
+        <translation>検証の結果を記載する補正の記録 (axiscomp write --record)</translation>
+    </message>
+    <message>
+        <source>List the axes of one or several drives</source>
+        <translation>1 台または複数のドライブの軸を一覧表示します</translation>
+    </message>
+    <message>
+        <source>Also try all serial ports of this computer; without --drive, the connections of the window too</source>
+        <translation>このコンピュータのすべてのシリアルポートも試します。--drive がない場合は、ウィンドウ版の接続も試します</translation>
+    </message>
+    <message>
+        <source>Try the usual baud rates at every serial port</source>
+        <translation>各シリアルポートで一般的なボーレートを試します</translation>
+    </message>
+    <message>
+        <source>Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024, with :PORT for another port than 80</source>
+        <translation>次のアドレスにも http で問い合わせます: 192.168.1.0/24、192.168.1.10-40、または 1 つのアドレス。最大 1024 個、80 以外のポートは :PORT で指定</translation>
+    </message>
+    <message>
+        <source>Save everything that this program can change on a whole drive, all axes, to one file</source>
+        <translation>ドライブ全体 (全軸) について、このプログラムで変更できるものをすべて 1 つのファイルに保存します</translation>
+    </message>
+    <message>
+        <source>File to write; standard output without it, or with -</source>
+        <translation>書き出すファイル。省略時または - の場合は標準出力</translation>
+    </message>
+    <message>
+        <source>Restore a whole drive from a backup file, with verified writes; all of them are planned first</source>
+        <translation>バックアップファイルからドライブ全体を復元し、書き込みを照合します。先に、すべての書き込みの計画を作成します</translation>
+    </message>
+    <message>
+        <source>File that `axiscomp backup` wrote</source>
+        <translation>`axiscomp backup` で作成したファイル</translation>
+    </message>
+    <message>
+        <source>Restore to a drive with another serial number, such as a replacement</source>
+        <translation>シリアル番号の異なるドライブ (交換品など) に復元します</translation>
+    </message>
+    <message>
+        <source>Show what would be written without writing it</source>
+        <translation>書き込みを行わずに、書き込まれる内容を表示します</translation>
+    </message>
+    <message>
+        <source>Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, - for lines on standard input, or typed</source>
+        <translation>軸の実際の位置の取得元: ドライブのレジスタ、serial:/dev/ttyUSB1?baud=9600、- (標準入力の行)、typed (手入力)</translation>
+    </message>
+    <message>
+        <source>Unit of the instrument; of a register it is that of the axis, of lines the one behind the number unless given</source>
+        <translation>測定器の単位。指定がない場合、レジスタでは軸の単位、行では数値の後に書かれた単位</translation>
+    </message>
+    <message>
+        <source>The instrument counts the other way</source>
+        <translation>測定器の計数方向が逆です</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0 (0 unless given)</source>
+        <translation>測定器が 0 を示すときの軸の位置 (既定: 0)</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line, its first group or all of it; the first number of the line unless given</source>
+        <translation>行の中の数値を示す正規表現。最初のグループ、グループがなければ一致した全体を使います。指定がない場合は行の最初の数値</translation>
+    </message>
+    <message>
+        <source>Send this to the serial instrument before each reading, with \r and \n for line ends</source>
+        <translation>読み取りのたびに、先にこの文字列をシリアル接続の測定器に送ります。行末は \r と \n で指定</translation>
+    </message>
+    <message>
+        <source>Register of the raw position; the profile&apos;s unless given</source>
+        <translation>補正前の位置のレジスタ。指定がない場合はプロファイルのレジスタ</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within so many mm or deg, and readings may differ by as much (0.001 unless given)</source>
+        <translation>エンコーダの変動がこの値 (mm または deg) 以内のとき、軸が静止しているとみなします。読み値のばらつきの許容幅も同じ値です (既定: 0.001)</translation>
+    </message>
+    <message>
+        <source>So many seconds, before anything is taken (1 unless given)</source>
+        <translation>取り込みを始めるまでに軸が静止している秒数 (既定: 1)</translation>
+    </message>
+    <message>
+        <source>Readings that make a value (10 unless given)</source>
+        <translation>1 つの値を求める読み値の数 (既定: 10)</translation>
+    </message>
+    <message>
+        <source>Readings per second, 10 to 50 (20 unless given)</source>
+        <translation>1 秒あたりの読み取り回数、10 から 50 (既定: 20)</translation>
+    </message>
+    <message>
+        <source>Take the values of a measuring plan while something else moves the axis</source>
+        <translation>ほかの手段で軸を動かしながら、測定計画の値を取り込みます</translation>
+    </message>
+    <message>
+        <source>Plan as axiscomp targets writes it</source>
+        <translation>axiscomp targets で作成した測定計画</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>値のファイル。既存のファイルは続きから追記します</translation>
+    </message>
+    <message>
+        <source>axiscomp never moves an axis: the machine&apos;s control or a person does.</source>
+        <translation>axiscomp が軸を動かすことはありません。軸を動かすのは、機械の NC 装置または人です。</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>例:</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to a servo drive, activates them, and checks the drive&apos;s output against the table.</source>
+        <translation>測定した軸の誤差の補正テーブルをサーボドライブに書き込み、有効化して、ドライブの出力をテーブルと比較します。</translation>
+    </message>
+    <message>
+        <source>Show the version</source>
+        <translation>バージョンを表示します</translation>
+    </message>
+    <message>
+        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT は http://host[:port]、https://host[:port]、demo: (プログラム内蔵の仮想ドライブ) のいずれかです。--drive の既定値は AXISCOMP_DRIVE です。詳細は `axiscomp COMMAND --help` で表示されます。</translation>
+    </message>
+    <message>
+        <source>Print one JSON document on standard output</source>
+        <translation>1 つの JSON 文書を標準出力に出力します</translation>
+    </message>
+    <message>
+        <source>Files on this computer</source>
+        <translation>このコンピュータのファイル</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>ドライブ</translation>
+    </message>
+    <message>
+        <source>Compare measurements before and after a compensation, and with what was promised</source>
+        <translation>補正前後の測定を相互に、また予測と比較します</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: its prediction, table and tolerances</source>
+        <translation>補正の記録 (予測、テーブル、許容値)</translation>
+    </message>
+    <message>
+        <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
+        <translation>on: 2 回目の測定は、記録のテーブルを有効にして行いました (測定ファイルに記載がない場合)</translation>
+    </message>
+    <message>
+        <source>Add the second measurement and the verdict to the record</source>
+        <translation>2 回目の測定と判定を記録に追加します</translation>
+    </message>
+    <message>
+        <source>Compensation parameters of a TAM configuration: show them, take them from a drive, or bring them to one</source>
+        <translation>TAM 構成の補正パラメータを表示します。ドライブからの取り込みと、ドライブへの書き込みもできます</translation>
+    </message>
+    <message>
+        <source>show, export (to the file) or import (from it)</source>
+        <translation>show (表示)、export (ファイルへ)、import (ファイルから)</translation>
+    </message>
+    <message>
+        <source>TAM configuration (.TAMcfg)</source>
+        <translation>TAM 構成 (.TAMcfg)</translation>
+    </message>
+    <message>
+        <source>export: take the parameters from this configuration in place of a drive</source>
+        <translation>export: ドライブの代わりに、この構成からパラメータを取得します</translation>
+    </message>
+    <message>
+        <source>export: write this file instead, and leave the other one as it is</source>
+        <translation>export: 代わりにこのファイルに書き出し、元のファイルは変更しません</translation>
+    </message>
+    <message>
+        <source>Name or serial number of the station in the file; without it the one with the drive&apos;s serial number</source>
+        <translation>ファイル内のステーションの名前またはシリアル番号。省略時は、ドライブとシリアル番号が同じステーション</translation>
+    </message>
+    <message>
+        <source>Accept a station with another serial number than the drive&apos;s</source>
+        <translation>ドライブとシリアル番号の異なるステーションを受け入れます</translation>
+    </message>
+    <message>
+        <source>Only the registers Table and Dim1Source to Dim3Source of the axes are read and written. Everything else in the file stays as it is, and tables stay on the drive. Importing never switches a compensation on.</source>
+        <translation>読み書きするのは、各軸のレジスタ Table と Dim1Source から Dim3Source だけです。ファイルのそのほかの内容は変更されず、テーブルはドライブに残ります。インポートで補正がオンになることはありません。</translation>
+    </message>
+    <message>
+        <source>Example:</source>
+        <translation>例:</translation>
+    </message>
+    <message>
+        <source>Convert a table file to another format</source>
+        <translation>テーブルファイルを別の形式に変換します</translation>
+    </message>
+    <message>
+        <source>File to read; - for standard input</source>
+        <translation>読み取るファイル。- は標準入力</translation>
+    </message>
+    <message>
+        <source>File to write, replaced if it exists; - for standard output</source>
+        <translation>書き出すファイル。既存のファイルは置き換えます。- は標準出力</translation>
+    </message>
+    <message>
+        <source>Format of the output, if its name leaves it open</source>
+        <translation>出力の形式 (ファイル名から決まらない場合)</translation>
+    </message>
+    <message>
+        <source>Unit of the values in a .TAMtbl, which does not say it; by default that of the positions</source>
+        <translation>.TAMtbl の値の単位 (ファイルには記載がありません)。既定は位置の単位</translation>
+    </message>
+    <message>
+        <source>Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl</source>
+        <translation>範囲の 1 % を超える補正量や、傾きが 0.1 を超える補正量も .TAMtbl に書き出します</translation>
+    </message>
+    <message>
+        <source>Mark the table persistent: the drive stores it</source>
+        <translation>テーブルを不揮発にします (ドライブが保存します)</translation>
+    </message>
+    <message>
+        <source>Mark the table volatile (without either: as the input is)</source>
+        <translation>テーブルを揮発にします (どちらも指定しない場合は入力のまま)</translation>
+    </message>
+    <message>
+        <source>Name of the table</source>
+        <translation>テーブルの名前</translation>
+    </message>
+    <message>
+        <source>Delete the table of an axis, or one that no axis uses, and free its slot</source>
+        <translation>軸のテーブル、またはどの軸も使用していないテーブルを削除し、スロットを解放します</translation>
+    </message>
+    <message>
+        <source>Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses</source>
+        <translation>どの軸も使用していない、このスロット (small1 から small8、large1、large2) のテーブルを削除します</translation>
+    </message>
+    <message>
+        <source>Show what would be deleted without deleting it</source>
+        <translation>削除を行わずに、削除される内容を表示します</translation>
+    </message>
+    <message>
+        <source>The compensation must be off. The axis then uses no table, also after a reboot; its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.</source>
+        <translation>補正をオフにしておく必要があります。削除後、軸はテーブルを使用しません。再起動後も同じです。ソースは残ります。削除した内容はバックアップに保存され、`axiscomp restore` で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>Write an example calibration file (CSV)</source>
+        <translation>校正ファイル (CSV) のサンプルを作成します</translation>
+    </message>
+    <message>
+        <source>Number of dimensions: 1, 2 or 3</source>
+        <translation>次元数: 1、2、3</translation>
+    </message>
+    <message>
+        <source>Number of tables (2 unless given)</source>
+        <translation>テーブルの数 (既定: 2)</translation>
+    </message>
+    <message>
+        <source>Table file to write, replaced if it exists; - for standard output. Without it nothing is written</source>
+        <translation>書き出すテーブルファイル。既存のファイルは置き換えます。- は標準出力。省略時は何も書き出しません</translation>
+    </message>
+    <message>
+        <source>Begin a record of the compensation (.axcal): measurement, table and what it promises, for compare and report</source>
+        <translation>補正の記録 (.axcal) を開始します。compare と report で使う測定、テーブル、予測を入れます</translation>
+    </message>
+    <message>
+        <source>Write this column of points only, where the format holds one table</source>
+        <translation>点の測定のうち、この列だけを書き出します (1 つのテーブルしか入らない形式の場合)</translation>
+    </message>
+    <message>
+        <source>Curve and grid</source>
+        <translation>曲線と格子</translation>
+    </message>
+    <message>
+        <source>Curve through the means: linear (the default), cubic, spline, smooth or harmonic</source>
+        <translation>平均値を通る曲線: linear (既定)、cubic、spline、smooth、harmonic</translation>
+    </message>
+    <message>
+        <source>Of the method smooth, and of points and tracks; by cross-validation unless given</source>
+        <translation>方法 smooth、点、連続測定の平滑度。指定がない場合は交差検証で決めます</translation>
+    </message>
+    <message>
+        <source>Known periods, such as the lead of the screw, fitted by the method smooth</source>
+        <translation>方法 smooth でフィッティングする既知の周期 (ねじのリードなど)</translation>
+    </message>
+    <message>
+        <source>Harmonics of each period, and of harmonic (1)</source>
+        <translation>各周期および harmonic の高調波の数 (既定: 1)</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>モジュロ軸の 1 回転の長さ (360 など)。テーブルの始点と終点が同じ値になります</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of: mean of both (the default), positive or negative; both makes a table for each, for controllers that keep two</source>
+        <translation>テーブルの作成に使う走行: mean (両方向の平均、既定)、positive、negative。both では、テーブルを 2 つもつコントローラ用に方向ごとのテーブルを作成します</translation>
+    </message>
+    <message>
+        <source>temperature: a table over position and temperature, from runs in several thermal states; --points and --distance take a second number for it</source>
+        <translation>temperature: 複数の温度状態での走行から、位置と温度に対するテーブルを作成します。--points と --distance の 2 つ目の数値は温度用です</translation>
+    </message>
+    <message>
+        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
+        <translation>N 点の等間隔格子。軸ごとまたは全軸に指定。指定がない場合は目標位置</translation>
+    </message>
+    <message>
+        <source>Even grid with spacing D, for each axis or for all</source>
+        <translation>間隔 D の等間隔格子。軸ごとまたは全軸に指定</translation>
+    </message>
+    <message>
+        <source>The fewest points that leave no more than this to the curve, in mm or deg</source>
+        <translation>曲線との差がこの値 (mm または deg) 以内になる最少の点数</translation>
+    </message>
+    <message>
+        <source>Let the grid extend beyond the targets, where the end values are held</source>
+        <translation>格子を目標位置の外まで広げることを許容します。そこでは端点値を保持します</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told</source>
+        <translation>表示する速度の段差の計算に使う軸の速度 (mm/s または deg/s)</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>ゼロ点、傾き、ドリフト</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
+        <translation>テーブルが 0 になる位置: home (原点)、first (最初の目標位置)、mean (平均)、keep (そのまま)、または位置の値。指定がない場合は、原点が既知で測定範囲にあれば home、そうでなければ first</translation>
+    </message>
+    <message>
+        <source>Home position of the axis</source>
+        <translation>軸の原点位置</translation>
+    </message>
+    <message>
+        <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
+        <translation>傾きを除去します (真直度用): lsq (最小二乗) または ends (両端)</translation>
+    </message>
+    <message>
+        <source>Take the drift of the runs out before they are averaged: offset or trend</source>
+        <translation>平均する前に、走行のドリフトを除去します: offset または trend</translation>
+    </message>
+    <message>
+        <source>State of the drive</source>
+        <translation>ドライブの状態</translation>
+    </message>
+    <message>
+        <source>Where the drive looks the table up: encoder (before the compensation) or set (after it); with --onto drive by its source</source>
+        <translation>ドライブがテーブルを参照する位置: encoder (補正前) または set (補正後)。--onto drive の場合はソースによる</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, where the file does not say it: off, on, or the file of the table</source>
+        <translation>測定時に有効だったもの (ファイルに記載がない場合): off、on、またはテーブルのファイル</translation>
+    </message>
+    <message>
+        <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
+        <translation>測定時に有効だったテーブルに残差を統合します。テーブルのファイル、または drive (軸が使用しているテーブル。--drive、--axis で指定)</translation>
+    </message>
+    <message>
+        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
+        <translation>統合する残差のゲイン (既定: 1)。機械の応答が遅れる場合は 0.7 が一般的です</translation>
+    </message>
+    <message>
+        <source>Points and tracks</source>
+        <translation>点と連続測定</translation>
+    </message>
+    <message>
+        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
+        <translation>標準器の置き方の影響を除去します: rigid、rigid:X (X に沿う線に傾きを残さない)、scale</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
+        <translation>どの測定点からも遠い格子点の値: smooth または nearest。指定がない場合はエラーになります</translation>
+    </message>
+    <message>
+        <source>Give values that do not fit the others less weight</source>
+        <translation>ほかと合わない値の重みを小さくします</translation>
+    </message>
+    <message>
+        <source>Make a compensation table of a measurement, and foretell what it does</source>
+        <translation>測定から補正テーブルを作成し、その効果を予測します</translation>
+    </message>
+    <message>
+        <source>List the table formats, or describe one: its limits, rules and settings</source>
+        <translation>テーブルの形式を一覧表示します。または 1 つの形式の制限、規則、設定を表示します</translation>
+    </message>
+    <message>
+        <source>One format: its rules, limits and settings</source>
+        <translation>1 つの形式。規則、制限、設定を表示します</translation>
+    </message>
+    <message>
+        <source>All of them, as the page docs/formats.md</source>
+        <translation>すべての形式を、docs/formats.md のページとして出力します</translation>
+    </message>
+    <message>
+        <source>The formats of measurements instead of those of tables</source>
+        <translation>テーブルの形式の代わりに、測定の形式を表示します</translation>
+    </message>
+    <message>
+        <source>Check a file and report its format, grid, tables and problems</source>
+        <translation>ファイルを検査し、形式、格子、テーブル、問題を報告します</translation>
+    </message>
+    <message>
+        <source>Calibration file or table; - for standard input</source>
+        <translation>校正ファイルまたはテーブル。- は標準入力</translation>
+    </message>
+    <message>
+        <source>Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances</source>
+        <translation>測定を判定します: ISO 230-2 の特性値、ドリフト、外れ値、許容値</translation>
+    </message>
+    <message>
+        <source>Rule that proposes outliers: mad (the default), grubbs or none</source>
+        <translation>外れ値の候補を示す判定規則: mad (既定)、grubbs、none</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw, in mm or deg</source>
+        <translation>軸の既知の周期 (送りねじのリードなど)。単位は mm または deg</translation>
+    </message>
+    <message>
+        <source>Show the figures of VDI/DGQ 3441 as well</source>
+        <translation>VDI/DGQ 3441 の特性値も表示します</translation>
+    </message>
+    <message>
+        <source>Print the interpolated value at a position, as the drive computes it</source>
+        <translation>ある位置での補間値を、ドライブと同じ計算で出力します</translation>
+    </message>
+    <message>
+        <source>Calibration file or table</source>
+        <translation>校正ファイルまたはテーブル</translation>
+    </message>
+    <message>
+        <source>X [Y [Z]], one number per dimension; may be negative</source>
+        <translation>X [Y [Z]]。次元ごとに 1 つの数値、負の値も可</translation>
+    </message>
+    <message>
+        <source>File with one position per line, - for standard input; prints one result per line</source>
+        <translation>1 行に 1 つの位置を書いたファイル。- は標準入力。結果を 1 行に 1 つ出力します</translation>
+    </message>
+    <message>
+        <source>Value outside the table: hold (as the drive does; the default), zero, wrap, extrapolate or error</source>
+        <translation>テーブルの範囲外の値: hold (既定、ドライブと同じ)、zero、wrap、extrapolate、error</translation>
+    </message>
+    <message>
+        <source>Print the value that the controller of this format would apply, after conversion</source>
+        <translation>この形式のコントローラが適用する値を、変換後の形で出力します</translation>
+    </message>
+    <message>
+        <source>Machine file (.toml)</source>
+        <translation>機械ファイル (.toml)</translation>
+    </message>
+    <message>
+        <source>Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be given several times</source>
+        <translation>ファイルに書かれたこの軸だけ。1 台のドライブの軸は SERIAL/AXIS で指定。複数回指定可</translation>
+    </message>
+    <message>
+        <source>Drives at the same time (16 unless given)</source>
+        <translation>同時に処理するドライブの数 (既定: 16)</translation>
+    </message>
+    <message>
+        <source>Leave drives out that do not answer, which is an error otherwise</source>
+        <translation>応答しないドライブを除外します。指定しない場合はエラーになります</translation>
+    </message>
+    <message>
+        <source>Compare the drives of a machine with its machine file, and change nothing</source>
+        <translation>機械のドライブを機械ファイルと比較します。何も変更しません</translation>
+    </message>
+    <message>
+        <source>The exit code is 0 when all drives have what the file says, and 9 when something differs.</source>
+        <translation>終了コードは、すべてのドライブがファイルと一致する場合は 0、相違がある場合は 9 です。</translation>
+    </message>
+    <message>
+        <source>Write what a machine file says to the drives of the machine, where they differ</source>
+        <translation>機械ファイルと異なる部分について、その内容を機械のドライブに書き込みます</translation>
+    </message>
+    <message>
+        <source>Switch the compensation of axes on and off where the file says so (active), and prove it</source>
+        <translation>ファイルの指定 (active) どおりに軸の補正をオン・オフし、検証します</translation>
+    </message>
+    <message>
+        <source>All drives are planned first, and nothing is written unless all of it is possible. Each write is safe as that of `axiscomp write`. A second apply finds nothing to do.</source>
+        <translation>先にすべてのドライブの計画を作成し、全体を実行できない場合は何も書き込みません。それぞれの書き込みは `axiscomp write` と同様に安全です。2 回目の適用では、変更するものはありません。</translation>
+    </message>
+    <message>
+        <source>Print output, indices and sources of an axis as CSV until stopped</source>
+        <translation>軸の出力、インデックス、ソースを、停止するまで CSV で出力します</translation>
+    </message>
+    <message>
+        <source>Lines per second, 1 to 100 (10 unless given)</source>
+        <translation>1 秒あたりの行数、1 から 100 (既定: 10)</translation>
+    </message>
+    <message>
+        <source>Number of lines; without end unless given</source>
+        <translation>行数。指定がない場合は停止するまで</translation>
+    </message>
+    <message>
+        <source>Download the table that an axis uses</source>
+        <translation>軸が使用しているテーブルをダウンロードします</translation>
+    </message>
+    <message>
+        <source>File to write, .csv, .TAMtbl or that of another controller; CSV on standard output without it</source>
+        <translation>書き出すファイル (.csv、.TAMtbl、または別のコントローラのファイル)。省略時は CSV を標準出力に出力します</translation>
+    </message>
+    <message>
+        <source>Finish or undo an interrupted write; without an option, say which is possible</source>
+        <translation>中断された書き込みを完了または取り消します。オプションがない場合は、どちらが可能かを表示します</translation>
+    </message>
+    <message>
+        <source>Bring the complete new state about, from whatever there is now</source>
+        <translation>現在の状態によらず、完全な新状態にします</translation>
+    </message>
+    <message>
+        <source>Bring back the complete state before the write</source>
+        <translation>書き込み前の完全な状態に戻します</translation>
+    </message>
+    <message>
+        <source>Write the report of a record: by how much an axis became better, on one page</source>
+        <translation>記録の報告書を作成します: 軸の改善の程度を 1 ページで示します</translation>
+    </message>
+    <message>
+        <source>Record of the compensation (.axcal)</source>
+        <translation>補正の記録 (.axcal)</translation>
+    </message>
+    <message>
+        <source>The report; its extension says whether it is PDF or HTML</source>
+        <translation>報告書のファイル。拡張子により PDF または HTML になります</translation>
+    </message>
+    <message>
+        <source>Language of the report: en, de, fr, ja or zh</source>
+        <translation>報告書の言語: en、de、fr、ja、zh</translation>
+    </message>
+    <message>
+        <source>Add pages with every target and every value that is left out</source>
+        <translation>すべての目標位置と、除外したすべての値のページを追加します</translation>
+    </message>
+    <message>
+        <source>Show what is in measurement files, join them, and write them as one CSV</source>
+        <translation>測定ファイルの内容を表示し、結合して 1 つの CSV に書き出します</translation>
+    </message>
+    <message>
+        <source>CSV file to write, replaced if it exists; - for standard output</source>
+        <translation>書き出す CSV ファイル。既存のファイルは置き換えます。- は標準出力</translation>
+    </message>
+    <message>
+        <source>Write a machine file with all tables from running drives</source>
+        <translation>稼働中のドライブから、すべてのテーブルを含む機械ファイルを作成します</translation>
+    </message>
+    <message>
+        <source>Folder for machine.toml and the tables; files of the same names are replaced</source>
+        <translation>machine.toml とテーブルのフォルダ。同名のファイルは置き換えます</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>機械の名前</translation>
+    </message>
+    <message>
+        <source>Applied to drives with the same serial numbers and without tables, the file gives the same state, and a snapshot of them the same bytes.</source>
+        <translation>このファイルを、シリアル番号が同じでテーブルのないドライブに適用すると同じ状態になり、そのスナップショットはバイト単位で一致します。</translation>
+    </message>
+    <message>
+        <source>Print the states of drives as OpenMetrics text, for a collector</source>
+        <translation>収集プログラム用に、ドライブの状態を OpenMetrics テキストで出力します</translation>
+    </message>
+    <message>
+        <source>Machine file: its drives, and whether they differ from it</source>
+        <translation>機械ファイル。記載されたドライブと、ファイルとの相違の有無を出力します</translation>
+    </message>
+    <message>
+        <source>Compare the outputs of active compensations with their tables now</source>
+        <translation>有効な補正の出力を、今テーブルと比較します</translation>
+    </message>
+    <message>
+        <source>File to write, whole or not at all; standard output without it</source>
+        <translation>書き出すファイル (全体を書くか、まったく書かないかのどちらか)。省略時は標準出力</translation>
+    </message>
+    <message>
+        <source>Show the compensation of an axis, and the outcome of an interrupted write</source>
+        <translation>軸の補正と、中断された書き込みの結果を表示します</translation>
+    </message>
+    <message>
+        <source>Count the drive&apos;s flash operations again after their record was damaged; first wait as long as the drive counts them</source>
+        <translation>回数の記録が破損した後、ドライブのフラッシュ操作を数え直します。先に、ドライブがフラッシュ操作を数える期間だけ待ってください</translation>
+    </message>
+    <message>
+        <source>First target</source>
+        <translation>最初の目標位置</translation>
+    </message>
+    <message>
+        <source>Last target, above the first</source>
+        <translation>最後の目標位置 (最初より大きい値)</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>目標位置の数</translation>
+    </message>
+    <message>
+        <source>Mean distance of targets, instead of --count</source>
+        <translation>目標位置の平均間隔 (--count の代わり)</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw: targets are spread over it</source>
+        <translation>軸の既知の周期 (送りねじのリードなど)。目標位置を周期内に分散させます</translation>
+    </message>
+    <message>
+        <source>Runs in each direction (5 unless given)</source>
+        <translation>各方向の走行の数 (既定: 5)</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same (1 unless given)</source>
+        <translation>数値を変えると目標位置が変わり、同じ数値では同じになります (既定: 1)</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target (1 % of the range unless given, at most a third of the spacing)</source>
+        <translation>軸が最初の目標位置の手前で走行方向に動く距離 (既定は範囲の 1 %、ただし目標位置の間隔の 1/3 以下)</translation>
+    </message>
+    <message>
+        <source>Feed in mm or deg per minute (1000 unless given)</source>
+        <translation>送り速度 (mm/min または deg/min、既定: 1000)</translation>
+    </message>
+    <message>
+        <source>Seconds at each target (5 unless given): time to stand still and be measured</source>
+        <translation>各目標位置での秒数 (既定: 5): 静止して測定するための時間</translation>
+    </message>
+    <message>
+        <source>Choose the targets of a measurement: a plan, or a program for the machine&apos;s control</source>
+        <translation>測定の目標位置を選びます: 測定計画、または機械の NC 装置用のプログラムを作成します</translation>
+    </message>
+    <message>
+        <source>Name of the axis (X unless given)</source>
+        <translation>軸の名前 (既定: X)</translation>
+    </message>
+    <message>
+        <source>Unit of all positions: mm (the default) or deg</source>
+        <translation>すべての位置の単位: mm (既定) または deg</translation>
+    </message>
+    <message>
+        <source>Write G-code for this control: linuxcnc, fanuc or siemens</source>
+        <translation>この NC 装置用の G コードを書き出します: linuxcnc、fanuc、siemens</translation>
+    </message>
+    <message>
+        <source>List the table files of a drive</source>
+        <translation>ドライブのテーブルファイルを一覧表示します</translation>
+    </message>
+    <message>
+        <source>Upload a file unchanged and verify it, for drive programs that use tables</source>
+        <translation>ファイルをそのままアップロードして照合します (テーブルを使うドライブプログラム用)</translation>
+    </message>
+    <message>
+        <source>File on this computer</source>
+        <translation>このコンピュータのファイル</translation>
+    </message>
+    <message>
+        <source>Path in the drive, such as tables/small1.TAMtbl</source>
+        <translation>ドライブ内のパス (tables/small1.TAMtbl など)</translation>
+    </message>
+    <message>
+        <source>Download a file unchanged</source>
+        <translation>ファイルをそのままダウンロードします</translation>
+    </message>
+    <message>
+        <source>Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)</source>
+        <translation>次元 1 の位置を与えるレジスタ: パス、tam:// URI、またはアドレス (0x1234)</translation>
+    </message>
+    <message>
+        <source>The same for dimension 2</source>
+        <translation>次元 2 について同様</translation>
+    </message>
+    <message>
+        <source>The same for dimension 3</source>
+        <translation>次元 3 について同様</translation>
+    </message>
+    <message>
+        <source>The source is the axis&apos;s own position, for tables of one dimension; with --map each axis&apos;s own</source>
+        <translation>軸自身の位置をソースにします (1 次元のテーブル用)。--map では各軸自身の位置</translation>
+    </message>
+    <message>
+        <source>Write a compensation table to an axis in the safe order, and verify it</source>
+        <translation>補正テーブルを安全な順序で軸に書き込み、照合します</translation>
+    </message>
+    <message>
+        <source>Calibration file (.csv), table (.TAMtbl), or file of another controller; without it the axis keeps its table</source>
+        <translation>校正ファイル (.csv)、テーブル (.TAMtbl)、または別のコントローラのファイル。省略時、軸のテーブルは変わりません</translation>
+    </message>
+    <message>
+        <source>Record of a compensation in place of --data: its table is written, and it notes drive, slot and CRC</source>
+        <translation>--data の代わりに使う補正の記録。記録のテーブルを書き込み、ドライブ、スロット、CRC を記録に記載します</translation>
+    </message>
+    <message>
+        <source>Store the table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>再起動後も残るように、テーブルをドライブのフラッシュに保存します</translation>
+    </message>
+    <message>
+        <source>Keep the table in memory until the next reboot (the default for a new table)</source>
+        <translation>テーブルを次の再起動までメモリに保持します (新しいテーブルの既定)</translation>
+    </message>
+    <message>
+        <source>Unit of the values in place of what the file says, such as um; drive for the drive&apos;s own</source>
+        <translation>ファイルの記載の代わりに使う値の単位 (um など)。drive はドライブ自身の単位</translation>
+    </message>
+    <message>
+        <source>The same for the positions</source>
+        <translation>位置について同様</translation>
+    </message>
+    <message>
+        <source>Slot to use, small1 to small8, large1 or large2; chosen unless given</source>
+        <translation>使用するスロット: small1 から small8、large1、large2。指定がない場合は自動で選びます</translation>
+    </message>
+    <message>
+        <source>Write this column of the file (name or number) to this axis; AXIS alone is the column that is named as the axis. May be given several times. Nothing is written unless all of the writes are possible</source>
+        <translation>ファイルのこの列 (名前または番号) をこの軸に書き込みます。AXIS だけの場合は、軸と同じ名前の列を使います。複数回指定できます。すべての書き込みが可能でない限り、何も書き込みません</translation>
+    </message>
+    <message>
+        <source>Write corrections above 1 % of the range, or with a slope above 0.1, which without this are taken for a wrong unit</source>
+        <translation>範囲の 1 % を超える補正量や、傾きが 0.1 を超える補正量も書き込みます。指定しない場合は単位の誤りとみなします</translation>
+    </message>
+    <message>
+        <source>Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp activate` switches it on.</source>
+        <translation>--source1 がない場合、軸のソースは変わりません。補正はオフのままです。オンにするには `axiscomp activate` を使います。</translation>
+    </message>
+    <message>
+        <source>Axis that the values correct, for each column or for all: its name, #1 for the first source, or other for an axis that is no source; by default as the file says</source>
+        <translation>値で補正する軸。列ごとまたは全列に指定: 軸の名前、#1 (最初のソース)、other (ソースでない軸)。既定はファイルの記載</translation>
+    </message>
+    <message>
+        <source>Conversion</source>
+        <translation>変換</translation>
+    </message>
+    <message>
+        <source>Convention of the input: feedback (added to the encoder position) or command (added to the commanded position); by default that of its format, needed where that is assumed</source>
+        <translation>入力の符号: feedback (エンコーダ位置に加算) または command (指令位置に加算)。既定は形式の符号。それが仮定にすぎない場合は指定が必要</translation>
+    </message>
+    <message>
+        <source>Which values to use if the file has both directions of motion: mean, positive or negative</source>
+        <translation>ファイルに両方向の値がある場合に使う値: mean、positive、negative</translation>
+    </message>
+    <message>
+        <source>Multiply the values by this number, before anything else</source>
+        <translation>ほかの処理の前に、値にこの数を掛けます</translation>
+    </message>
+    <message>
+        <source>Add this to the values, in their unit</source>
+        <translation>この数を値に加算します (値の単位)</translation>
+    </message>
+    <message>
+        <source>Shift the values so that they are 0 at this position</source>
+        <translation>この位置で 0 になるように値をずらします</translation>
+    </message>
+    <message>
+        <source>Treat a modulo axis as a linear one</source>
+        <translation>モジュロ軸を直進軸として扱います</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with N points, for each source or for all</source>
+        <translation>N 点の等間隔格子に再サンプリングします。ソースごとまたは全ソースに指定</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with spacing D, for each source or for all</source>
+        <translation>間隔 D の等間隔格子に再サンプリングします。ソースごとまたは全ソースに指定</translation>
+    </message>
+    <message>
+        <source>Resample onto the coarsest even grid within this deviation, in the unit of the values</source>
+        <translation>この偏差 (値の単位) 以内で最も粗い等間隔格子に再サンプリングします</translation>
+    </message>
+    <message>
+        <source>Between the points of the source: linear (the default), cubic (monotone), spline (natural cubic) or smooth (smoothing spline)</source>
+        <translation>ソースの点の間: linear (既定)、cubic (単調 3 次)、spline (自然 3 次スプライン)、smooth (平滑化スプライン)</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in positions per second: says the steps of the velocity that are left with spline and smooth</source>
+        <translation>軸の速度 (1 秒あたりの位置の単位)。spline と smooth で残る速度の段差を表示します</translation>
+    </message>
+    <message>
+        <source>Let the even grid extend beyond the data, where the end values are held</source>
+        <translation>等間隔格子をデータの外まで広げることを許容します。そこでは端点値を保持します</translation>
+    </message>
+    <message>
+        <source>Convention of the output: feedback or command; by default that of its format, needed where that is assumed</source>
+        <translation>出力の符号: feedback または command。既定は形式の符号。それが仮定にすぎない場合は指定が必要</translation>
+    </message>
+    <message>
+        <source>Setting that the output format needs; `axiscomp formats NAME` lists them</source>
+        <translation>出力の形式に必要な設定。`axiscomp formats NAME` で一覧表示</translation>
+    </message>
+    <message>
+        <source>Corrections, made only when asked for</source>
+        <translation>測定値の補正 (指定した場合だけ行います)</translation>
+    </message>
+    <message>
+        <source>Temperature of the axis&apos;s scale in C</source>
+        <translation>軸のスケールの温度 (°C)</translation>
+    </message>
+    <message>
+        <source>Coefficient of expansion of the axis&apos;s scale in 1/K, such as 11.5e-6</source>
+        <translation>軸のスケールの膨張係数 (1/K)。例: 11.5e-6</translation>
+    </message>
+    <message>
+        <source>Temperature of the reference in C</source>
+        <translation>基準の温度 (°C)</translation>
+    </message>
+    <message>
+        <source>Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation</source>
+        <translation>基準の膨張係数 (1/K)。波長補正済みのレーザは 0</translation>
+    </message>
+    <message>
+        <source>Position in mm that does not move with temperature; the first target unless given</source>
+        <translation>温度によって動かない位置 (mm)。指定がない場合は最初の目標位置</translation>
+    </message>
+    <message>
+        <source>The values are not corrected to 20 C, where the file does not say it</source>
+        <translation>値は 20 °C に換算されていません (ファイルに記載がない場合)</translation>
+    </message>
+    <message>
+        <source>Dead path of the interferometer: a JSON file with its length and the air of each run</source>
+        <translation>干渉計のデッドパス: その長さと各走行の空気の状態を記した JSON ファイル</translation>
+    </message>
+    <message>
+        <source>Limits, such as A=10um,R=4um; exit code 8 when one is not met</source>
+        <translation>許容値。例: A=10um,R=4um。満たさないものがあれば終了コード 8</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms</source>
+        <translation>測定の不確かさ (k = 2): U=2.1um、または各成分を記した JSON ファイル</translation>
+    </message>
+    <message>
+        <source>Measurement files, joined when there are several; - for standard input</source>
+        <translation>測定ファイル。複数の場合は結合します。- は標準入力</translation>
+    </message>
+    <message>
+        <source>Format of the files, if their content leaves it open</source>
+        <translation>ファイルの形式 (内容から決まらない場合)</translation>
+    </message>
+    <message>
+        <source>Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>値を除外します: down:1:1 (方向、目標位置、走行)、run:up:3、target:7。コンマで区切って指定</translation>
+    </message>
+    <message>
+        <source>Exchange up and down</source>
+        <translation>正方向と負方向を入れ替えます</translation>
+    </message>
+    <message>
+        <source>What a file leaves open</source>
+        <translation>ファイルから決まらない項目</translation>
+    </message>
+    <message>
+        <source>Which column of a CSV file is what, by number or name: &apos;target=1,direction=3,deviation=5&apos;</source>
+        <translation>CSV ファイルの各列の意味。番号または名前で指定: &apos;target=1,direction=3,deviation=5&apos;</translation>
+    </message>
+    <message>
+        <source>Lines before the header of a CSV file</source>
+        <translation>CSV ファイルのヘッダの前にある行数</translation>
+    </message>
+    <message>
+        <source>Unit of targets and encoder</source>
+        <translation>目標位置とエンコーダの単位</translation>
+    </message>
+    <message>
+        <source>Unit of deviations and reference</source>
+        <translation>偏差と基準の単位</translation>
+    </message>
+    <message>
+        <source>What the values are: deviation (reference minus target) or reference (positions)</source>
+        <translation>値の種類: deviation (基準から目標位置を引いた値) または reference (位置)</translation>
+    </message>
+    <message>
+        <source>order: the direction of a run follows from the order of its targets</source>
+        <translation>order: 走行の方向を目標位置の順序から決めます</translation>
+    </message>
+    <message>
+        <source>How far a track moves after a turn before its samples count, in mm or deg; 1 % of the range unless given</source>
+        <translation>連続測定で、反転後のサンプルを使い始めるまでの移動量 (mm または deg)。指定がない場合は範囲の 1 %</translation>
+    </message>
+    <message>
+        <source>Number of dimensions of a CSV file: its first D columns are positions</source>
+        <translation>CSV ファイルの次元数: 最初の D 列が位置です</translation>
+    </message>
+    <message>
+        <source>Format of the input, if content and name leave it open</source>
+        <translation>入力の形式 (内容とファイル名から決まらない場合)</translation>
+    </message>
+    <message>
+        <source>Setting that the file leaves open; `axiscomp formats NAME` lists them</source>
+        <translation>ファイルから決まらない設定。`axiscomp formats NAME` で一覧表示</translation>
+    </message>
+    <message>
+        <source>Incomplete grids</source>
+        <translation>欠けのある格子</translation>
+    </message>
+    <message>
+        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <translation>値のない点を補填します: 最近傍の測定点の値 (nearest)、全測定点を通る平面の値 (plane)、曲げが最小になる値 (smooth)</translation>
+    </message>
+    <message>
+        <source>Cut the grid to the largest part in which every point has a value</source>
+        <translation>すべての点に値がある最大の部分に格子を切り取ります</translation>
+    </message>
+    <message>
+        <source>Take positions of a calibration file that are this close to the grid for grid positions, in their unit</source>
+        <translation>校正ファイルの位置のうち、格子との差がこの値 (位置の単位) 以内のものを格子の位置とみなします</translation>
+    </message>
+    <message>
+        <source>Table of the file, by name or by number from 1 (name:TEXT, #N where that could be either); not needed if there is only one</source>
+        <translation>ファイル内のテーブル。名前または 1 からの番号で指定 (どちらにも読める場合は name:TEXT、#N)。1 つしかない場合は不要</translation>
+    </message>
+    <message>
+        <source>Drive profile (JSON) in place of the built-in one, generic</source>
+        <translation>組み込みの generic の代わりに使うドライブプロファイル (JSON)</translation>
+    </message>
+    <message>
+        <source>Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given</source>
+        <translation>ドライブのアドレス。複数回指定可。指定がない場合は $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Address of the drive; $AXISCOMP_DRIVE unless given</source>
+        <translation>ドライブのアドレス。指定がない場合は $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Trust the https certificate with this fingerprint from now on; any other one is refused</source>
+        <translation>今後、このフィンガープリントの https 証明書を信頼します。それ以外の証明書は拒否します</translation>
+    </message>
+    <message>
+        <source>Time limit for one exchange with the drive (5 unless given)</source>
+        <translation>ドライブとの 1 回の通信の制限時間 (既定: 5)</translation>
+    </message>
+    <message>
+        <source>Index or name of the axis; not needed if the drive has only one</source>
+        <translation>軸のインデックスまたは名前。ドライブの軸が 1 本だけの場合は不要</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>オプション</translation>
+    </message>
+    <message>
+        <source>Show this help</source>
+        <translation>このヘルプを表示します</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>引数</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>オプション</translation>
+    </message>
+    <message>
+        <source>COMMAND</source>
+        <translation>COMMAND</translation>
+    </message>
+    <message>
+        <source>usage</source>
+        <translation>使い方</translation>
+    </message>
+    <message>
+        <source>Serve the drive&apos;s web pages here; port 0 picks a free one (127.0.0.1:0 unless this or --serial is given). Several drives take ports in a row</source>
+        <translation>ドライブの Web ページをここで提供します。ポート 0 では空いているポートを選びます (これも --serial も指定しない場合は 127.0.0.1:0)。ドライブが複数の場合は連続したポートを使います</translation>
+    </message>
+    <message>
+        <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
+        <translation>シリアル接続を疑似端末で提供し、LINK をそのシンボリックリンクにします。ドライブが複数の場合は LINK、LINK-2、... を使います。</translation>
+    </message>
+    <message>
+        <source>Make the serial link as slow as a line of this speed (as fast as it can unless given)</source>
+        <translation>シリアル接続を、この通信速度の回線と同じ遅さにします (指定がない場合は可能な限り高速)</translation>
+    </message>
+    <message>
+        <source>Name of the drive (Virtual-1 unless given)</source>
+        <translation>ドライブの名前 (既定: Virtual-1)</translation>
+    </message>
+    <message>
+        <source>Number of axes, 1 to 16 (2 unless given)</source>
+        <translation>軸数、1 から 16 (既定: 2)</translation>
+    </message>
+    <message>
+        <source>Take names, axes and parameters from a TAM configuration; several drives in it are several virtual drives</source>
+        <translation>名前、軸、パラメータを TAM 構成から取得します。構成に複数のドライブがあれば、複数の仮想ドライブになります</translation>
+    </message>
+    <message>
+        <source>Move the machine of this file (JSON): axes with errors that nobody knows, and an instrument that measures them</source>
+        <translation>このファイル (JSON) の機械を動かします: 未知の誤差をもつ軸と、それを測定する測定器</translation>
+    </message>
+    <message>
+        <source>Play this measuring plan (axiscomp targets) as the machine&apos;s control would, from 10 s after the start</source>
+        <translation>この測定計画 (axiscomp targets) を、機械の NC 装置と同様に、起動の 10 s 後から実行します</translation>
+    </message>
+    <message>
+        <source>Begin the program so many seconds after the start, whatever --speed is; unless given, after 10 s of the machine&apos;s time</source>
+        <translation>--speed の値によらず、起動からこの秒数の後にプログラムを開始します。指定がない場合は、機械の時間で 10 s 後</translation>
+    </message>
+    <message>
+        <source>Serve the instrument&apos;s lines on a pseudo-terminal, and make LINK a symbolic link to it</source>
+        <translation>測定器の出力行を疑似端末で提供し、LINK をそのシンボリックリンクにします</translation>
+    </message>
+    <message>
+        <source>Keep flash and saved parameters here across runs, a folder per drive</source>
+        <translation>フラッシュの内容と保存したパラメータをここに残し、次回の実行でも使います。ドライブごとに 1 つのフォルダ</translation>
+    </message>
+    <message>
+        <source>Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N or reject=CODE; may be given several times</source>
+        <translation>異常動作: drop-after=BYTES、no-reply=N、garble=N、stores-wrong=N、slow=MS、reboot-after=N、reject=CODE。複数回指定可</translation>
+    </message>
+    <message>
+        <source>Simulated seconds per second (1 unless given)</source>
+        <translation>1 秒あたりのシミュレーション秒数 (既定: 1)</translation>
+    </message>
+    <message>
+        <source>Start with axes that are not homed</source>
+        <translation>軸を原点復帰未了の状態で起動します</translation>
+    </message>
+    <message>
+        <source>Ask for this user name</source>
+        <translation>このユーザ名を要求します</translation>
+    </message>
+    <message>
+        <source>File whose first line is the password of --user</source>
+        <translation>1 行目が --user のパスワードであるファイル</translation>
+    </message>
+    <message>
+        <source>Serve https with this certificate</source>
+        <translation>この証明書を使って https で提供します</translation>
+    </message>
+    <message>
+        <source>Private key of --certificate</source>
+        <translation>--certificate の秘密鍵</translation>
+    </message>
+    <message>
+        <source>A servo drive in software, with the web pages, registers and behaviour of a real one.</source>
+        <translation>ソフトウェアによるサーボドライブです。実物と同じ Web ページ、レジスタ、動作をもちます。</translation>
+    </message>
+    <message>
+        <source>Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs until Ctrl-C.</source>
+        <translation>ドライブごとに `ready http=URL serial=DEVICE drive=NAME` の行を出力し、Ctrl-C まで動作します。</translation>
+    </message>
+    <message>
+        <source>Use this drive in place of the remembered ones; may be given several times: http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</source>
+        <translation>記憶している接続の代わりに、このドライブを使います。複数回指定可: http://[user:password@]host[:port]、https://...、serial:/dev/ttyUSB0[?baud=N]、demo:</translation>
+    </message>
+    <message>
+        <source>Open this file of compensation data</source>
+        <translation>この補正データのファイルを開きます</translation>
+    </message>
+    <message>
+        <source>Open this record of a compensation (.axcal)</source>
+        <translation>この補正の記録 (.axcal) を開きます</translation>
+    </message>
+    <message>
+        <source>How long one exchange with a drive may take (5 unless given)</source>
+        <translation>ドライブとの 1 回の通信にかけられる時間 (既定: 5)</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to servo drives, in a window.</source>
+        <translation>測定した軸の誤差の補正テーブルを、ウィンドウの操作でサーボドライブに書き込みます。</translation>
+    </message>
+    <message>
+        <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
+        <translation>--drive がない場合は、前回のドライブ、または内蔵のデモドライブを使います。</translation>
     </message>
 </context>
 <context>
@@ -8830,6 +9881,16 @@
     <message>
         <source>%1 points</source>
         <translation>%1 点</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <comment>ends a sentence</comment>
+        <translation>。</translation>
     </message>
 </context>
 <context>

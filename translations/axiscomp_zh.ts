@@ -7029,6 +7029,10 @@
         <source>the table is {length} long, but a turn of the axis is {turn}: a prediction needs a table of one turn</source>
         <translation>该表长 {length}，而该轴的一转为 {turn}：预测需要一整转的表</translation>
     </message>
+    <message>
+        <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
+        <translation>该格式的符号没有公开资料。请在“写入”页导入该文件并指明符号，再从那里导出为校准文件，然后选择该文件</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -7043,6 +7047,1053 @@
     <message>
         <source>Measurements</source>
         <translation>测量</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Record of the compensation (axiscomp write --record), which notes the proof</source>
+        <translation>记载验证结果的补偿档案 (axiscomp write --record)</translation>
+    </message>
+    <message>
+        <source>List the axes of one or several drives</source>
+        <translation>列出一台或多台驱动器的轴</translation>
+    </message>
+    <message>
+        <source>Also try all serial ports of this computer; without --drive, the connections of the window too</source>
+        <translation>同时尝试本计算机的所有串口；未给出 --drive 时，也尝试窗口程序中的连接</translation>
+    </message>
+    <message>
+        <source>Try the usual baud rates at every serial port</source>
+        <translation>在每个串口尝试常用波特率</translation>
+    </message>
+    <message>
+        <source>Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024, with :PORT for another port than 80</source>
+        <translation>同时通过 http 询问以下地址：192.168.1.0/24、192.168.1.10-40 或单个地址，最多 1024 个，端口不是 80 时加 :PORT</translation>
+    </message>
+    <message>
+        <source>Save everything that this program can change on a whole drive, all axes, to one file</source>
+        <translation>将整台驱动器（所有轴）上本程序可更改的全部内容保存到一个文件</translation>
+    </message>
+    <message>
+        <source>File to write; standard output without it, or with -</source>
+        <translation>要写出的文件；未给出或为 - 时写到标准输出</translation>
+    </message>
+    <message>
+        <source>Restore a whole drive from a backup file, with verified writes; all of them are planned first</source>
+        <translation>由备份文件还原整台驱动器，写入均经校验；先为全部写入制定计划</translation>
+    </message>
+    <message>
+        <source>File that `axiscomp backup` wrote</source>
+        <translation>由 `axiscomp backup` 写出的文件</translation>
+    </message>
+    <message>
+        <source>Restore to a drive with another serial number, such as a replacement</source>
+        <translation>还原到序列号不同的驱动器，例如更换后的驱动器</translation>
+    </message>
+    <message>
+        <source>Show what would be written without writing it</source>
+        <translation>只显示将写入的内容，不写入</translation>
+    </message>
+    <message>
+        <source>Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, - for lines on standard input, or typed</source>
+        <translation>轴实际位置的来源：驱动器的寄存器、serial:/dev/ttyUSB1?baud=9600、-（标准输入的各行）或 typed（手动输入）</translation>
+    </message>
+    <message>
+        <source>Unit of the instrument; of a register it is that of the axis, of lines the one behind the number unless given</source>
+        <translation>仪器的单位；未给出时，寄存器用轴的单位，行用数字后面的单位</translation>
+    </message>
+    <message>
+        <source>The instrument counts the other way</source>
+        <translation>仪器的计数方向相反</translation>
+    </message>
+    <message>
+        <source>Position of the axis where the instrument says 0 (0 unless given)</source>
+        <translation>仪器示值为 0 时轴的位置（默认：0）</translation>
+    </message>
+    <message>
+        <source>Regular expression for the number in a line, its first group or all of it; the first number of the line unless given</source>
+        <translation>用于匹配一行中数字的正则表达式，取其第一个分组，无分组则取全部匹配；未给出时取该行的第一个数字</translation>
+    </message>
+    <message>
+        <source>Send this to the serial instrument before each reading, with \r and \n for line ends</source>
+        <translation>每次读数前向串口仪器发送此内容，行尾用 \r 和 \n 表示</translation>
+    </message>
+    <message>
+        <source>Register of the raw position; the profile&apos;s unless given</source>
+        <translation>原始位置的寄存器；未给出时用描述文件中的寄存器</translation>
+    </message>
+    <message>
+        <source>The axis stands while its encoder stays within so many mm or deg, and readings may differ by as much (0.001 unless given)</source>
+        <translation>编码器变动不超过此值（mm 或 deg）时视为轴已静止，读数之间也允许相差这么多（默认：0.001）</translation>
+    </message>
+    <message>
+        <source>So many seconds, before anything is taken (1 unless given)</source>
+        <translation>开始采集前轴须静止的秒数（默认：1）</translation>
+    </message>
+    <message>
+        <source>Readings that make a value (10 unless given)</source>
+        <translation>构成一个值的读数次数（默认：10）</translation>
+    </message>
+    <message>
+        <source>Readings per second, 10 to 50 (20 unless given)</source>
+        <translation>每秒读数次数，10 至 50（默认：20）</translation>
+    </message>
+    <message>
+        <source>Take the values of a measuring plan while something else moves the axis</source>
+        <translation>在由其他装置移动轴的同时，采集测量计划的值</translation>
+    </message>
+    <message>
+        <source>Plan as axiscomp targets writes it</source>
+        <translation>由 axiscomp targets 写出的测量计划</translation>
+    </message>
+    <message>
+        <source>File of the values; one that is there goes on where it ends</source>
+        <translation>值的文件；已有的文件从其结尾处继续</translation>
+    </message>
+    <message>
+        <source>axiscomp never moves an axis: the machine&apos;s control or a person does.</source>
+        <translation>axiscomp 从不移动轴：轴由机床数控系统或人来移动。</translation>
+    </message>
+    <message>
+        <source>Examples:</source>
+        <translation>示例：</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to a servo drive, activates them, and checks the drive&apos;s output against the table.</source>
+        <translation>将测得的轴误差的补偿表写入伺服驱动器，启用补偿，并将驱动器的输出与表比较。</translation>
+    </message>
+    <message>
+        <source>Show the version</source>
+        <translation>显示版本</translation>
+    </message>
+    <message>
+        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT 为 http://host[:port]、https://host[:port] 或 demo:（程序内部的虚拟驱动器）。--drive 的默认值取自 AXISCOMP_DRIVE。更多内容见 `axiscomp COMMAND --help`。</translation>
+    </message>
+    <message>
+        <source>Print one JSON document on standard output</source>
+        <translation>在标准输出上输出一个 JSON 文档</translation>
+    </message>
+    <message>
+        <source>Files on this computer</source>
+        <translation>本计算机上的文件</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>Compare measurements before and after a compensation, and with what was promised</source>
+        <translation>比较补偿前后的测量，并与预期效果对照</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: its prediction, table and tolerances</source>
+        <translation>补偿档案：其预测、表和公差</translation>
+    </message>
+    <message>
+        <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
+        <translation>on：第二次测量时档案中的表处于启用状态（文件未注明时）</translation>
+    </message>
+    <message>
+        <source>Add the second measurement and the verdict to the record</source>
+        <translation>将第二次测量和判定加入档案</translation>
+    </message>
+    <message>
+        <source>Compensation parameters of a TAM configuration: show them, take them from a drive, or bring them to one</source>
+        <translation>TAM 配置的补偿参数：显示、从驱动器获取或写入驱动器</translation>
+    </message>
+    <message>
+        <source>show, export (to the file) or import (from it)</source>
+        <translation>show（显示）、export（到文件）或 import（自文件）</translation>
+    </message>
+    <message>
+        <source>TAM configuration (.TAMcfg)</source>
+        <translation>TAM 配置 (.TAMcfg)</translation>
+    </message>
+    <message>
+        <source>export: take the parameters from this configuration in place of a drive</source>
+        <translation>export：从此配置而不是从驱动器获取参数</translation>
+    </message>
+    <message>
+        <source>export: write this file instead, and leave the other one as it is</source>
+        <translation>export：改为写出此文件，原文件保持不变</translation>
+    </message>
+    <message>
+        <source>Name or serial number of the station in the file; without it the one with the drive&apos;s serial number</source>
+        <translation>文件中站的名称或序列号；未给出时取与驱动器序列号相同的站</translation>
+    </message>
+    <message>
+        <source>Accept a station with another serial number than the drive&apos;s</source>
+        <translation>接受序列号与驱动器不同的站</translation>
+    </message>
+    <message>
+        <source>Only the registers Table and Dim1Source to Dim3Source of the axes are read and written. Everything else in the file stays as it is, and tables stay on the drive. Importing never switches a compensation on.</source>
+        <translation>只读写各轴的寄存器 Table 以及 Dim1Source 至 Dim3Source。文件中的其他内容保持不变，表保留在驱动器上。导入不会开启补偿。</translation>
+    </message>
+    <message>
+        <source>Example:</source>
+        <translation>示例：</translation>
+    </message>
+    <message>
+        <source>Convert a table file to another format</source>
+        <translation>将表文件转换为另一种格式</translation>
+    </message>
+    <message>
+        <source>File to read; - for standard input</source>
+        <translation>要读取的文件；- 表示标准输入</translation>
+    </message>
+    <message>
+        <source>File to write, replaced if it exists; - for standard output</source>
+        <translation>要写出的文件，已存在则替换；- 表示标准输出</translation>
+    </message>
+    <message>
+        <source>Format of the output, if its name leaves it open</source>
+        <translation>输出的格式（由文件名无法确定时）</translation>
+    </message>
+    <message>
+        <source>Unit of the values in a .TAMtbl, which does not say it; by default that of the positions</source>
+        <translation>.TAMtbl 中值的单位（文件中未注明）；默认与位置的单位相同</translation>
+    </message>
+    <message>
+        <source>Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl</source>
+        <translation>允许将超过范围 1 % 或斜率超过 0.1 的补偿值写入 .TAMtbl</translation>
+    </message>
+    <message>
+        <source>Mark the table persistent: the drive stores it</source>
+        <translation>将表标为持久：驱动器存储该表</translation>
+    </message>
+    <message>
+        <source>Mark the table volatile (without either: as the input is)</source>
+        <translation>将表标为易失（两者均未给出时与输入相同）</translation>
+    </message>
+    <message>
+        <source>Name of the table</source>
+        <translation>表的名称</translation>
+    </message>
+    <message>
+        <source>Delete the table of an axis, or one that no axis uses, and free its slot</source>
+        <translation>删除轴的表或没有轴使用的表，并释放其表槽</translation>
+    </message>
+    <message>
+        <source>Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses</source>
+        <translation>删除此表槽（small1 至 small8、large1 或 large2）中没有轴使用的表</translation>
+    </message>
+    <message>
+        <source>Show what would be deleted without deleting it</source>
+        <translation>只显示将删除的内容，不删除</translation>
+    </message>
+    <message>
+        <source>The compensation must be off. The axis then uses no table, also after a reboot; its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.</source>
+        <translation>补偿必须已关闭。删除后该轴不使用表，重启后也是如此；其源保留。删除的内容保存在备份中：可用 `axiscomp restore` 恢复。</translation>
+    </message>
+    <message>
+        <source>Write an example calibration file (CSV)</source>
+        <translation>写出一个示例校准文件 (CSV)</translation>
+    </message>
+    <message>
+        <source>Number of dimensions: 1, 2 or 3</source>
+        <translation>维数：1、2 或 3</translation>
+    </message>
+    <message>
+        <source>Number of tables (2 unless given)</source>
+        <translation>表的个数（默认：2）</translation>
+    </message>
+    <message>
+        <source>Table file to write, replaced if it exists; - for standard output. Without it nothing is written</source>
+        <translation>要写出的表文件，已存在则替换；- 表示标准输出。未给出时不写出任何内容</translation>
+    </message>
+    <message>
+        <source>Begin a record of the compensation (.axcal): measurement, table and what it promises, for compare and report</source>
+        <translation>新建补偿档案 (.axcal)：测量、表及其预期效果，供 compare 和 report 使用</translation>
+    </message>
+    <message>
+        <source>Write this column of points only, where the format holds one table</source>
+        <translation>只写出点测量的这一列（格式只能容纳一个表时）</translation>
+    </message>
+    <message>
+        <source>Curve and grid</source>
+        <translation>曲线和网格</translation>
+    </message>
+    <message>
+        <source>Curve through the means: linear (the default), cubic, spline, smooth or harmonic</source>
+        <translation>通过各平均值的曲线：linear（默认）、cubic、spline、smooth 或 harmonic</translation>
+    </message>
+    <message>
+        <source>Of the method smooth, and of points and tracks; by cross-validation unless given</source>
+        <translation>方法 smooth 以及点和轨迹的平滑度；未给出时由交叉验证确定</translation>
+    </message>
+    <message>
+        <source>Known periods, such as the lead of the screw, fitted by the method smooth</source>
+        <translation>用方法 smooth 拟合的已知周期，例如丝杠导程</translation>
+    </message>
+    <message>
+        <source>Harmonics of each period, and of harmonic (1)</source>
+        <translation>每个周期以及 harmonic 的谐波数（默认：1）</translation>
+    </message>
+    <message>
+        <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
+        <translation>模数轴一转的长度，例如 360：表的末端与起点相同</translation>
+    </message>
+    <message>
+        <source>Which runs the table is made of: mean of both (the default), positive or negative; both makes a table for each, for controllers that keep two</source>
+        <translation>由哪些趟生成表：mean（双向平均，默认）、positive 或 negative；both 为每个方向各生成一个表，用于保存两个表的控制器</translation>
+    </message>
+    <message>
+        <source>temperature: a table over position and temperature, from runs in several thermal states; --points and --distance take a second number for it</source>
+        <translation>temperature：由多个热状态下的各趟生成随位置和温度变化的表；--points 和 --distance 再取第二个数字用于温度</translation>
+    </message>
+    <message>
+        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
+        <translation>N 点的均匀网格，用于各轴或所有轴；未给出时取目标位置</translation>
+    </message>
+    <message>
+        <source>Even grid with spacing D, for each axis or for all</source>
+        <translation>间距为 D 的均匀网格，用于各轴或所有轴</translation>
+    </message>
+    <message>
+        <source>The fewest points that leave no more than this to the curve, in mm or deg</source>
+        <translation>与曲线之差不超过此值（mm 或 deg）的最少点数</translation>
+    </message>
+    <message>
+        <source>Let the grid extend beyond the targets, where the end values are held</source>
+        <translation>允许网格超出目标位置，超出部分保持端值</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told</source>
+        <translation>轴的速度，单位 mm/s 或 deg/s，用于计算所报告的速度跳变</translation>
+    </message>
+    <message>
+        <source>Zero, slope and drift</source>
+        <translation>零点、斜率和漂移</translation>
+    </message>
+    <message>
+        <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
+        <translation>表在何处为 0：home（原点）、first（首目标位置）、mean（平均）、keep（保持不变）或一个位置；未给出时，原点已知且在测量范围内则用 home，否则用 first</translation>
+    </message>
+    <message>
+        <source>Home position of the axis</source>
+        <translation>轴的原点位置</translation>
+    </message>
+    <message>
+        <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
+        <translation>去除斜率，用于直线度：lsq（最小二乘）或 ends（两端）</translation>
+    </message>
+    <message>
+        <source>Take the drift of the runs out before they are averaged: offset or trend</source>
+        <translation>求平均前先去除各趟的漂移：offset 或 trend</translation>
+    </message>
+    <message>
+        <source>State of the drive</source>
+        <translation>驱动器状态</translation>
+    </message>
+    <message>
+        <source>Where the drive looks the table up: encoder (before the compensation) or set (after it); with --onto drive by its source</source>
+        <translation>驱动器查表所用的位置：encoder（补偿前）或 set（补偿后）；--onto drive 时由其源决定</translation>
+    </message>
+    <message>
+        <source>What was active while it was measured, where the file does not say it: off, on, or the file of the table</source>
+        <translation>测量时启用的补偿（文件未注明时）：off、on 或表文件</translation>
+    </message>
+    <message>
+        <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
+        <translation>将残差合并到测量时启用的表：给出其文件，或用 drive 表示该轴使用的表（--drive、--axis）</translation>
+    </message>
+    <message>
+        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
+        <translation>所合并残差的增益（默认：1）；机床响应迟缓时通常用 0.7</translation>
+    </message>
+    <message>
+        <source>Points and tracks</source>
+        <translation>点和轨迹</translation>
+    </message>
+    <message>
+        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
+        <translation>去除标准器放置状态的影响：rigid、rigid:X（沿 X 的直线不保留斜率）或 scale</translation>
+    </message>
+    <message>
+        <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
+        <translation>远离所有测量点的网格点：smooth 或 nearest；未给出时拒绝</translation>
+    </message>
+    <message>
+        <source>Give values that do not fit the others less weight</source>
+        <translation>降低与其他值不符的值的权</translation>
+    </message>
+    <message>
+        <source>Make a compensation table of a measurement, and foretell what it does</source>
+        <translation>由测量生成补偿表，并预测其效果</translation>
+    </message>
+    <message>
+        <source>List the table formats, or describe one: its limits, rules and settings</source>
+        <translation>列出表的格式，或说明其中一种：限制、规则和设置</translation>
+    </message>
+    <message>
+        <source>One format: its rules, limits and settings</source>
+        <translation>一种格式：规则、限制和设置</translation>
+    </message>
+    <message>
+        <source>All of them, as the page docs/formats.md</source>
+        <translation>所有格式，输出为页面 docs/formats.md</translation>
+    </message>
+    <message>
+        <source>The formats of measurements instead of those of tables</source>
+        <translation>列出测量的格式，而不是表的格式</translation>
+    </message>
+    <message>
+        <source>Check a file and report its format, grid, tables and problems</source>
+        <translation>检查文件，报告其格式、网格、表和问题</translation>
+    </message>
+    <message>
+        <source>Calibration file or table; - for standard input</source>
+        <translation>校准文件或表；- 表示标准输入</translation>
+    </message>
+    <message>
+        <source>Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances</source>
+        <translation>判定一次测量：GB/T 17421.2 (ISO 230-2) 指标、漂移、离群值、公差</translation>
+    </message>
+    <message>
+        <source>Rule that proposes outliers: mad (the default), grubbs or none</source>
+        <translation>提出离群值的准则：mad（默认）、grubbs 或 none</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw, in mm or deg</source>
+        <translation>轴的已知周期，例如丝杠导程，单位 mm 或 deg</translation>
+    </message>
+    <message>
+        <source>Show the figures of VDI/DGQ 3441 as well</source>
+        <translation>同时显示 VDI/DGQ 3441 的指标</translation>
+    </message>
+    <message>
+        <source>Print the interpolated value at a position, as the drive computes it</source>
+        <translation>输出某一位置的插值，算法与驱动器相同</translation>
+    </message>
+    <message>
+        <source>Calibration file or table</source>
+        <translation>校准文件或表</translation>
+    </message>
+    <message>
+        <source>X [Y [Z]], one number per dimension; may be negative</source>
+        <translation>X [Y [Z]]，每维一个数字；可以为负</translation>
+    </message>
+    <message>
+        <source>File with one position per line, - for standard input; prints one result per line</source>
+        <translation>每行一个位置的文件，- 表示标准输入；每行输出一个结果</translation>
+    </message>
+    <message>
+        <source>Value outside the table: hold (as the drive does; the default), zero, wrap, extrapolate or error</source>
+        <translation>表范围之外的值：hold（与驱动器相同，默认）、zero、wrap、extrapolate 或 error</translation>
+    </message>
+    <message>
+        <source>Print the value that the controller of this format would apply, after conversion</source>
+        <translation>输出转换后此格式的控制器将施加的值</translation>
+    </message>
+    <message>
+        <source>Machine file (.toml)</source>
+        <translation>机床文件 (.toml)</translation>
+    </message>
+    <message>
+        <source>Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be given several times</source>
+        <translation>只处理此轴，名称与文件中相同；SERIAL/AXIS 指定某一台驱动器的轴；可多次给出</translation>
+    </message>
+    <message>
+        <source>Drives at the same time (16 unless given)</source>
+        <translation>同时处理的驱动器台数（默认：16）</translation>
+    </message>
+    <message>
+        <source>Leave drives out that do not answer, which is an error otherwise</source>
+        <translation>略去没有应答的驱动器；未给出时视为错误</translation>
+    </message>
+    <message>
+        <source>Compare the drives of a machine with its machine file, and change nothing</source>
+        <translation>将机床的驱动器与其机床文件比较，不作任何更改</translation>
+    </message>
+    <message>
+        <source>The exit code is 0 when all drives have what the file says, and 9 when something differs.</source>
+        <translation>所有驱动器均与文件一致时退出码为 0，有差别时为 9。</translation>
+    </message>
+    <message>
+        <source>Write what a machine file says to the drives of the machine, where they differ</source>
+        <translation>将机床文件的内容写入机床的驱动器，只写有差别之处</translation>
+    </message>
+    <message>
+        <source>Switch the compensation of axes on and off where the file says so (active), and prove it</source>
+        <translation>按文件的规定 (active) 开启和关闭各轴的补偿，并进行验证</translation>
+    </message>
+    <message>
+        <source>All drives are planned first, and nothing is written unless all of it is possible. Each write is safe as that of `axiscomp write`. A second apply finds nothing to do.</source>
+        <translation>先为所有驱动器制定计划，只有全部可行才写入。每次写入都与 `axiscomp write` 同样安全。第二次应用时没有需要更改的内容。</translation>
+    </message>
+    <message>
+        <source>Print output, indices and sources of an axis as CSV until stopped</source>
+        <translation>以 CSV 输出轴的输出、索引和源，直到被停止</translation>
+    </message>
+    <message>
+        <source>Lines per second, 1 to 100 (10 unless given)</source>
+        <translation>每秒行数，1 至 100（默认：10）</translation>
+    </message>
+    <message>
+        <source>Number of lines; without end unless given</source>
+        <translation>行数；未给出时不限</translation>
+    </message>
+    <message>
+        <source>Download the table that an axis uses</source>
+        <translation>下载轴所使用的表</translation>
+    </message>
+    <message>
+        <source>File to write, .csv, .TAMtbl or that of another controller; CSV on standard output without it</source>
+        <translation>要写出的文件：.csv、.TAMtbl 或其他控制器的文件；未给出时在标准输出上输出 CSV</translation>
+    </message>
+    <message>
+        <source>Finish or undo an interrupted write; without an option, say which is possible</source>
+        <translation>完成或撤销中断的写入；未给出选项时，说明哪一种可行</translation>
+    </message>
+    <message>
+        <source>Bring the complete new state about, from whatever there is now</source>
+        <translation>无论当前状态如何，都达到完整的新状态</translation>
+    </message>
+    <message>
+        <source>Bring back the complete state before the write</source>
+        <translation>恢复写入之前的完整状态</translation>
+    </message>
+    <message>
+        <source>Write the report of a record: by how much an axis became better, on one page</source>
+        <translation>生成档案的报告：用一页说明轴改善了多少</translation>
+    </message>
+    <message>
+        <source>Record of the compensation (.axcal)</source>
+        <translation>补偿档案 (.axcal)</translation>
+    </message>
+    <message>
+        <source>The report; its extension says whether it is PDF or HTML</source>
+        <translation>报告文件；由扩展名决定是 PDF 还是 HTML</translation>
+    </message>
+    <message>
+        <source>Language of the report: en, de, fr, ja or zh</source>
+        <translation>报告的语言：en、de、fr、ja 或 zh</translation>
+    </message>
+    <message>
+        <source>Add pages with every target and every value that is left out</source>
+        <translation>增加列出每个目标位置和每个被排除值的页面</translation>
+    </message>
+    <message>
+        <source>Show what is in measurement files, join them, and write them as one CSV</source>
+        <translation>显示测量文件的内容，将其合并，并写成一个 CSV</translation>
+    </message>
+    <message>
+        <source>CSV file to write, replaced if it exists; - for standard output</source>
+        <translation>要写出的 CSV 文件，已存在则替换；- 表示标准输出</translation>
+    </message>
+    <message>
+        <source>Write a machine file with all tables from running drives</source>
+        <translation>由运行中的驱动器写出含所有表的机床文件</translation>
+    </message>
+    <message>
+        <source>Folder for machine.toml and the tables; files of the same names are replaced</source>
+        <translation>存放 machine.toml 和表的文件夹；同名文件将被替换</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>机床的名称</translation>
+    </message>
+    <message>
+        <source>Applied to drives with the same serial numbers and without tables, the file gives the same state, and a snapshot of them the same bytes.</source>
+        <translation>将该文件应用到序列号相同且没有表的驱动器，可得到相同的状态，其快照逐字节相同。</translation>
+    </message>
+    <message>
+        <source>Print the states of drives as OpenMetrics text, for a collector</source>
+        <translation>以 OpenMetrics 文本输出驱动器的状态，供采集程序使用</translation>
+    </message>
+    <message>
+        <source>Machine file: its drives, and whether they differ from it</source>
+        <translation>机床文件：其中的驱动器，以及它们与文件是否有差别</translation>
+    </message>
+    <message>
+        <source>Compare the outputs of active compensations with their tables now</source>
+        <translation>立即将已启用补偿的输出与其表比较</translation>
+    </message>
+    <message>
+        <source>File to write, whole or not at all; standard output without it</source>
+        <translation>要写出的文件，要么完整写出，要么不写；未给出时写到标准输出</translation>
+    </message>
+    <message>
+        <source>Show the compensation of an axis, and the outcome of an interrupted write</source>
+        <translation>显示轴的补偿，以及中断的写入的结果</translation>
+    </message>
+    <message>
+        <source>Count the drive&apos;s flash operations again after their record was damaged; first wait as long as the drive counts them</source>
+        <translation>计数记录损坏后，重新计数驱动器的闪存操作；请先等待驱动器统计闪存操作的那段时间</translation>
+    </message>
+    <message>
+        <source>First target</source>
+        <translation>首目标位置</translation>
+    </message>
+    <message>
+        <source>Last target, above the first</source>
+        <translation>末目标位置，大于首目标位置</translation>
+    </message>
+    <message>
+        <source>Number of targets</source>
+        <translation>目标位置数</translation>
+    </message>
+    <message>
+        <source>Mean distance of targets, instead of --count</source>
+        <translation>目标位置的平均间距，代替 --count</translation>
+    </message>
+    <message>
+        <source>Known period of the axis, such as the lead of its screw: targets are spread over it</source>
+        <translation>轴的已知周期，例如丝杠导程：使目标位置分布在周期内的不同处</translation>
+    </message>
+    <message>
+        <source>Runs in each direction (5 unless given)</source>
+        <translation>每个方向的趟数（默认：5）</translation>
+    </message>
+    <message>
+        <source>Another number gives other targets, the same number the same (1 unless given)</source>
+        <translation>数字不同则目标位置不同，数字相同则目标位置相同（默认：1）</translation>
+    </message>
+    <message>
+        <source>How far the axis moves in the direction of a run before its first target (1 % of the range unless given, at most a third of the spacing)</source>
+        <translation>轴在首目标位置之前沿该趟方向移动的距离（默认为范围的 1 %，最多为间距的三分之一）</translation>
+    </message>
+    <message>
+        <source>Feed in mm or deg per minute (1000 unless given)</source>
+        <translation>进给速度，mm/min 或 deg/min（默认：1000）</translation>
+    </message>
+    <message>
+        <source>Seconds at each target (5 unless given): time to stand still and be measured</source>
+        <translation>在每个目标位置停留的秒数（默认：5）：用于静止和测量</translation>
+    </message>
+    <message>
+        <source>Choose the targets of a measurement: a plan, or a program for the machine&apos;s control</source>
+        <translation>选择测量的目标位置：生成测量计划，或机床数控系统的程序</translation>
+    </message>
+    <message>
+        <source>Name of the axis (X unless given)</source>
+        <translation>轴的名称（默认：X）</translation>
+    </message>
+    <message>
+        <source>Unit of all positions: mm (the default) or deg</source>
+        <translation>所有位置的单位：mm（默认）或 deg</translation>
+    </message>
+    <message>
+        <source>Write G-code for this control: linuxcnc, fanuc or siemens</source>
+        <translation>写出用于此数控系统的 G 代码：linuxcnc、fanuc 或 siemens</translation>
+    </message>
+    <message>
+        <source>List the table files of a drive</source>
+        <translation>列出驱动器的表文件</translation>
+    </message>
+    <message>
+        <source>Upload a file unchanged and verify it, for drive programs that use tables</source>
+        <translation>原样上传文件并校验，用于使用表的驱动器程序</translation>
+    </message>
+    <message>
+        <source>File on this computer</source>
+        <translation>本计算机上的文件</translation>
+    </message>
+    <message>
+        <source>Path in the drive, such as tables/small1.TAMtbl</source>
+        <translation>驱动器中的路径，例如 tables/small1.TAMtbl</translation>
+    </message>
+    <message>
+        <source>Download a file unchanged</source>
+        <translation>原样下载文件</translation>
+    </message>
+    <message>
+        <source>Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)</source>
+        <translation>提供维度 1 位置的寄存器：路径、tam:// URI 或地址 (0x1234)</translation>
+    </message>
+    <message>
+        <source>The same for dimension 2</source>
+        <translation>同上，用于维度 2</translation>
+    </message>
+    <message>
+        <source>The same for dimension 3</source>
+        <translation>同上，用于维度 3</translation>
+    </message>
+    <message>
+        <source>The source is the axis&apos;s own position, for tables of one dimension; with --map each axis&apos;s own</source>
+        <translation>以轴自身的位置为源，用于一维的表；与 --map 同用时各轴采用自身的位置</translation>
+    </message>
+    <message>
+        <source>Write a compensation table to an axis in the safe order, and verify it</source>
+        <translation>按安全的顺序将补偿表写入轴，并校验</translation>
+    </message>
+    <message>
+        <source>Calibration file (.csv), table (.TAMtbl), or file of another controller; without it the axis keeps its table</source>
+        <translation>校准文件 (.csv)、表 (.TAMtbl) 或其他控制器的文件；未给出时轴保留其表</translation>
+    </message>
+    <message>
+        <source>Record of a compensation in place of --data: its table is written, and it notes drive, slot and CRC</source>
+        <translation>代替 --data 的补偿档案：写入其中的表，并在档案中记下驱动器、表槽和 CRC</translation>
+    </message>
+    <message>
+        <source>Store the table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>将表存入驱动器的闪存，重启后保留</translation>
+    </message>
+    <message>
+        <source>Keep the table in memory until the next reboot (the default for a new table)</source>
+        <translation>将表保留在内存中直到下次重启（新表的默认方式）</translation>
+    </message>
+    <message>
+        <source>Unit of the values in place of what the file says, such as um; drive for the drive&apos;s own</source>
+        <translation>值的单位，例如 um，代替文件的规定；drive 表示驱动器自身的单位</translation>
+    </message>
+    <message>
+        <source>The same for the positions</source>
+        <translation>同上，用于位置</translation>
+    </message>
+    <message>
+        <source>Slot to use, small1 to small8, large1 or large2; chosen unless given</source>
+        <translation>使用的表槽：small1 至 small8、large1 或 large2；未给出时自动选择</translation>
+    </message>
+    <message>
+        <source>Write this column of the file (name or number) to this axis; AXIS alone is the column that is named as the axis. May be given several times. Nothing is written unless all of the writes are possible</source>
+        <translation>将文件的此列（名称或编号）写入此轴；只给出 AXIS 时取与轴同名的列。可多次给出。只有全部写入均可行才写入</translation>
+    </message>
+    <message>
+        <source>Write corrections above 1 % of the range, or with a slope above 0.1, which without this are taken for a wrong unit</source>
+        <translation>允许写入超过范围 1 % 或斜率超过 0.1 的补偿值；未给出时视为单位错误</translation>
+    </message>
+    <message>
+        <source>Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp activate` switches it on.</source>
+        <translation>未给出 --source1 时轴保留其源。补偿保持关闭：用 `axiscomp activate` 开启。</translation>
+    </message>
+    <message>
+        <source>Axis that the values correct, for each column or for all: its name, #1 for the first source, or other for an axis that is no source; by default as the file says</source>
+        <translation>值所补偿的轴，用于各列或所有列：轴的名称、#1（第一个源）或 other（不是源的轴）；默认按文件的规定</translation>
+    </message>
+    <message>
+        <source>Conversion</source>
+        <translation>转换</translation>
+    </message>
+    <message>
+        <source>Convention of the input: feedback (added to the encoder position) or command (added to the commanded position); by default that of its format, needed where that is assumed</source>
+        <translation>输入的符号：feedback（加到编码器位置）或 command（加到指令位置）；默认按其格式，格式的符号只是假定时必须给出</translation>
+    </message>
+    <message>
+        <source>Which values to use if the file has both directions of motion: mean, positive or negative</source>
+        <translation>文件含有两个运动方向的值时使用哪些值：mean、positive 或 negative</translation>
+    </message>
+    <message>
+        <source>Multiply the values by this number, before anything else</source>
+        <translation>在其他处理之前，先将值乘以此数</translation>
+    </message>
+    <message>
+        <source>Add this to the values, in their unit</source>
+        <translation>将此数加到值上，以值的单位</translation>
+    </message>
+    <message>
+        <source>Shift the values so that they are 0 at this position</source>
+        <translation>平移各值，使其在此位置为 0</translation>
+    </message>
+    <message>
+        <source>Treat a modulo axis as a linear one</source>
+        <translation>将模数轴按直线轴处理</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with N points, for each source or for all</source>
+        <translation>重采样到 N 点的均匀网格，用于各源或所有源</translation>
+    </message>
+    <message>
+        <source>Resample onto an even grid with spacing D, for each source or for all</source>
+        <translation>重采样到间距为 D 的均匀网格，用于各源或所有源</translation>
+    </message>
+    <message>
+        <source>Resample onto the coarsest even grid within this deviation, in the unit of the values</source>
+        <translation>重采样到此偏差（值的单位）以内最粗的均匀网格</translation>
+    </message>
+    <message>
+        <source>Between the points of the source: linear (the default), cubic (monotone), spline (natural cubic) or smooth (smoothing spline)</source>
+        <translation>源的各点之间：linear（默认）、cubic（单调三次）、spline（自然三次样条）或 smooth（平滑样条）</translation>
+    </message>
+    <message>
+        <source>Speed of the axis in positions per second: says the steps of the velocity that are left with spline and smooth</source>
+        <translation>轴的速度，每秒的位置单位数：报告 spline 和 smooth 仍留有的速度跳变</translation>
+    </message>
+    <message>
+        <source>Let the even grid extend beyond the data, where the end values are held</source>
+        <translation>允许均匀网格超出数据，超出部分保持端值</translation>
+    </message>
+    <message>
+        <source>Convention of the output: feedback or command; by default that of its format, needed where that is assumed</source>
+        <translation>输出的符号：feedback 或 command；默认按其格式，格式的符号只是假定时必须给出</translation>
+    </message>
+    <message>
+        <source>Setting that the output format needs; `axiscomp formats NAME` lists them</source>
+        <translation>输出格式所需的设置；用 `axiscomp formats NAME` 列出</translation>
+    </message>
+    <message>
+        <source>Corrections, made only when asked for</source>
+        <translation>修正，仅在给出时进行</translation>
+    </message>
+    <message>
+        <source>Temperature of the axis&apos;s scale in C</source>
+        <translation>轴的标尺温度，单位 °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of expansion of the axis&apos;s scale in 1/K, such as 11.5e-6</source>
+        <translation>轴的标尺膨胀系数，单位 1/K，例如 11.5e-6</translation>
+    </message>
+    <message>
+        <source>Temperature of the reference in C</source>
+        <translation>基准温度，单位 °C</translation>
+    </message>
+    <message>
+        <source>Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation</source>
+        <translation>基准的膨胀系数，单位 1/K；对已作波长补偿的激光为 0</translation>
+    </message>
+    <message>
+        <source>Position in mm that does not move with temperature; the first target unless given</source>
+        <translation>不随温度移动的位置，单位 mm；未给出时取首目标位置</translation>
+    </message>
+    <message>
+        <source>The values are not corrected to 20 C, where the file does not say it</source>
+        <translation>值未修正到 20 °C（文件未注明时）</translation>
+    </message>
+    <message>
+        <source>Dead path of the interferometer: a JSON file with its length and the air of each run</source>
+        <translation>干涉仪的死程：含其长度和各趟空气状态的 JSON 文件</translation>
+    </message>
+    <message>
+        <source>Limits, such as A=10um,R=4um; exit code 8 when one is not met</source>
+        <translation>公差，例如 A=10um,R=4um；有一项不满足时退出码为 8</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms</source>
+        <translation>k = 2 时的测量不确定度：U=2.1um，或含各分量的 JSON 文件</translation>
+    </message>
+    <message>
+        <source>Measurement files, joined when there are several; - for standard input</source>
+        <translation>测量文件，有多个时合并；- 表示标准输入</translation>
+    </message>
+    <message>
+        <source>Format of the files, if their content leaves it open</source>
+        <translation>文件的格式（由内容无法确定时）</translation>
+    </message>
+    <message>
+        <source>Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>排除值：down:1:1（方向、目标位置、趟次）、run:up:3 或 target:7，之间用逗号分隔</translation>
+    </message>
+    <message>
+        <source>Exchange up and down</source>
+        <translation>对调正向和负向</translation>
+    </message>
+    <message>
+        <source>What a file leaves open</source>
+        <translation>文件未确定的内容</translation>
+    </message>
+    <message>
+        <source>Which column of a CSV file is what, by number or name: &apos;target=1,direction=3,deviation=5&apos;</source>
+        <translation>CSV 文件各列的含义，用列号或列名给出：&apos;target=1,direction=3,deviation=5&apos;</translation>
+    </message>
+    <message>
+        <source>Lines before the header of a CSV file</source>
+        <translation>CSV 文件标题行之前的行数</translation>
+    </message>
+    <message>
+        <source>Unit of targets and encoder</source>
+        <translation>目标位置和编码器的单位</translation>
+    </message>
+    <message>
+        <source>Unit of deviations and reference</source>
+        <translation>偏差和基准的单位</translation>
+    </message>
+    <message>
+        <source>What the values are: deviation (reference minus target) or reference (positions)</source>
+        <translation>值的种类：deviation（基准减目标位置）或 reference（位置）</translation>
+    </message>
+    <message>
+        <source>order: the direction of a run follows from the order of its targets</source>
+        <translation>order：由目标位置的顺序确定各趟的方向</translation>
+    </message>
+    <message>
+        <source>How far a track moves after a turn before its samples count, in mm or deg; 1 % of the range unless given</source>
+        <translation>轨迹反向后，移动多远采样点才计入，单位 mm 或 deg；未给出时为范围的 1 %</translation>
+    </message>
+    <message>
+        <source>Number of dimensions of a CSV file: its first D columns are positions</source>
+        <translation>CSV 文件的维数：前 D 列为位置</translation>
+    </message>
+    <message>
+        <source>Format of the input, if content and name leave it open</source>
+        <translation>输入的格式（由内容和文件名无法确定时）</translation>
+    </message>
+    <message>
+        <source>Setting that the file leaves open; `axiscomp formats NAME` lists them</source>
+        <translation>文件未确定的设置；用 `axiscomp formats NAME` 列出</translation>
+    </message>
+    <message>
+        <source>Incomplete grids</source>
+        <translation>不完整的网格</translation>
+    </message>
+    <message>
+        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <translation>填补没有值的点：用最近测量点的值 (nearest)、通过所有测量点的平面上的值 (plane) 或弯曲最小的值 (smooth)</translation>
+    </message>
+    <message>
+        <source>Cut the grid to the largest part in which every point has a value</source>
+        <translation>将网格裁剪为每点均有值的最大部分</translation>
+    </message>
+    <message>
+        <source>Take positions of a calibration file that are this close to the grid for grid positions, in their unit</source>
+        <translation>校准文件中与网格相差不超过此值（以位置的单位）的位置视为网格位置</translation>
+    </message>
+    <message>
+        <source>Table of the file, by name or by number from 1 (name:TEXT, #N where that could be either); not needed if there is only one</source>
+        <translation>文件中的表，用名称或从 1 开始的编号给出（两者可能混淆时用 name:TEXT、#N）；只有一个表时不需要</translation>
+    </message>
+    <message>
+        <source>Drive profile (JSON) in place of the built-in one, generic</source>
+        <translation>驱动器描述文件 (JSON)，代替内置的 generic</translation>
+    </message>
+    <message>
+        <source>Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given</source>
+        <translation>驱动器的地址，可多次给出；未给出时用 $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Address of the drive; $AXISCOMP_DRIVE unless given</source>
+        <translation>驱动器的地址；未给出时用 $AXISCOMP_DRIVE</translation>
+    </message>
+    <message>
+        <source>Trust the https certificate with this fingerprint from now on; any other one is refused</source>
+        <translation>今后信任具有此指纹的 https 证书；拒绝其他任何证书</translation>
+    </message>
+    <message>
+        <source>Time limit for one exchange with the drive (5 unless given)</source>
+        <translation>与驱动器一次通信的时限（默认：5）</translation>
+    </message>
+    <message>
+        <source>Index or name of the axis; not needed if the drive has only one</source>
+        <translation>轴的索引或名称；驱动器只有一个轴时不需要</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Show this help</source>
+        <translation>显示此帮助</translation>
+    </message>
+    <message>
+        <source>Arguments</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>COMMAND</source>
+        <translation>COMMAND</translation>
+    </message>
+    <message>
+        <source>usage</source>
+        <translation>用法</translation>
+    </message>
+    <message>
+        <source>Serve the drive&apos;s web pages here; port 0 picks a free one (127.0.0.1:0 unless this or --serial is given). Several drives take ports in a row</source>
+        <translation>在此处提供驱动器的网页；端口 0 表示选用空闲端口（此选项和 --serial 均未给出时为 127.0.0.1:0）。多台驱动器依次使用相邻端口</translation>
+    </message>
+    <message>
+        <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
+        <translation>在伪终端上提供串口连接，并使 LINK 成为指向它的符号链接。多台驱动器使用 LINK、LINK-2、...。</translation>
+    </message>
+    <message>
+        <source>Make the serial link as slow as a line of this speed (as fast as it can unless given)</source>
+        <translation>使串口连接与此速度的线路一样慢（未给出时尽可能快）</translation>
+    </message>
+    <message>
+        <source>Name of the drive (Virtual-1 unless given)</source>
+        <translation>驱动器的名称（默认：Virtual-1）</translation>
+    </message>
+    <message>
+        <source>Number of axes, 1 to 16 (2 unless given)</source>
+        <translation>轴数，1 至 16（默认：2）</translation>
+    </message>
+    <message>
+        <source>Take names, axes and parameters from a TAM configuration; several drives in it are several virtual drives</source>
+        <translation>从 TAM 配置取得名称、轴和参数；其中有多台驱动器时成为多台虚拟驱动器</translation>
+    </message>
+    <message>
+        <source>Move the machine of this file (JSON): axes with errors that nobody knows, and an instrument that measures them</source>
+        <translation>移动此文件 (JSON) 描述的机床：带有未知误差的轴，以及测量这些误差的仪器</translation>
+    </message>
+    <message>
+        <source>Play this measuring plan (axiscomp targets) as the machine&apos;s control would, from 10 s after the start</source>
+        <translation>像机床数控系统一样执行此测量计划 (axiscomp targets)，启动 10 s 后开始</translation>
+    </message>
+    <message>
+        <source>Begin the program so many seconds after the start, whatever --speed is; unless given, after 10 s of the machine&apos;s time</source>
+        <translation>启动后经过此秒数开始执行程序，与 --speed 无关；未给出时，在机床时间 10 s 后开始</translation>
+    </message>
+    <message>
+        <source>Serve the instrument&apos;s lines on a pseudo-terminal, and make LINK a symbolic link to it</source>
+        <translation>在伪终端上提供仪器的输出行，并使 LINK 成为指向它的符号链接</translation>
+    </message>
+    <message>
+        <source>Keep flash and saved parameters here across runs, a folder per drive</source>
+        <translation>将闪存内容和已保存的参数存放在此处，供下次运行使用，每台驱动器一个文件夹</translation>
+    </message>
+    <message>
+        <source>Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N or reject=CODE; may be given several times</source>
+        <translation>模拟异常：drop-after=BYTES、no-reply=N、garble=N、stores-wrong=N、slow=MS、reboot-after=N 或 reject=CODE；可多次给出</translation>
+    </message>
+    <message>
+        <source>Simulated seconds per second (1 unless given)</source>
+        <translation>每秒模拟的秒数（默认：1）</translation>
+    </message>
+    <message>
+        <source>Start with axes that are not homed</source>
+        <translation>启动时各轴未回原点</translation>
+    </message>
+    <message>
+        <source>Ask for this user name</source>
+        <translation>要求此用户名</translation>
+    </message>
+    <message>
+        <source>File whose first line is the password of --user</source>
+        <translation>首行为 --user 密码的文件</translation>
+    </message>
+    <message>
+        <source>Serve https with this certificate</source>
+        <translation>使用此证书提供 https</translation>
+    </message>
+    <message>
+        <source>Private key of --certificate</source>
+        <translation>--certificate 的私钥</translation>
+    </message>
+    <message>
+        <source>A servo drive in software, with the web pages, registers and behaviour of a real one.</source>
+        <translation>软件实现的伺服驱动器，具有与真实驱动器相同的网页、寄存器和行为。</translation>
+    </message>
+    <message>
+        <source>Prints a line `ready http=URL serial=DEVICE drive=NAME` for each drive, and runs until Ctrl-C.</source>
+        <translation>为每台驱动器输出一行 `ready http=URL serial=DEVICE drive=NAME`，运行到按下 Ctrl-C 为止。</translation>
+    </message>
+    <message>
+        <source>Use this drive in place of the remembered ones; may be given several times: http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</source>
+        <translation>使用此驱动器，代替已记住的驱动器；可多次给出：http://[user:password@]host[:port]、https://...、serial:/dev/ttyUSB0[?baud=N]、demo:</translation>
+    </message>
+    <message>
+        <source>Open this file of compensation data</source>
+        <translation>打开此补偿数据文件</translation>
+    </message>
+    <message>
+        <source>Open this record of a compensation (.axcal)</source>
+        <translation>打开此补偿档案 (.axcal)</translation>
+    </message>
+    <message>
+        <source>How long one exchange with a drive may take (5 unless given)</source>
+        <translation>与驱动器一次通信允许的时间（默认：5）</translation>
+    </message>
+    <message>
+        <source>Writes compensation tables for measured axis errors to servo drives, in a window.</source>
+        <translation>在窗口中将测得的轴误差的补偿表写入伺服驱动器。</translation>
+    </message>
+    <message>
+        <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
+        <translation>未给出 --drive 时，使用上次的驱动器，或内置的演示驱动器。</translation>
     </message>
 </context>
 <context>
@@ -8830,6 +9881,16 @@
     <message>
         <source>%1 points</source>
         <translation>%1 点</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between items of a list</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <comment>ends a sentence</comment>
+        <translation>。</translation>
     </message>
 </context>
 <context>
