@@ -36,7 +36,7 @@ QComboBox* combo(const char* name, int items)
     return box;
 }
 
-QString listText(const std::vector<double>& numbers)
+QString numbersText(const std::vector<double>& numbers)
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
@@ -180,9 +180,9 @@ void ConversionForm::setChoices(const ImportChoices& choices)
     m_direction->setCurrentIndex(choices.direction ? static_cast<int>(*choices.direction) + 1 : 0);
     m_dropsWrap->setChecked(choices.dropsWrap);
     m_missing->setCurrentIndex(static_cast<int>(choices.missing));
-    m_snap->setText(choices.snap > 0.0 ? listText({choices.snap}) : QString());
+    m_snap->setText(choices.snap > 0.0 ? numbersText({choices.snap}) : QString());
     m_grid->setCurrentIndex(static_cast<int>(choices.resampling.kind));
-    m_number->setText(listText(choices.resampling.numbers));
+    m_number->setText(numbersText(choices.resampling.numbers));
     m_method->setCurrentIndex(static_cast<int>(choices.resampling.method));
     m_holds->setChecked(choices.resampling.holdsEnds);
 }
