@@ -226,20 +226,25 @@ void SoakModel::checkHiding(
         return;
     const auto& foreign = SoakDrive::foreignSlots();
     const std::size_t size = after.now.axes[static_cast<std::size_t>(operation.axis)].table.size();
-    const bool hadRoom =
-        std::ranges::any_of(m_drive.drive().profile().tableSlots, [&](const TableSlot& slot) {
-            return slot.maximumSize >= size && !before.now.slots.contains(slot.name)
-                && !before.now.userOf(slot.name)
-                && before.afterReboot.userOf(slot.name).value_or(operation.axis) == operation.axis
-                && std::ranges::find(foreign, slot.name) == foreign.end();
-        });
+    const auto& slots = m_drive.drive().profile().tableSlots;
+    const auto room = std::ranges::find_if(slots, [&](const TableSlot& slot) {
+        return slot.maximumSize >= size && !before.now.slots.contains(slot.name)
+            && !before.now.userOf(slot.name)
+            && before.afterReboot.userOf(slot.name).value_or(operation.axis) == operation.axis
+            && std::ranges::find(foreign, slot.name) == foreign.end();
+    });
     const std::string& slot = after.now.axes[static_cast<std::size_t>(operation.axis)].slot;
     const auto there = before.now.slots.find(slot);
     const auto file = there == before.now.slots.end()
         ? Result<TamTable>(TamTable{})
         : decodeTamTable(there->second, m_drive.drive().profile().layout);
-    expect(!hadRoom || (file && !file->persistent) || !hidesFlash(after, slot),
-        slot + " was taken for a volatile table, although flash holds another one there");
+    if (room == slots.end() || (file && !file->persistent) || !hidesFlash(after, slot))
+        return;
+    const auto index = static_cast<std::size_t>(operation.axis);
+    expect(false,
+        slot + " was taken for a volatile table, although flash holds another one there and "
+            + room->name + " was free; the axis had " + before.now.axes[index].text()
+            + ", after a reboot " + before.afterReboot.axes[index].text());
 }
 
 void SoakModel::noteDeath(const Operation& operation, const Ending& ending)

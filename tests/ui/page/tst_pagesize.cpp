@@ -50,7 +50,7 @@ private Q_SLOTS:
         QTest::addColumn<QString>("language");
         QTest::addColumn<QSize>("size");
         for (const QSize& size : {QSize(960, 540), QSize(1280, 720), QSize(1366, 768)})
-            for (const char* language : {"en", "de"})
+            for (const char* language : {"en", "de", "fr"})
                 QTest::addRow("%dx%d %s", size.width(), size.height(), language)
                     << QString::fromLatin1(language) << size;
     }
