@@ -9,8 +9,8 @@
 namespace axiscomp {
 
 /// Random numbers that are the same on every machine and with every compiler, which the
-/// distributions of <random> are not: SplitMix64 (Steele, Lea and Flood 2014), the upper 53 bits as
-/// a fraction, and the method of Box and Muller.
+/// distributions of `<random>` are not: SplitMix64 (Steele, Lea and Flood 2014), the upper 53 bits
+/// as a fraction, and the method of Box and Muller.
 class FixedRandom {
 public:
     explicit FixedRandom(std::uint64_t seed) : m_state(seed) { }

@@ -29,7 +29,7 @@ struct CsvOptions {
     int dimensions = 1; ///< 1, 2 or 3: chosen by the user, never guessed
     bool acceptsUneven = false; ///< positions that are not evenly spaced are no error: see knots
     /// With another choice than Refuse a point may have no line, and a value may be an empty cell,
-    /// nan or #N/A.
+    /// nan or `#N/A`.
     MissingPoints missing = MissingPoints::Refuse;
     /// How far positions may be off the grid, in their unit: closer ones are one. 0: half of the
     /// last decimal printed.

@@ -7,10 +7,12 @@
 
 namespace axiscomp {
 
-/// A curve of cubic pieces, by its values y_i and slopes y'_i at knots x_i. With h = x_(i+1) - x_i
-/// and t = (x - x_i) / h it is in each piece (Hermite's form)
-///     y_i (1 - 3 t^2 + 2 t^3) + y_(i+1) (3 t^2 - 2 t^3) + h y'_i t (1 - t)^2 - h y'_(i+1) t^2 (1 -
-///     t)
+/// A curve of cubic pieces, by its values y(i) and slopes y'(i) at knots x(i). With
+/// h = x(i+1) - x(i) and t = (x - x(i)) / h it is in each piece (Hermite's form)
+///
+///     y(i) (1 - 3 t^2 + 2 t^3) + y(i+1) (3 t^2 - 2 t^3)
+///         + h y'(i) t (1 - t)^2 - h y'(i+1) t^2 (1 - t)
+///
 /// Positions in one unit, values in another, slopes in values per position.
 struct CubicCurve {
     std::vector<double> knots; ///< at least 2, strictly ascending; of a modulo axis one period

@@ -37,7 +37,7 @@ struct CompensationSetup {
     friend bool operator==(const CompensationSetup&, const CompensationSetup&) = default;
 };
 
-/// tam://mc/<drive>/<path>
+/// `tam://mc/<drive>/<path>`
 [[nodiscard]] std::string sourceUri(const std::string& drive, const std::string& path);
 
 } // namespace axiscomp

@@ -36,7 +36,7 @@ public:
     /// positions.size() == dimensions()
     [[nodiscard]] double at(std::span<const double> positions) const;
 
-    /// The fractional index of a position in dimension 0, 1 or 2, as the drive's Dim1Index ..
+    /// The fractional index of a position in dimension 0, 1 or 2, as the drive's Dim1Index to
     /// Dim3Index show it. Within the table 0 .. size - 1, whole exactly at the grid points.
     /// Outside: Hold holds it at the ends, Wrap wraps it, Zero and Extrapolate let it go on, Error
     /// gives NaN.

@@ -13,8 +13,8 @@ namespace axiscomp::drivecomm {
 /// gone is opened again. Used on one thread; a QCoreApplication must exist.
 class SerialInstrument {
 public:
-    /// endpoint: "serial:/dev/ttyUSB1?baud=9600". request: sent before each reading, with \r, \n
-    /// and \t for these characters, and with both line ends where it has none; empty: the
+    /// endpoint: "serial:/dev/ttyUSB1?baud=9600". request: sent before each reading, with `\r`,
+    /// `\n` and `\t` for these characters, and with both line ends where it has none; empty: the
     /// instrument sends by itself. Opens the port. Errors: InvalidEndpoint, InvalidArgument,
     /// NotConnected.
     [[nodiscard]] static Result<std::unique_ptr<SerialInstrument>> open(

@@ -25,7 +25,7 @@ void useWizardResources();
 using Wording = std::function<QString()>;
 
 /// The language of the page's texts and numbers, changed while the program runs. Translations are
-/// the resources :/i18n/axiscomp_<language>.qm; the texts in the sources are English.
+/// the resources `:/i18n/axiscomp_<language>.qm`; the texts in the sources are English.
 class Language : public QObject {
     Q_OBJECT
 
