@@ -38,8 +38,8 @@ say()
     printf '\n%s%s%s\n\n' "$bold" "$1" "$normal"
 }
 
-# Prints a command as a person would type it, then runs it.
-show()
+# Prints a command as a person would type it.
+print_command()
 {
     printf '%s$' "$bold"
     local word
@@ -51,6 +51,12 @@ show()
         fi
     done
     printf '%s\n' "$normal"
+}
+
+# The same, and runs it.
+show()
+{
+    print_command "$@"
     timeout --foreground 300 "$@" 2>&1
     echo
 }
@@ -64,7 +70,8 @@ start_drive()
 {
     rm -f ready
     mkfifo ready
-    axiscomp-virtualdrive --http 127.0.0.1:0 "$@" >ready &
+    print_command axiscomp-virtualdrive "$@" --http 127.0.0.1:0
+    axiscomp-virtualdrive "$@" --http 127.0.0.1:0 >ready &
     drive_process=$!
     local line address
     if ! read -r -t 30 line <ready; then
@@ -126,7 +133,7 @@ cat >machine.json <<'END'
     "waves": [{"period": 430, "amplitude": 0.003, "phase": 0.7}, {"period": 97, "amplitude": 0.0012}],
     "reversal": 0.0024, "reversalWidth": 0.01, "noise": {"approach": 0.0001, "reading": 0.00002}}}}
 END
-machine=(--machine machine.json --name Machine --state flash --speed 60 --program-after 3)
+machine=(--machine machine.json --name Machine --state flash --speed 60)
 measure()
 {
     show axiscomp capture --axis X --plan "$1" --dwell 0.1 --average 3 --rate 50 -o "$2" \
@@ -135,7 +142,7 @@ measure()
 
 say "6. A plan: 9 uneven targets, two runs in each direction. The machine's control plays it; capture only reads."
 show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 30 -o plan.csv
-start_drive "${machine[@]}" --program plan.csv
+start_drive "${machine[@]}" --program plan.csv --program-after 3
 measure plan.csv before.csv
 
 say "7. The figures of ISO 230-2, and a table for the drive with what it promises."
@@ -151,7 +158,7 @@ expect_active
 say "9. Measured again at other targets, after the machine was switched off and on."
 stop_drive
 show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 30 --seed 2 -o again.csv
-start_drive "${machine[@]}" --program again.csv
+start_drive "${machine[@]}" --program again.csv --program-after 3
 show axiscomp activate --axis X --record screw.axcal
 measure again.csv after.csv
 
