@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/page_menu.h"
 
+#include "ui/help/documentation_site.h"
 #include "ui/style/symbols.h"
 #include "ui/text/language.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QDesktopServices>
 #include <QMessageBox>
+#include <QUrl>
 
 namespace axiscomp::ui {
 
@@ -34,6 +37,7 @@ PageMenu::PageMenu(QWidget* parent)
     , m_saveLog(addAction(symbolIcon(Symbol::Save), QString()))
     , m_help(addMenu(QString()))
     , m_guide(m_help->addAction(QString()))
+    , m_documentation(m_help->addAction(QString()))
     , m_about(m_help->addAction(QString()))
 {
     setObjectName(QStringLiteral("pageMenu"));
@@ -70,6 +74,7 @@ PageMenu::PageMenu(QWidget* parent)
     insertSeparator(m_help->menuAction());
     m_help->setObjectName(QStringLiteral("helpMenu"));
     m_guide->setObjectName(QStringLiteral("guideAction"));
+    prepareDocumentation();
     m_about->setObjectName(QStringLiteral("aboutAction"));
     for (const Action action : drivenActions)
         connect(entryOf(action), &QAction::triggered, this,
@@ -200,7 +205,35 @@ void PageMenu::retranslate()
     m_saveLog->setText(tr("Save Lo&g…"));
     m_help->setTitle(tr("&Help"));
     m_guide->setText(tr("User &Guide") + QStringLiteral("\tF1"));
+    m_documentation->setText(tr("Documentation in the &Browser"));
     m_about->setText(tr("&About"));
+}
+
+/// It may be installed and removed while the window is open.
+void PageMenu::prepareDocumentation()
+{
+    m_documentation->setObjectName(QStringLiteral("documentationAction"));
+    connect(m_documentation, &QAction::triggered, this, &PageMenu::openDocumentation);
+    const auto showOrHide = [this] {
+        m_documentation->setVisible(!installedDocumentation().isEmpty());
+    };
+    connect(m_help, &QMenu::aboutToShow, this, showOrHide);
+    showOrHide();
+}
+
+void PageMenu::openDocumentation()
+{
+    const QString page = installedDocumentation();
+    if (QDesktopServices::openUrl(QUrl::fromLocalFile(page)))
+        return;
+    auto* box = new QMessageBox(parentWidget());
+    box->setObjectName(QStringLiteral("documentationBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setIcon(QMessageBox::Information);
+    box->setWindowTitle(tr("Documentation"));
+    box->setText(tr("No browser could be opened. The documentation is in %1.").arg(page));
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    box->open();
 }
 
 void PageMenu::showAbout()

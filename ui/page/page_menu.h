@@ -13,7 +13,7 @@ class QActionGroup;
 namespace axiscomp::ui {
 
 /// What the page offers beside its daily work: the overview, several axes at once, TAM
-/// configurations, language, the list before volatile writes, export, the log, about.
+/// configurations, language, the list before volatile writes, export, the log, help, about.
 class PageMenu : public QMenu {
     Q_OBJECT
 
@@ -55,6 +55,8 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QAction* entryOf(Action action) const;
     void fillLanguages();
+    void prepareDocumentation();
+    void openDocumentation();
     void showAbout();
 
     QString m_undoText;
@@ -81,6 +83,7 @@ private:
     QAction* m_saveLog;
     QMenu* m_help;
     QAction* m_guide;
+    QAction* m_documentation;
     QAction* m_about;
 };
 
