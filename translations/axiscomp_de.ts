@@ -15102,6 +15102,18 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>&amp;Close Machine File</source>
         <translation>Maschinendatei s&amp;chließen</translation>
     </message>
+    <message>
+        <source>Documentation in the &amp;Browser</source>
+        <translation>Dokumentation im &amp;Browser</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>Dokumentation</translation>
+    </message>
+    <message>
+        <source>No browser could be opened. The documentation is in %1.</source>
+        <translation>Es konnte kein Browser geöffnet werden. Die Dokumentation liegt in %1.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageTabs</name>

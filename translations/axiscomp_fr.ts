@@ -7102,7 +7102,7 @@
     </message>
     <message>
         <source>Also try all serial ports of this computer; without --drive, the connections of the window too</source>
-        <translation>Essayer aussi tous les ports série de cet ordinateur ; sans --drive, également les connexions de la fenêtre</translation>
+        <translation>Essayer aussi tous les ports série de cet ordinateur&#xa0;; sans --drive, également les connexions de la fenêtre</translation>
     </message>
     <message>
         <source>Try the usual baud rates at every serial port</source>
@@ -7110,7 +7110,7 @@
     </message>
     <message>
         <source>Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024, with :PORT for another port than 80</source>
-        <translation>Interroger aussi ces adresses en http : 192.168.1.0/24, 192.168.1.10-40 ou une seule adresse, 1024 au plus, avec :PORT pour un autre port que 80</translation>
+        <translation>Interroger aussi ces adresses en http&#xa0;: 192.168.1.0/24, 192.168.1.10-40 ou une seule adresse, 1024 au plus, avec :PORT pour un autre port que 80</translation>
     </message>
     <message>
         <source>Save everything that this program can change on a whole drive, all axes, to one file</source>
@@ -7118,11 +7118,11 @@
     </message>
     <message>
         <source>File to write; standard output without it, or with -</source>
-        <translation>Fichier à écrire ; par défaut ou avec -, la sortie standard</translation>
+        <translation>Fichier à écrire&#xa0;; par défaut ou avec -, la sortie standard</translation>
     </message>
     <message>
         <source>Restore a whole drive from a backup file, with verified writes; all of them are planned first</source>
-        <translation>Restaurer un variateur entier depuis un fichier de sauvegarde, par des écritures vérifiées ; toutes sont d&apos;abord planifiées</translation>
+        <translation>Restaurer un variateur entier depuis un fichier de sauvegarde, par des écritures vérifiées&#xa0;; toutes sont d&apos;abord planifiées</translation>
     </message>
     <message>
         <source>File that `axiscomp backup` wrote</source>
@@ -7138,11 +7138,11 @@
     </message>
     <message>
         <source>Where the axis really is: a register of the drive, serial:/dev/ttyUSB1?baud=9600, - for lines on standard input, or typed</source>
-        <translation>Où se trouve réellement l&apos;axe : un registre du variateur, serial:/dev/ttyUSB1?baud=9600, - pour des lignes de l&apos;entrée standard, ou typed pour la saisie manuelle</translation>
+        <translation>Où se trouve réellement l&apos;axe&#xa0;: un registre du variateur, serial:/dev/ttyUSB1?baud=9600, - pour des lignes de l&apos;entrée standard, ou typed pour la saisie manuelle</translation>
     </message>
     <message>
         <source>Unit of the instrument; of a register it is that of the axis, of lines the one behind the number unless given</source>
-        <translation>Unité de l&apos;instrument ; par défaut, pour un registre celle de l&apos;axe, pour des lignes celle qui suit le nombre</translation>
+        <translation>Unité de l&apos;instrument&#xa0;; par défaut, pour un registre celle de l&apos;axe, pour des lignes celle qui suit le nombre</translation>
     </message>
     <message>
         <source>The instrument counts the other way</source>
@@ -7154,7 +7154,7 @@
     </message>
     <message>
         <source>Regular expression for the number in a line, its first group or all of it; the first number of the line unless given</source>
-        <translation>Expression régulière pour le nombre dans une ligne, son premier groupe ou le tout ; par défaut, le premier nombre de la ligne</translation>
+        <translation>Expression régulière pour le nombre dans une ligne, son premier groupe ou le tout&#xa0;; par défaut, le premier nombre de la ligne</translation>
     </message>
     <message>
         <source>Send this to the serial instrument before each reading, with \r and \n for line ends</source>
@@ -7162,7 +7162,7 @@
     </message>
     <message>
         <source>Register of the raw position; the profile&apos;s unless given</source>
-        <translation>Registre de la position brute ; par défaut, celui du profil</translation>
+        <translation>Registre de la position brute&#xa0;; par défaut, celui du profil</translation>
     </message>
     <message>
         <source>The axis stands while its encoder stays within so many mm or deg, and readings may differ by as much (0.001 unless given)</source>
@@ -7190,15 +7190,15 @@
     </message>
     <message>
         <source>File of the values; one that is there goes on where it ends</source>
-        <translation>Fichier des valeurs ; un fichier existant est poursuivi là où il s&apos;arrête</translation>
+        <translation>Fichier des valeurs&#xa0;; un fichier existant est poursuivi là où il s&apos;arrête</translation>
     </message>
     <message>
         <source>axiscomp never moves an axis: the machine&apos;s control or a person does.</source>
-        <translation>axiscomp ne déplace jamais un axe : c&apos;est le rôle de la commande de la machine ou d&apos;une personne.</translation>
+        <translation>axiscomp ne déplace jamais un axe&#xa0;: c&apos;est le rôle de la commande de la machine ou d&apos;une personne.</translation>
     </message>
     <message>
         <source>Examples:</source>
-        <translation>Exemples :</translation>
+        <translation>Exemples&#xa0;:</translation>
     </message>
     <message>
         <source>Writes compensation tables for measured axis errors to a servo drive, activates them, and checks the drive&apos;s output against the table.</source>
@@ -7210,7 +7210,7 @@
     </message>
     <message>
         <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
-        <translation>ENDPOINT est http://hôte[:port], https://hôte[:port] ou demo: (un variateur virtuel intégré au programme). AXISCOMP_DRIVE est la valeur par défaut de --drive. Pour en savoir plus : `axiscomp COMMAND --help`.</translation>
+        <translation>ENDPOINT est http://hôte[:port], https://hôte[:port] ou demo: (un variateur virtuel intégré au programme). AXISCOMP_DRIVE est la valeur par défaut de --drive. Pour en savoir plus&#xa0;: `axiscomp COMMAND --help`.</translation>
     </message>
     <message>
         <source>Print one JSON document on standard output</source>
@@ -7230,11 +7230,11 @@
     </message>
     <message>
         <source>Record of the compensation: its prediction, table and tolerances</source>
-        <translation>Fiche de la compensation : sa prévision, sa table et ses tolérances</translation>
+        <translation>Fiche de la compensation&#xa0;: sa prévision, sa table et ses tolérances</translation>
     </message>
     <message>
         <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
-        <translation>on : la deuxième mesure a été faite avec la table de la fiche active, si son fichier ne l&apos;indique pas</translation>
+        <translation>on&#xa0;: la deuxième mesure a été faite avec la table de la fiche active, si son fichier ne l&apos;indique pas</translation>
     </message>
     <message>
         <source>Add the second measurement and the verdict to the record</source>
@@ -7242,7 +7242,7 @@
     </message>
     <message>
         <source>Compensation parameters of a TAM configuration: show them, take them from a drive, or bring them to one</source>
-        <translation>Paramètres de compensation d&apos;une configuration TAM : les afficher, les reprendre d&apos;un variateur ou les écrire dans un variateur</translation>
+        <translation>Paramètres de compensation d&apos;une configuration TAM&#xa0;: les afficher, les reprendre d&apos;un variateur ou les écrire dans un variateur</translation>
     </message>
     <message>
         <source>show, export (to the file) or import (from it)</source>
@@ -7254,15 +7254,15 @@
     </message>
     <message>
         <source>export: take the parameters from this configuration in place of a drive</source>
-        <translation>export : prendre les paramètres dans cette configuration au lieu d&apos;un variateur</translation>
+        <translation>export&#xa0;: prendre les paramètres dans cette configuration au lieu d&apos;un variateur</translation>
     </message>
     <message>
         <source>export: write this file instead, and leave the other one as it is</source>
-        <translation>export : écrire plutôt ce fichier et laisser l&apos;autre tel quel</translation>
+        <translation>export&#xa0;: écrire plutôt ce fichier et laisser l&apos;autre tel quel</translation>
     </message>
     <message>
         <source>Name or serial number of the station in the file; without it the one with the drive&apos;s serial number</source>
-        <translation>Nom ou numéro de série de la station dans le fichier ; par défaut, celle qui a le numéro de série du variateur</translation>
+        <translation>Nom ou numéro de série de la station dans le fichier&#xa0;; par défaut, celle qui a le numéro de série du variateur</translation>
     </message>
     <message>
         <source>Accept a station with another serial number than the drive&apos;s</source>
@@ -7274,7 +7274,7 @@
     </message>
     <message>
         <source>Example:</source>
-        <translation>Exemple :</translation>
+        <translation>Exemple&#xa0;:</translation>
     </message>
     <message>
         <source>Convert a table file to another format</source>
@@ -7282,11 +7282,11 @@
     </message>
     <message>
         <source>File to read; - for standard input</source>
-        <translation>Fichier à lire ; - pour l&apos;entrée standard</translation>
+        <translation>Fichier à lire&#xa0;; - pour l&apos;entrée standard</translation>
     </message>
     <message>
         <source>File to write, replaced if it exists; - for standard output</source>
-        <translation>Fichier à écrire, remplacé s&apos;il existe ; - pour la sortie standard</translation>
+        <translation>Fichier à écrire, remplacé s&apos;il existe&#xa0;; - pour la sortie standard</translation>
     </message>
     <message>
         <source>Format of the output, if its name leaves it open</source>
@@ -7294,19 +7294,19 @@
     </message>
     <message>
         <source>Unit of the values in a .TAMtbl, which does not say it; by default that of the positions</source>
-        <translation>Unité des valeurs dans un .TAMtbl, qui ne l&apos;indique pas ; par défaut, celle des positions</translation>
+        <translation>Unité des valeurs dans un .TAMtbl, qui ne l&apos;indique pas&#xa0;; par défaut, celle des positions</translation>
     </message>
     <message>
         <source>Put corrections above 1 % of the range, or with a slope above 0.1, into a .TAMtbl</source>
-        <translation>Écrire aussi dans un .TAMtbl des corrections supérieures à 1 % de l&apos;étendue ou de pente supérieure à 0,1</translation>
+        <translation>Écrire aussi dans un .TAMtbl des corrections supérieures à 1&#xa0;% de l&apos;étendue ou de pente supérieure à 0,1</translation>
     </message>
     <message>
         <source>Mark the table persistent: the drive stores it</source>
-        <translation>Marquer la table comme persistante : le variateur l&apos;enregistre</translation>
+        <translation>Marquer la table comme persistante&#xa0;: le variateur l&apos;enregistre</translation>
     </message>
     <message>
         <source>Mark the table volatile (without either: as the input is)</source>
-        <translation>Marquer la table comme volatile (sans l&apos;une ni l&apos;autre option : comme l&apos;entrée)</translation>
+        <translation>Marquer la table comme volatile (sans l&apos;une ni l&apos;autre option&#xa0;: comme l&apos;entrée)</translation>
     </message>
     <message>
         <source>Name of the table</source>
@@ -7318,7 +7318,7 @@
     </message>
     <message>
         <source>Delete the table in this slot, small1 to small8, large1 or large2, which no axis uses</source>
-        <translation>Supprimer la table de cet emplacement, small1 à small8, large1 ou large2 ; aucun axe ne doit l&apos;utiliser</translation>
+        <translation>Supprimer la table de cet emplacement, small1 à small8, large1 ou large2&#xa0;; aucun axe ne doit l&apos;utiliser</translation>
     </message>
     <message>
         <source>Show what would be deleted without deleting it</source>
@@ -7326,7 +7326,7 @@
     </message>
     <message>
         <source>The compensation must be off. The axis then uses no table, also after a reboot; its sources stay. What is deleted is kept in a backup: `axiscomp restore` brings it back.</source>
-        <translation>La compensation doit être désactivée. L&apos;axe n&apos;utilise ensuite aucune table, même après un redémarrage ; ses sources restent. Ce qui est supprimé est conservé dans une sauvegarde : `axiscomp restore` le rétablit.</translation>
+        <translation>La compensation doit être désactivée. L&apos;axe n&apos;utilise ensuite aucune table, même après un redémarrage&#xa0;; ses sources restent. Ce qui est supprimé est conservé dans une sauvegarde&#xa0;: `axiscomp restore` le rétablit.</translation>
     </message>
     <message>
         <source>Write an example calibration file (CSV)</source>
@@ -7334,7 +7334,7 @@
     </message>
     <message>
         <source>Number of dimensions: 1, 2 or 3</source>
-        <translation>Nombre de dimensions : 1, 2 ou 3</translation>
+        <translation>Nombre de dimensions&#xa0;: 1, 2 ou 3</translation>
     </message>
     <message>
         <source>Number of tables (2 unless given)</source>
@@ -7342,11 +7342,11 @@
     </message>
     <message>
         <source>Table file to write, replaced if it exists; - for standard output. Without it nothing is written</source>
-        <translation>Fichier de table à écrire, remplacé s&apos;il existe ; - pour la sortie standard. Par défaut, rien n&apos;est écrit</translation>
+        <translation>Fichier de table à écrire, remplacé s&apos;il existe&#xa0;; - pour la sortie standard. Par défaut, rien n&apos;est écrit</translation>
     </message>
     <message>
         <source>Begin a record of the compensation (.axcal): measurement, table and what it promises, for compare and report</source>
-        <translation>Commencer une fiche de la compensation (.axcal) : mesure, table et prévision, pour compare et report</translation>
+        <translation>Commencer une fiche de la compensation (.axcal)&#xa0;: mesure, table et prévision, pour compare et report</translation>
     </message>
     <message>
         <source>Write this column of points only, where the format holds one table</source>
@@ -7358,11 +7358,11 @@
     </message>
     <message>
         <source>Curve through the means: linear (the default), cubic, spline, smooth or harmonic</source>
-        <translation>Courbe passant par les moyennes : linear (par défaut), cubic, spline, smooth ou harmonic</translation>
+        <translation>Courbe passant par les moyennes&#xa0;: linear (par défaut), cubic, spline, smooth ou harmonic</translation>
     </message>
     <message>
         <source>Of the method smooth, and of points and tracks; by cross-validation unless given</source>
-        <translation>Lissage de la méthode smooth, ainsi que des points et des relevés continus ; par défaut, par validation croisée</translation>
+        <translation>Lissage de la méthode smooth, ainsi que des points et des relevés continus&#xa0;; par défaut, par validation croisée</translation>
     </message>
     <message>
         <source>Known periods, such as the lead of the screw, fitted by the method smooth</source>
@@ -7374,19 +7374,19 @@
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
-        <translation>Longueur d&apos;un tour d&apos;un axe modulo, par exemple 360 : la table finit comme elle commence</translation>
+        <translation>Longueur d&apos;un tour d&apos;un axe modulo, par exemple 360&#xa0;: la table finit comme elle commence</translation>
     </message>
     <message>
         <source>Which runs the table is made of: mean of both (the default), positive or negative; both makes a table for each, for controllers that keep two</source>
-        <translation>Passes dont la table est tirée : mean (moyenne des deux sens, par défaut), positive ou negative ; both établit une table par sens, pour les commandes qui en ont deux</translation>
+        <translation>Passes dont la table est tirée&#xa0;: mean (moyenne des deux sens, par défaut), positive ou negative&#xa0;; both établit une table par sens, pour les commandes qui en ont deux</translation>
     </message>
     <message>
         <source>temperature: a table over position and temperature, from runs in several thermal states; --points and --distance take a second number for it</source>
-        <translation>temperature : une table selon la position et la température, à partir de passes dans plusieurs états thermiques ; --points et --distance prennent alors un deuxième nombre</translation>
+        <translation>temperature&#xa0;: une table selon la position et la température, à partir de passes dans plusieurs états thermiques&#xa0;; --points et --distance prennent alors un deuxième nombre</translation>
     </message>
     <message>
         <source>Even grid with N points, for each axis or for all; the targets unless given</source>
-        <translation>Grille régulière de N points, par axe ou pour tous ; par défaut, les positions cibles</translation>
+        <translation>Grille régulière de N points, par axe ou pour tous&#xa0;; par défaut, les positions cibles</translation>
     </message>
     <message>
         <source>Even grid with spacing D, for each axis or for all</source>
@@ -7410,7 +7410,7 @@
     </message>
     <message>
         <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
-        <translation>Où la table vaut 0 : home, first (la première position cible), mean, keep ou une position ; par défaut, home si la position d&apos;origine est connue et mesurée, sinon first</translation>
+        <translation>Où la table vaut 0&#xa0;: home, first (la première position cible), mean, keep ou une position&#xa0;; par défaut, home si la position d&apos;origine est connue et mesurée, sinon first</translation>
     </message>
     <message>
         <source>Home position of the axis</source>
@@ -7418,11 +7418,11 @@
     </message>
     <message>
         <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
-        <translation>Retirer la pente, pour la rectitude : lsq (moindres carrés) ou ends</translation>
+        <translation>Retirer la pente, pour la rectitude&#xa0;: lsq (moindres carrés) ou ends</translation>
     </message>
     <message>
         <source>Take the drift of the runs out before they are averaged: offset or trend</source>
-        <translation>Retirer la dérive des passes avant d&apos;en faire la moyenne : offset ou trend</translation>
+        <translation>Retirer la dérive des passes avant d&apos;en faire la moyenne&#xa0;: offset ou trend</translation>
     </message>
     <message>
         <source>State of the drive</source>
@@ -7430,19 +7430,19 @@
     </message>
     <message>
         <source>Where the drive looks the table up: encoder (before the compensation) or set (after it); with --onto drive by its source</source>
-        <translation>Où le variateur consulte la table : encoder (avant compensation) ou set (après) ; avec --onto drive, d&apos;après sa source</translation>
+        <translation>Où le variateur consulte la table&#xa0;: encoder (avant compensation) ou set (après)&#xa0;; avec --onto drive, d&apos;après sa source</translation>
     </message>
     <message>
         <source>What was active while it was measured, where the file does not say it: off, on, or the file of the table</source>
-        <translation>Ce qui était actif pendant la mesure, si le fichier ne l&apos;indique pas : off, on ou le fichier de la table</translation>
+        <translation>Ce qui était actif pendant la mesure, si le fichier ne l&apos;indique pas&#xa0;: off, on ou le fichier de la table</translation>
     </message>
     <message>
         <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
-        <translation>Fusionner des écarts résiduels avec la table qui était active : son fichier, ou drive pour celle que l&apos;axe utilise (--drive, --axis)</translation>
+        <translation>Fusionner des écarts résiduels avec la table qui était active&#xa0;: son fichier, ou drive pour celle que l&apos;axe utilise (--drive, --axis)</translation>
     </message>
     <message>
         <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
-        <translation>Gain des écarts résiduels fusionnés (1 par défaut) ; 0.7 est courant si la machine réagit tard</translation>
+        <translation>Gain des écarts résiduels fusionnés (1 par défaut)&#xa0;; 0.7 est courant si la machine réagit tard</translation>
     </message>
     <message>
         <source>Points and tracks</source>
@@ -7450,11 +7450,11 @@
     </message>
     <message>
         <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
-        <translation>Retirer le placement de l&apos;étalon : rigid, rigid:X (les lignes suivant X ne gardent aucune pente) ou scale</translation>
+        <translation>Retirer le placement de l&apos;étalon&#xa0;: rigid, rigid:X (les lignes suivant X ne gardent aucune pente) ou scale</translation>
     </message>
     <message>
         <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
-        <translation>Points de la grille loin de tout point mesuré : smooth ou nearest ; refusés par défaut</translation>
+        <translation>Points de la grille loin de tout point mesuré&#xa0;: smooth ou nearest&#xa0;; refusés par défaut</translation>
     </message>
     <message>
         <source>Give values that do not fit the others less weight</source>
@@ -7466,11 +7466,11 @@
     </message>
     <message>
         <source>List the table formats, or describe one: its limits, rules and settings</source>
-        <translation>Lister les formats de table, ou en décrire un : ses limites, ses règles et ses réglages</translation>
+        <translation>Lister les formats de table, ou en décrire un&#xa0;: ses limites, ses règles et ses réglages</translation>
     </message>
     <message>
         <source>One format: its rules, limits and settings</source>
-        <translation>Un format : ses règles, ses limites et ses réglages</translation>
+        <translation>Un format&#xa0;: ses règles, ses limites et ses réglages</translation>
     </message>
     <message>
         <source>All of them, as the page docs/formats.md</source>
@@ -7486,15 +7486,15 @@
     </message>
     <message>
         <source>Calibration file or table; - for standard input</source>
-        <translation>Fichier d&apos;étalonnage ou table ; - pour l&apos;entrée standard</translation>
+        <translation>Fichier d&apos;étalonnage ou table&#xa0;; - pour l&apos;entrée standard</translation>
     </message>
     <message>
         <source>Judge a measurement: figures of ISO 230-2, drift, outliers, tolerances</source>
-        <translation>Analyser une mesure : caractéristiques de l&apos;ISO 230-2, dérive, valeurs aberrantes, tolérances</translation>
+        <translation>Analyser une mesure&#xa0;: caractéristiques de l&apos;ISO 230-2, dérive, valeurs aberrantes, tolérances</translation>
     </message>
     <message>
         <source>Rule that proposes outliers: mad (the default), grubbs or none</source>
-        <translation>Règle qui propose les valeurs aberrantes : mad (par défaut), grubbs ou none</translation>
+        <translation>Règle qui propose les valeurs aberrantes&#xa0;: mad (par défaut), grubbs ou none</translation>
     </message>
     <message>
         <source>Known period of the axis, such as the lead of its screw, in mm or deg</source>
@@ -7518,11 +7518,11 @@
     </message>
     <message>
         <source>File with one position per line, - for standard input; prints one result per line</source>
-        <translation>Fichier avec une position par ligne, - pour l&apos;entrée standard ; affiche un résultat par ligne</translation>
+        <translation>Fichier avec une position par ligne, - pour l&apos;entrée standard&#xa0;; affiche un résultat par ligne</translation>
     </message>
     <message>
         <source>Value outside the table: hold (as the drive does; the default), zero, wrap, extrapolate or error</source>
-        <translation>Valeur hors de la table : hold (comme le variateur ; par défaut), zero, wrap, extrapolate ou error</translation>
+        <translation>Valeur hors de la table&#xa0;: hold (comme le variateur&#xa0;; par défaut), zero, wrap, extrapolate ou error</translation>
     </message>
     <message>
         <source>Print the value that the controller of this format would apply, after conversion</source>
@@ -7534,7 +7534,7 @@
     </message>
     <message>
         <source>Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may be given several times</source>
-        <translation>Cet axe seulement, tel que le fichier le nomme, ou SERIAL/AXIS pour celui d&apos;un seul variateur ; répétable</translation>
+        <translation>Cet axe seulement, tel que le fichier le nomme, ou SERIAL/AXIS pour celui d&apos;un seul variateur&#xa0;; répétable</translation>
     </message>
     <message>
         <source>Drives at the same time (16 unless given)</source>
@@ -7574,7 +7574,7 @@
     </message>
     <message>
         <source>Number of lines; without end unless given</source>
-        <translation>Nombre de lignes ; sans fin par défaut</translation>
+        <translation>Nombre de lignes&#xa0;; sans fin par défaut</translation>
     </message>
     <message>
         <source>Download the table that an axis uses</source>
@@ -7582,11 +7582,11 @@
     </message>
     <message>
         <source>File to write, .csv, .TAMtbl or that of another controller; CSV on standard output without it</source>
-        <translation>Fichier à écrire, .csv, .TAMtbl ou celui d&apos;une autre commande ; par défaut, CSV sur la sortie standard</translation>
+        <translation>Fichier à écrire, .csv, .TAMtbl ou celui d&apos;une autre commande&#xa0;; par défaut, CSV sur la sortie standard</translation>
     </message>
     <message>
         <source>Finish or undo an interrupted write; without an option, say which is possible</source>
-        <translation>Achever ou annuler une écriture interrompue ; sans option, indiquer ce qui est possible</translation>
+        <translation>Achever ou annuler une écriture interrompue&#xa0;; sans option, indiquer ce qui est possible</translation>
     </message>
     <message>
         <source>Bring the complete new state about, from whatever there is now</source>
@@ -7598,7 +7598,7 @@
     </message>
     <message>
         <source>Write the report of a record: by how much an axis became better, on one page</source>
-        <translation>Écrire le rapport d&apos;une fiche : de combien un axe s&apos;est amélioré, sur une page</translation>
+        <translation>Écrire le rapport d&apos;une fiche&#xa0;: de combien un axe s&apos;est amélioré, sur une page</translation>
     </message>
     <message>
         <source>Record of the compensation (.axcal)</source>
@@ -7606,11 +7606,11 @@
     </message>
     <message>
         <source>The report; its extension says whether it is PDF or HTML</source>
-        <translation>Le rapport ; son extension indique s&apos;il est en PDF ou HTML</translation>
+        <translation>Le rapport&#xa0;; son extension indique s&apos;il est en PDF ou HTML</translation>
     </message>
     <message>
         <source>Language of the report: en, de, fr, ja or zh</source>
-        <translation>Langue du rapport : en, de, fr, ja ou zh</translation>
+        <translation>Langue du rapport&#xa0;: en, de, fr, ja ou zh</translation>
     </message>
     <message>
         <source>Add pages with every target and every value that is left out</source>
@@ -7622,7 +7622,7 @@
     </message>
     <message>
         <source>CSV file to write, replaced if it exists; - for standard output</source>
-        <translation>Fichier CSV à écrire, remplacé s&apos;il existe ; - pour la sortie standard</translation>
+        <translation>Fichier CSV à écrire, remplacé s&apos;il existe&#xa0;; - pour la sortie standard</translation>
     </message>
     <message>
         <source>Write a machine file with all tables from running drives</source>
@@ -7630,7 +7630,7 @@
     </message>
     <message>
         <source>Folder for machine.toml and the tables; files of the same names are replaced</source>
-        <translation>Dossier pour machine.toml et les tables ; les fichiers de mêmes noms sont remplacés</translation>
+        <translation>Dossier pour machine.toml et les tables&#xa0;; les fichiers de mêmes noms sont remplacés</translation>
     </message>
     <message>
         <source>Name of the machine</source>
@@ -7646,7 +7646,7 @@
     </message>
     <message>
         <source>Machine file: its drives, and whether they differ from it</source>
-        <translation>Fichier machine : ses variateurs, et s&apos;ils en diffèrent</translation>
+        <translation>Fichier machine&#xa0;: ses variateurs, et s&apos;ils en diffèrent</translation>
     </message>
     <message>
         <source>Compare the outputs of active compensations with their tables now</source>
@@ -7654,7 +7654,7 @@
     </message>
     <message>
         <source>File to write, whole or not at all; standard output without it</source>
-        <translation>Fichier à écrire, en entier ou pas du tout ; par défaut, la sortie standard</translation>
+        <translation>Fichier à écrire, en entier ou pas du tout&#xa0;; par défaut, la sortie standard</translation>
     </message>
     <message>
         <source>Show the compensation of an axis, and the outcome of an interrupted write</source>
@@ -7662,7 +7662,7 @@
     </message>
     <message>
         <source>Count the drive&apos;s flash operations again after their record was damaged; first wait as long as the drive counts them</source>
-        <translation>Compter de nouveau les opérations flash du variateur si leur décompte a été endommagé ; attendre d&apos;abord aussi longtemps que le variateur les compte</translation>
+        <translation>Compter de nouveau les opérations flash du variateur si leur décompte a été endommagé&#xa0;; attendre d&apos;abord aussi longtemps que le variateur les compte</translation>
     </message>
     <message>
         <source>First target</source>
@@ -7682,7 +7682,7 @@
     </message>
     <message>
         <source>Known period of the axis, such as the lead of its screw: targets are spread over it</source>
-        <translation>Période connue de l&apos;axe, par exemple le pas de sa vis : les positions cibles y sont réparties</translation>
+        <translation>Période connue de l&apos;axe, par exemple le pas de sa vis&#xa0;: les positions cibles y sont réparties</translation>
     </message>
     <message>
         <source>Runs in each direction (5 unless given)</source>
@@ -7694,7 +7694,7 @@
     </message>
     <message>
         <source>How far the axis moves in the direction of a run before its first target (1 % of the range unless given, at most a third of the spacing)</source>
-        <translation>Déplacement de l&apos;axe dans le sens d&apos;une passe avant sa première position cible (par défaut, 1 % de l&apos;étendue, au plus un tiers de l&apos;espacement)</translation>
+        <translation>Déplacement de l&apos;axe dans le sens d&apos;une passe avant sa première position cible (par défaut, 1&#xa0;% de l&apos;étendue, au plus un tiers de l&apos;espacement)</translation>
     </message>
     <message>
         <source>Feed in mm or deg per minute (1000 unless given)</source>
@@ -7702,11 +7702,11 @@
     </message>
     <message>
         <source>Seconds at each target (5 unless given): time to stand still and be measured</source>
-        <translation>Secondes à chaque position cible (5 par défaut) : temps d&apos;arrêt et de mesure</translation>
+        <translation>Secondes à chaque position cible (5 par défaut)&#xa0;: temps d&apos;arrêt et de mesure</translation>
     </message>
     <message>
         <source>Choose the targets of a measurement: a plan, or a program for the machine&apos;s control</source>
-        <translation>Choisir les positions cibles d&apos;une mesure : un plan, ou un programme pour la commande de la machine</translation>
+        <translation>Choisir les positions cibles d&apos;une mesure&#xa0;: un plan, ou un programme pour la commande de la machine</translation>
     </message>
     <message>
         <source>Name of the axis (X unless given)</source>
@@ -7714,11 +7714,11 @@
     </message>
     <message>
         <source>Unit of all positions: mm (the default) or deg</source>
-        <translation>Unité de toutes les positions : mm (par défaut) ou deg</translation>
+        <translation>Unité de toutes les positions&#xa0;: mm (par défaut) ou deg</translation>
     </message>
     <message>
         <source>Write G-code for this control: linuxcnc, fanuc or siemens</source>
-        <translation>Écrire du code G pour cette commande : linuxcnc, fanuc ou siemens</translation>
+        <translation>Écrire du code G pour cette commande&#xa0;: linuxcnc, fanuc ou siemens</translation>
     </message>
     <message>
         <source>List the table files of a drive</source>
@@ -7742,7 +7742,7 @@
     </message>
     <message>
         <source>Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)</source>
-        <translation>Registre qui fournit la position de la dimension 1 : chemin, URI tam:// ou adresse (0x1234)</translation>
+        <translation>Registre qui fournit la position de la dimension 1&#xa0;: chemin, URI tam:// ou adresse (0x1234)</translation>
     </message>
     <message>
         <source>The same for dimension 2</source>
@@ -7754,7 +7754,7 @@
     </message>
     <message>
         <source>The source is the axis&apos;s own position, for tables of one dimension; with --map each axis&apos;s own</source>
-        <translation>La source est la position propre de l&apos;axe, pour les tables à une dimension ; avec --map, celle de chaque axe</translation>
+        <translation>La source est la position propre de l&apos;axe, pour les tables à une dimension&#xa0;; avec --map, celle de chaque axe</translation>
     </message>
     <message>
         <source>Write a compensation table to an axis in the safe order, and verify it</source>
@@ -7762,11 +7762,11 @@
     </message>
     <message>
         <source>Calibration file (.csv), table (.TAMtbl), or file of another controller; without it the axis keeps its table</source>
-        <translation>Fichier d&apos;étalonnage (.csv), table (.TAMtbl) ou fichier d&apos;une autre commande ; par défaut, l&apos;axe garde sa table</translation>
+        <translation>Fichier d&apos;étalonnage (.csv), table (.TAMtbl) ou fichier d&apos;une autre commande&#xa0;; par défaut, l&apos;axe garde sa table</translation>
     </message>
     <message>
         <source>Record of a compensation in place of --data: its table is written, and it notes drive, slot and CRC</source>
-        <translation>Fiche d&apos;une compensation au lieu de --data : sa table est écrite, et le variateur, l&apos;emplacement et le CRC y sont notés</translation>
+        <translation>Fiche d&apos;une compensation au lieu de --data&#xa0;: sa table est écrite, et le variateur, l&apos;emplacement et le CRC y sont notés</translation>
     </message>
     <message>
         <source>Store the table in the drive&apos;s flash, so that it survives a reboot</source>
@@ -7778,7 +7778,7 @@
     </message>
     <message>
         <source>Unit of the values in place of what the file says, such as um; drive for the drive&apos;s own</source>
-        <translation>Unité des valeurs au lieu de celle du fichier, par exemple um ; drive pour celle du variateur</translation>
+        <translation>Unité des valeurs au lieu de celle du fichier, par exemple um&#xa0;; drive pour celle du variateur</translation>
     </message>
     <message>
         <source>The same for the positions</source>
@@ -7786,23 +7786,23 @@
     </message>
     <message>
         <source>Slot to use, small1 to small8, large1 or large2; chosen unless given</source>
-        <translation>Emplacement à utiliser, small1 à small8, large1 ou large2 ; choisi par défaut</translation>
+        <translation>Emplacement à utiliser, small1 à small8, large1 ou large2&#xa0;; choisi par défaut</translation>
     </message>
     <message>
         <source>Write this column of the file (name or number) to this axis; AXIS alone is the column that is named as the axis. May be given several times. Nothing is written unless all of the writes are possible</source>
-        <translation>Écrire cette colonne du fichier (nom ou numéro) sur cet axe ; AXIS seul désigne la colonne du même nom que l&apos;axe. Répétable. Rien n&apos;est écrit si toutes les écritures ne sont pas possibles</translation>
+        <translation>Écrire cette colonne du fichier (nom ou numéro) sur cet axe&#xa0;; AXIS seul désigne la colonne du même nom que l&apos;axe. Répétable. Rien n&apos;est écrit si toutes les écritures ne sont pas possibles</translation>
     </message>
     <message>
         <source>Write corrections above 1 % of the range, or with a slope above 0.1, which without this are taken for a wrong unit</source>
-        <translation>Écrire aussi des corrections supérieures à 1 % de l&apos;étendue ou de pente supérieure à 0,1, prises sans cette option pour une erreur d&apos;unité</translation>
+        <translation>Écrire aussi des corrections supérieures à 1&#xa0;% de l&apos;étendue ou de pente supérieure à 0,1, prises sans cette option pour une erreur d&apos;unité</translation>
     </message>
     <message>
         <source>Without --source1 the axis keeps its sources. The compensation stays off: `axiscomp activate` switches it on.</source>
-        <translation>Sans --source1, l&apos;axe garde ses sources. La compensation reste désactivée : `axiscomp activate` l&apos;active.</translation>
+        <translation>Sans --source1, l&apos;axe garde ses sources. La compensation reste désactivée&#xa0;: `axiscomp activate` l&apos;active.</translation>
     </message>
     <message>
         <source>Axis that the values correct, for each column or for all: its name, #1 for the first source, or other for an axis that is no source; by default as the file says</source>
-        <translation>Axe que les valeurs corrigent, par colonne ou pour toutes : son nom, #1 pour la première source, ou other pour un axe qui n&apos;est pas une source ; par défaut, selon le fichier</translation>
+        <translation>Axe que les valeurs corrigent, par colonne ou pour toutes&#xa0;: son nom, #1 pour la première source, ou other pour un axe qui n&apos;est pas une source&#xa0;; par défaut, selon le fichier</translation>
     </message>
     <message>
         <source>Conversion</source>
@@ -7810,11 +7810,11 @@
     </message>
     <message>
         <source>Convention of the input: feedback (added to the encoder position) or command (added to the commanded position); by default that of its format, needed where that is assumed</source>
-        <translation>Convention de l&apos;entrée : feedback (valeurs ajoutées à la position du codeur) ou command (valeurs ajoutées à la position de consigne) ; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
+        <translation>Convention de l&apos;entrée&#xa0;: feedback (valeurs ajoutées à la position du codeur) ou command (valeurs ajoutées à la position de consigne)&#xa0;; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
     </message>
     <message>
         <source>Which values to use if the file has both directions of motion: mean, positive or negative</source>
-        <translation>Valeurs à utiliser si le fichier contient les deux sens de déplacement : mean, positive ou negative</translation>
+        <translation>Valeurs à utiliser si le fichier contient les deux sens de déplacement&#xa0;: mean, positive ou negative</translation>
     </message>
     <message>
         <source>Multiply the values by this number, before anything else</source>
@@ -7846,11 +7846,11 @@
     </message>
     <message>
         <source>Between the points of the source: linear (the default), cubic (monotone), spline (natural cubic) or smooth (smoothing spline)</source>
-        <translation>Entre les points de la source : linear (par défaut), cubic (monotone), spline (cubique naturelle) ou smooth (spline de lissage)</translation>
+        <translation>Entre les points de la source&#xa0;: linear (par défaut), cubic (monotone), spline (cubique naturelle) ou smooth (spline de lissage)</translation>
     </message>
     <message>
         <source>Speed of the axis in positions per second: says the steps of the velocity that are left with spline and smooth</source>
-        <translation>Vitesse de l&apos;axe en unités de position par seconde : indique les sauts de vitesse qui restent avec spline et smooth</translation>
+        <translation>Vitesse de l&apos;axe en unités de position par seconde&#xa0;: indique les sauts de vitesse qui restent avec spline et smooth</translation>
     </message>
     <message>
         <source>Let the even grid extend beyond the data, where the end values are held</source>
@@ -7858,11 +7858,11 @@
     </message>
     <message>
         <source>Convention of the output: feedback or command; by default that of its format, needed where that is assumed</source>
-        <translation>Convention de la sortie : feedback ou command ; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
+        <translation>Convention de la sortie&#xa0;: feedback ou command&#xa0;; par défaut, celle de son format, à indiquer si elle n&apos;est que supposée</translation>
     </message>
     <message>
         <source>Setting that the output format needs; `axiscomp formats NAME` lists them</source>
-        <translation>Réglage que demande le format de sortie ; `axiscomp formats NAME` en donne la liste</translation>
+        <translation>Réglage que demande le format de sortie&#xa0;; `axiscomp formats NAME` en donne la liste</translation>
     </message>
     <message>
         <source>Corrections, made only when asked for</source>
@@ -7882,11 +7882,11 @@
     </message>
     <message>
         <source>Coefficient of the reference in 1/K; 0 for a laser with wavelength compensation</source>
-        <translation>Coefficient de dilatation de la référence en 1/K ; 0 pour un laser compensé en longueur d&apos;onde</translation>
+        <translation>Coefficient de dilatation de la référence en 1/K&#xa0;; 0 pour un laser compensé en longueur d&apos;onde</translation>
     </message>
     <message>
         <source>Position in mm that does not move with temperature; the first target unless given</source>
-        <translation>Position en mm que la température ne déplace pas ; par défaut, la première position cible</translation>
+        <translation>Position en mm que la température ne déplace pas&#xa0;; par défaut, la première position cible</translation>
     </message>
     <message>
         <source>The values are not corrected to 20 C, where the file does not say it</source>
@@ -7894,19 +7894,19 @@
     </message>
     <message>
         <source>Dead path of the interferometer: a JSON file with its length and the air of each run</source>
-        <translation>Trajet mort de l&apos;interféromètre : un fichier JSON avec sa longueur et l&apos;air de chaque passe</translation>
+        <translation>Trajet mort de l&apos;interféromètre&#xa0;: un fichier JSON avec sa longueur et l&apos;air de chaque passe</translation>
     </message>
     <message>
         <source>Limits, such as A=10um,R=4um; exit code 8 when one is not met</source>
-        <translation>Limites, par exemple A=10um,R=4um ; code de retour 8 si l&apos;une n&apos;est pas respectée</translation>
+        <translation>Limites, par exemple A=10um,R=4um&#xa0;; code de retour 8 si l&apos;une n&apos;est pas respectée</translation>
     </message>
     <message>
         <source>Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms</source>
-        <translation>Incertitude de mesure avec k = 2 : U=2.1um, ou un fichier JSON avec ses composantes</translation>
+        <translation>Incertitude de mesure avec k = 2&#xa0;: U=2.1um, ou un fichier JSON avec ses composantes</translation>
     </message>
     <message>
         <source>Measurement files, joined when there are several; - for standard input</source>
-        <translation>Fichiers de mesure, réunis s&apos;il y en a plusieurs ; - pour l&apos;entrée standard</translation>
+        <translation>Fichiers de mesure, réunis s&apos;il y en a plusieurs&#xa0;; - pour l&apos;entrée standard</translation>
     </message>
     <message>
         <source>Format of the files, if their content leaves it open</source>
@@ -7914,7 +7914,7 @@
     </message>
     <message>
         <source>Leave values out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
-        <translation>Omettre des valeurs : down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
+        <translation>Omettre des valeurs&#xa0;: down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
     </message>
     <message>
         <source>Exchange up and down</source>
@@ -7926,7 +7926,7 @@
     </message>
     <message>
         <source>Which column of a CSV file is what, by number or name: &apos;target=1,direction=3,deviation=5&apos;</source>
-        <translation>Rôle de chaque colonne d&apos;un fichier CSV, par numéro ou par nom : &apos;target=1,direction=3,deviation=5&apos;</translation>
+        <translation>Rôle de chaque colonne d&apos;un fichier CSV, par numéro ou par nom&#xa0;: &apos;target=1,direction=3,deviation=5&apos;</translation>
     </message>
     <message>
         <source>Lines before the header of a CSV file</source>
@@ -7942,19 +7942,19 @@
     </message>
     <message>
         <source>What the values are: deviation (reference minus target) or reference (positions)</source>
-        <translation>Nature des valeurs : deviation (référence moins position cible) ou reference (positions)</translation>
+        <translation>Nature des valeurs&#xa0;: deviation (référence moins position cible) ou reference (positions)</translation>
     </message>
     <message>
         <source>order: the direction of a run follows from the order of its targets</source>
-        <translation>order : le sens d&apos;une passe découle de l&apos;ordre de ses positions cibles</translation>
+        <translation>order&#xa0;: le sens d&apos;une passe découle de l&apos;ordre de ses positions cibles</translation>
     </message>
     <message>
         <source>How far a track moves after a turn before its samples count, in mm or deg; 1 % of the range unless given</source>
-        <translation>Déplacement d&apos;un relevé continu après une inversion avant que ses échantillons comptent, en mm ou degrés ; par défaut, 1 % de l&apos;étendue</translation>
+        <translation>Déplacement d&apos;un relevé continu après une inversion avant que ses échantillons comptent, en mm ou degrés&#xa0;; par défaut, 1&#xa0;% de l&apos;étendue</translation>
     </message>
     <message>
         <source>Number of dimensions of a CSV file: its first D columns are positions</source>
-        <translation>Nombre de dimensions d&apos;un fichier CSV : ses D premières colonnes sont des positions</translation>
+        <translation>Nombre de dimensions d&apos;un fichier CSV&#xa0;: ses D premières colonnes sont des positions</translation>
     </message>
     <message>
         <source>Format of the input, if content and name leave it open</source>
@@ -7962,7 +7962,7 @@
     </message>
     <message>
         <source>Setting that the file leaves open; `axiscomp formats NAME` lists them</source>
-        <translation>Réglage que le fichier n&apos;indique pas ; `axiscomp formats NAME` en donne la liste</translation>
+        <translation>Réglage que le fichier n&apos;indique pas&#xa0;; `axiscomp formats NAME` en donne la liste</translation>
     </message>
     <message>
         <source>Incomplete grids</source>
@@ -7982,7 +7982,7 @@
     </message>
     <message>
         <source>Table of the file, by name or by number from 1 (name:TEXT, #N where that could be either); not needed if there is only one</source>
-        <translation>Table du fichier, par nom ou par numéro à partir de 1 (name:TEXT, #N en cas d&apos;ambiguïté) ; inutile s&apos;il n&apos;y en a qu&apos;une</translation>
+        <translation>Table du fichier, par nom ou par numéro à partir de 1 (name:TEXT, #N en cas d&apos;ambiguïté)&#xa0;; inutile s&apos;il n&apos;y en a qu&apos;une</translation>
     </message>
     <message>
         <source>Drive profile (JSON) in place of the built-in one, generic</source>
@@ -7990,15 +7990,15 @@
     </message>
     <message>
         <source>Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given</source>
-        <translation>Adresse du variateur, répétable ; par défaut, $AXISCOMP_DRIVE</translation>
+        <translation>Adresse du variateur, répétable&#xa0;; par défaut, $AXISCOMP_DRIVE</translation>
     </message>
     <message>
         <source>Address of the drive; $AXISCOMP_DRIVE unless given</source>
-        <translation>Adresse du variateur ; par défaut, $AXISCOMP_DRIVE</translation>
+        <translation>Adresse du variateur&#xa0;; par défaut, $AXISCOMP_DRIVE</translation>
     </message>
     <message>
         <source>Trust the https certificate with this fingerprint from now on; any other one is refused</source>
-        <translation>Accepter désormais le certificat https de cette empreinte ; tout autre est refusé</translation>
+        <translation>Accepter désormais le certificat https de cette empreinte&#xa0;; tout autre est refusé</translation>
     </message>
     <message>
         <source>Time limit for one exchange with the drive (5 unless given)</source>
@@ -8006,7 +8006,7 @@
     </message>
     <message>
         <source>Index or name of the axis; not needed if the drive has only one</source>
-        <translation>Indice ou nom de l&apos;axe ; inutile si le variateur n&apos;en a qu&apos;un</translation>
+        <translation>Indice ou nom de l&apos;axe&#xa0;; inutile si le variateur n&apos;en a qu&apos;un</translation>
     </message>
     <message>
         <source>Options</source>
@@ -8034,7 +8034,7 @@
     </message>
     <message>
         <source>Serve the drive&apos;s web pages here; port 0 picks a free one (127.0.0.1:0 unless this or --serial is given). Several drives take ports in a row</source>
-        <translation>Servir ici les pages web du variateur ; le port 0 en choisit un libre (127.0.0.1:0, sauf si cette option ou --serial est indiquée). Plusieurs variateurs prennent des ports consécutifs</translation>
+        <translation>Servir ici les pages web du variateur&#xa0;; le port 0 en choisit un libre (127.0.0.1:0, sauf si cette option ou --serial est indiquée). Plusieurs variateurs prennent des ports consécutifs</translation>
     </message>
     <message>
         <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
@@ -8054,11 +8054,11 @@
     </message>
     <message>
         <source>Take names, axes and parameters from a TAM configuration; several drives in it are several virtual drives</source>
-        <translation>Prendre les noms, les axes et les paramètres d&apos;une configuration TAM ; plusieurs variateurs y donnent plusieurs variateurs virtuels</translation>
+        <translation>Prendre les noms, les axes et les paramètres d&apos;une configuration TAM&#xa0;; plusieurs variateurs y donnent plusieurs variateurs virtuels</translation>
     </message>
     <message>
         <source>Move the machine of this file (JSON): axes with errors that nobody knows, and an instrument that measures them</source>
-        <translation>Déplacer la machine de ce fichier (JSON) : des axes avec des erreurs que personne ne connaît, et un instrument qui les mesure</translation>
+        <translation>Déplacer la machine de ce fichier (JSON)&#xa0;: des axes avec des erreurs que personne ne connaît, et un instrument qui les mesure</translation>
     </message>
     <message>
         <source>Play this measuring plan (axiscomp targets) as the machine&apos;s control would, from 10 s after the start</source>
@@ -8066,7 +8066,7 @@
     </message>
     <message>
         <source>Begin the program so many seconds after the start, whatever --speed is; unless given, after 10 s of the machine&apos;s time</source>
-        <translation>Commencer le programme tant de secondes après le démarrage, quel que soit --speed ; par défaut, après 10 s du temps de la machine</translation>
+        <translation>Commencer le programme tant de secondes après le démarrage, quel que soit --speed&#xa0;; par défaut, après 10 s du temps de la machine</translation>
     </message>
     <message>
         <source>Serve the instrument&apos;s lines on a pseudo-terminal, and make LINK a symbolic link to it</source>
@@ -8078,7 +8078,7 @@
     </message>
     <message>
         <source>Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N or reject=CODE; may be given several times</source>
-        <translation>Mal fonctionner : drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N ou reject=CODE ; répétable</translation>
+        <translation>Mal fonctionner&#xa0;: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, reboot-after=N ou reject=CODE&#xa0;; répétable</translation>
     </message>
     <message>
         <source>Simulated seconds per second (1 unless given)</source>
@@ -8114,7 +8114,7 @@
     </message>
     <message>
         <source>Use this drive in place of the remembered ones; may be given several times: http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</source>
-        <translation>Utiliser ce variateur au lieu de ceux mémorisés ; répétable : http://[utilisateur:motdepasse@]hôte[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</translation>
+        <translation>Utiliser ce variateur au lieu de ceux mémorisés&#xa0;; répétable&#xa0;: http://[utilisateur:motdepasse@]hôte[:port], https://..., serial:/dev/ttyUSB0[?baud=N], demo:</translation>
     </message>
     <message>
         <source>Open this file of compensation data</source>
@@ -15101,6 +15101,18 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>&amp;Close Machine File</source>
         <translation>&amp;Fermer le fichier machine</translation>
+    </message>
+    <message>
+        <source>Documentation in the &amp;Browser</source>
+        <translation>Documentation dans le &amp;navigateur</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>Documentation</translation>
+    </message>
+    <message>
+        <source>No browser could be opened. The documentation is in %1.</source>
+        <translation>Aucun navigateur n&apos;a pu être ouvert. La documentation se trouve dans %1.</translation>
     </message>
 </context>
 <context>

@@ -15051,6 +15051,18 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <source>&amp;Close Machine File</source>
         <translation>機械ファイルを閉じる(&amp;C)</translation>
     </message>
+    <message>
+        <source>Documentation in the &amp;Browser</source>
+        <translation>ブラウザでドキュメントを開く(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>ドキュメント</translation>
+    </message>
+    <message>
+        <source>No browser could be opened. The documentation is in %1.</source>
+        <translation>ブラウザを開けませんでした。ドキュメントは %1 にあります。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageTabs</name>

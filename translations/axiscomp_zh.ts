@@ -15051,6 +15051,18 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source>&amp;Close Machine File</source>
         <translation>关闭机床文件(&amp;C)</translation>
     </message>
+    <message>
+        <source>Documentation in the &amp;Browser</source>
+        <translation>在浏览器中打开文档(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>文档</translation>
+    </message>
+    <message>
+        <source>No browser could be opened. The documentation is in %1.</source>
+        <translation>无法打开浏览器。文档位于 %1。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::PageTabs</name>
