@@ -217,7 +217,8 @@ void SoakModel::learn(int axis, const AxisPicture& picture)
 }
 
 /// A volatile table covers another one that flash holds only where no slot was empty that nobody
-/// needs, not even after a reboot, or where the user named that slot.
+/// needs, not even after a reboot, or where the user named that slot. The drive does not tell what
+/// a reboot brings back: what the programs must reckon with counts.
 void SoakModel::checkHiding(
     const Operation& operation, const Ending& ending, const Moment& before, const Moment& after)
 {
@@ -227,10 +228,12 @@ void SoakModel::checkHiding(
     const auto& foreign = SoakDrive::foreignSlots();
     const std::size_t size = after.now.axes[static_cast<std::size_t>(operation.axis)].table.size();
     const auto& slots = m_drive.drive().profile().tableSlots;
+    const auto saved = m_store.savedState(SoakDrive::serialNumber); // a volatile write saves nothing
     const auto room = std::ranges::find_if(slots, [&](const TableSlot& slot) {
         return slot.maximumSize >= size && !before.now.slots.contains(slot.name)
             && !before.now.userOf(slot.name)
             && before.afterReboot.userOf(slot.name).value_or(operation.axis) == operation.axis
+            && saved && !saved->otherUser(slot.name, operation.axis)
             && std::ranges::find(foreign, slot.name) == foreign.end();
     });
     const std::string& slot = after.now.axes[static_cast<std::size_t>(operation.axis)].slot;
