@@ -8136,6 +8136,30 @@
         <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
         <translation>Ohne --drive verwendet es die Antriebe vom letzten Mal oder den eingebauten Demo-Antrieb.</translation>
     </message>
+    <message>
+        <source>Let the drive look up the table without adding its values</source>
+        <translation>Den Antrieb die Tabelle auswerten lassen, ohne ihre Werte zu addieren</translation>
+    </message>
+    <message>
+        <source>Activate the compensation, and compare the drive&apos;s output with the table</source>
+        <translation>Die Kompensation aktivieren und die Ausgabe des Antriebs mit der Tabelle vergleichen</translation>
+    </message>
+    <message>
+        <source>Deactivate the compensation</source>
+        <translation>Die Kompensation deaktivieren</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after</source>
+        <translation>Messung vorher und Messung nachher</translation>
+    </message>
+    <message>
+        <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>Die Tabelle der Achse im Flash-Speicher des Antriebs ablegen, sodass sie einen Neustart übersteht</translation>
+    </message>
+    <message>
+        <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
+        <translation>Die Tabelle der Achse flüchtig machen, sodass sie beim nächsten Neustart verloren geht</translation>
+    </message>
 </context>
 <context>
     <name>JudgeOutlook</name>

@@ -8136,6 +8136,30 @@
         <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
         <translation>Sans --drive, les variateurs de la dernière fois sont utilisés, ou le variateur de démonstration intégré.</translation>
     </message>
+    <message>
+        <source>Let the drive look up the table without adding its values</source>
+        <translation>Laisser le variateur consulter la table sans ajouter ses valeurs</translation>
+    </message>
+    <message>
+        <source>Activate the compensation, and compare the drive&apos;s output with the table</source>
+        <translation>Activer la compensation et comparer la sortie du variateur à la table</translation>
+    </message>
+    <message>
+        <source>Deactivate the compensation</source>
+        <translation>Désactiver la compensation</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after</source>
+        <translation>Mesure avant et mesure après</translation>
+    </message>
+    <message>
+        <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>Enregistrer la table de l&apos;axe dans la mémoire flash du variateur : elle survit à un redémarrage</translation>
+    </message>
+    <message>
+        <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
+        <translation>Rendre volatile la table de l&apos;axe : elle est perdue au prochain redémarrage</translation>
+    </message>
 </context>
 <context>
     <name>JudgeOutlook</name>

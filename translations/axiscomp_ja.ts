@@ -7997,7 +7997,7 @@
     </message>
     <message>
         <source>Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it. Several drives take LINK, LINK-2, ...</source>
-        <translation>シリアル接続を疑似端末で提供し、LINK をそのシンボリックリンクにします。ドライブが複数の場合は LINK、LINK-2、... を使います。</translation>
+        <translation>シリアル接続を疑似端末で提供し、LINK をそのシンボリックリンクにします。ドライブが複数の場合は順に LINK、LINK-2、...</translation>
     </message>
     <message>
         <source>Make the serial link as slow as a line of this speed (as fast as it can unless given)</source>
@@ -8094,6 +8094,30 @@
     <message>
         <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
         <translation>--drive がない場合は、前回のドライブ、または内蔵のデモドライブを使います。</translation>
+    </message>
+    <message>
+        <source>Let the drive look up the table without adding its values</source>
+        <translation>値を加えずに、ドライブにテーブルを参照させます</translation>
+    </message>
+    <message>
+        <source>Activate the compensation, and compare the drive&apos;s output with the table</source>
+        <translation>補正を有効にし、ドライブの出力をテーブルと比較します</translation>
+    </message>
+    <message>
+        <source>Deactivate the compensation</source>
+        <translation>補正を無効にします</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after</source>
+        <translation>補正前の測定と補正後の測定</translation>
+    </message>
+    <message>
+        <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>軸のテーブルをドライブのフラッシュメモリに保存します。再起動後も残ります</translation>
+    </message>
+    <message>
+        <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
+        <translation>軸のテーブルを揮発にします。次の再起動で失われます</translation>
     </message>
 </context>
 <context>

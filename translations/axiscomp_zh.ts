@@ -8095,6 +8095,30 @@
         <source>Without --drive it uses the drives of the last time, or the built-in demo drive.</source>
         <translation>未给出 --drive 时，使用上次的驱动器，或内置的演示驱动器。</translation>
     </message>
+    <message>
+        <source>Let the drive look up the table without adding its values</source>
+        <translation>让驱动器查表但不叠加其值</translation>
+    </message>
+    <message>
+        <source>Activate the compensation, and compare the drive&apos;s output with the table</source>
+        <translation>启用补偿，并将驱动器的输出与补偿表比较</translation>
+    </message>
+    <message>
+        <source>Deactivate the compensation</source>
+        <translation>停用补偿</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after</source>
+        <translation>补偿前的测量和补偿后的测量</translation>
+    </message>
+    <message>
+        <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
+        <translation>将轴的补偿表存入驱动器闪存，重启后仍然保留</translation>
+    </message>
+    <message>
+        <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
+        <translation>将轴的补偿表设为易失，下次重启后丢失</translation>
+    </message>
 </context>
 <context>
     <name>JudgeOutlook</name>

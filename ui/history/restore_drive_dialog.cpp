@@ -111,8 +111,7 @@ QString RestoreDriveDialog::contentText() const
         others += QString::fromStdString(file.slot);
     if (!others.isEmpty())
         text += u'\n'
-            + tr("Tables that no axis uses, restored after the axes: %1")
-                  .arg(listText(others));
+            + tr("Tables that no axis uses, restored after the axes: %1").arg(listText(others));
     return text;
 }
 

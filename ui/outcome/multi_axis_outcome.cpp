@@ -65,10 +65,7 @@ public:
     {
         return tr("%1: %2", "axis and sentence").arg(axis, sentence);
     }
-    [[nodiscard]] static QString listed(const QStringList& axes)
-    {
-        return listText(axes);
-    }
+    [[nodiscard]] static QString listed(const QStringList& axes) { return listText(axes); }
 
 private:
     [[nodiscard]] static QString states(const QStringList& withNew, const QStringList& withOld)

@@ -150,8 +150,8 @@ QString MachinePane::summary() const
     const QString name = qString(shownText(file->reading.machine->name));
     const QString title =
         name.isEmpty() ? fileName : tr("%1 (%2)", "file and machine").arg(fileName, name);
-    const QString said = tr("%1: axes %2.", "machine file and numbers of axes")
-                             .arg(title, listText(parts));
+    const QString said =
+        tr("%1: axes %2.", "machine file and numbers of axes").arg(title, listText(parts));
     const QDateTime looked = m_machine.oldestLook();
     return looked.isValid() ? said + u' ' + tr("Compared at %1.").arg(momentText(looked)) : said;
 }

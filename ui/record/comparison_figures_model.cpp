@@ -124,8 +124,7 @@ QString ComparisonFiguresModel::sentence(int row) const
     }
     if (const QString verdict = text(row, Verdict); !verdict.isEmpty())
         parts += verdict;
-    return tr("%1: %2", "figure and its values")
-        .arg(text(row, Figure), listText(parts));
+    return tr("%1: %2", "figure and its values").arg(text(row, Figure), listText(parts));
 }
 
 QString ComparisonFiguresModel::columnName(int column)

@@ -113,12 +113,15 @@ void addActivation(
 
 void addActivationCommands(CommandLine& line)
 {
-    addActivation(line, "evaluate", "Let the drive look up the table without adding its values",
+    addActivation(line, "evaluate",
+        AXISCOMP_HELP("Help", "Let the drive look up the table without adding its values"),
         Switch::Evaluate);
     addActivation(line, "activate",
-        "Activate the compensation, and compare the drive's output with the table",
+        AXISCOMP_HELP(
+            "Help", "Activate the compensation, and compare the drive's output with the table"),
         Switch::Activate);
-    addActivation(line, "deactivate", "Deactivate the compensation", Switch::Deactivate);
+    addActivation(line, "deactivate", AXISCOMP_HELP("Help", "Deactivate the compensation"),
+        Switch::Deactivate);
 }
 
 } // namespace axiscomp::app

@@ -110,7 +110,7 @@ void addCompareCommand(CommandLine& line)
         [options](Environment& environment) { return runCompare(environment, *options); });
     addMeasurementOptions(*command, options->input);
     command->get_option("FILE")
-        ->description("Measurement before and measurement after")
+        ->description(AXISCOMP_HELP("Help", "Measurement before and measurement after"))
         ->option_text("BEFORE AFTER")
         ->expected(2);
     command->remove_option(command->get_option("--exclude"));

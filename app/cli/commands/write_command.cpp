@@ -504,10 +504,13 @@ void addPersistencyCommands(CommandLine& line)
         Persistency persistency;
     };
     for (const Row& row :
-        {Row{"persist", "Store the axis's table in the drive's flash, so that it survives a reboot",
+        {Row{"persist",
+             AXISCOMP_HELP("Help",
+                 "Store the axis's table in the drive's flash, so that it survives a reboot"),
              Persistency::Persistent},
             Row{"unpersist",
-                "Make the axis's table volatile, so that it is lost at the next reboot",
+                AXISCOMP_HELP("Help",
+                    "Make the axis's table volatile, so that it is lost at the next reboot"),
                 Persistency::Volatile}}) {
         auto options = std::make_shared<DriveOptions>();
         options->command = commandName(row.name);

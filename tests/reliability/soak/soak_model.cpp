@@ -228,7 +228,8 @@ void SoakModel::checkHiding(
     const auto& foreign = SoakDrive::foreignSlots();
     const std::size_t size = after.now.axes[static_cast<std::size_t>(operation.axis)].table.size();
     const auto& slots = m_drive.drive().profile().tableSlots;
-    const auto saved = m_store.savedState(SoakDrive::serialNumber); // a volatile write saves nothing
+    const auto saved =
+        m_store.savedState(SoakDrive::serialNumber); // a volatile write saves nothing
     const auto room = std::ranges::find_if(slots, [&](const TableSlot& slot) {
         return slot.maximumSize >= size && !before.now.slots.contains(slot.name)
             && !before.now.userOf(slot.name)

@@ -131,8 +131,8 @@ private Q_SLOTS:
         for (const Message& message : translation) {
             for (const QString& text : message.translations) {
                 // The form for one may say the number in words.
-                const bool isForOne = message.translations.size() > 1
-                    && text == message.translations.front();
+                const bool isForOne =
+                    message.translations.size() > 1 && text == message.translations.front();
                 QStringList wanted = placeholdersOf(message.source);
                 QStringList found = placeholdersOf(text);
                 if (isForOne) {
