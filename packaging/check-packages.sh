@@ -49,7 +49,6 @@ for file in bin/axiscomp bin/axiscomp-virtualdrive bin/axis-compensation-wizard 
     share/applications/axis-compensation-wizard.desktop \
     share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv \
     share/axiscomp/schemas/axcal.schema.json share/axiscomp/machines/screw.json \
-    share/axiscomp/examples/tour.sh \
     share/doc/axis-compensation-wizard/copyright share/doc/axis-compensation-wizard/changelog.gz; do
     grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
 done

@@ -1,10 +1,11 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The main job on a virtual drive, every step shown: from a calibration file to a compensation that
-# is active and proved. Usage: tour.sh FOLDER-OF-THE-PROGRAMS
+# is active and proved. Usage: tour.sh [FOLDER-OF-THE-PROGRAMS], without it the installed ones.
 set -euo pipefail
 
-programs=$(cd "${1:?usage: tour.sh FOLDER-OF-THE-PROGRAMS}" && pwd)
+programs=${1:-$(dirname "$(command -v axiscomp || echo "$0")")}
+programs=$(cd "$programs" && pwd)
 for program in axiscomp axiscomp-virtualdrive; do
     if [[ ! -x $programs/$program ]]; then
         echo "tour: there is no program $program in $programs" >&2

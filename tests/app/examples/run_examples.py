@@ -147,16 +147,20 @@ class Settings:
 
     def find(self, table, command):
         for number, entry in enumerate(getattr(self, table)):
-            if entry["document"] == command.document and command.words.startswith(entry["command"]):
+            if entry.get("document", command.document) == command.document and command.words.startswith(entry["command"]):
                 self.used.add((table, number))
                 return entry
         return None
+
+    @staticmethod
+    def place(entry):
+        return f"{entry.get('document', 'any document')}, {entry['command']!r}"
 
     def unused(self):
         for table in ("not_run", "ends_with"):
             for number, entry in enumerate(getattr(self, table)):
                 if (table, number) not in self.used:
-                    yield f"{SETTINGS.name}: {entry['document']} has no command {entry['command']!r} any more"
+                    yield f"{SETTINGS.name}: {self.place(entry)}: there is no such command any more"
 
     def faults(self, root, documents):
         for document in self.before:
@@ -164,10 +168,10 @@ class Settings:
                 yield f"{SETTINGS.name}: {document} has no examples"
         for entry in self.not_run:
             if not entry.get("reason", "").strip():
-                yield f"{SETTINGS.name}: {entry['document']}, {entry['command']!r}: give the reason why it is not run"
+                yield f"{SETTINGS.name}: {self.place(entry)}: give the reason why it is not run"
             test = entry.get("test")
             if test and not (root / test).is_file():
-                yield f"{SETTINGS.name}: {entry['document']}, {entry['command']!r}: there is no test {test}"
+                yield f"{SETTINGS.name}: {self.place(entry)}: there is no test {test}"
 
 
 class Session:
@@ -298,7 +302,7 @@ class Examples:
         for command, code, (ended, said) in zip(commands, ends, results):
             if ended is None:
                 return [f"{command}\n    did not end in {SECONDS} s, nor did anything after it\n{said}"]
-            if ended != code:
+            if ended not in (code if isinstance(code, list) else [code]):
                 return [f"{command}\n    ended with {ended}, not {code}\n{said}"]
             if missing := [line for line in command.printed if not is_said(line, said)]:
                 return [f"{command}\n    does not say {missing[0]!r}\n{said}"]
