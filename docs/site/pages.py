@@ -1,9 +1,15 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which documents are pages of the site, in the order of what a reader needs, and their links."""
+"""Which documents are pages of the site, in the order of what a reader needs, and their links.
+
+Run as a program it looks whether every document is a page; the site itself is made by build.py.
+"""
 
 import os
 import re
 import shutil
+import sys
+import tempfile
 from pathlib import Path
 
 INDEX = "docs/index.md"
@@ -131,3 +137,15 @@ class Assembly:
             (self.target / f"{names[-1]}.rst").write_text(text, encoding="utf-8")
         with open(self.target / "cpp.md", "a", encoding="utf-8") as page:
             page.write("\n## Headers by folder\n\n```{toctree}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            Assembly(Path(__file__).resolve().parents[2], folder).run()
+        except (OSError, ValueError) as error:
+            sys.exit(f"documentation site: {error}")
+
+
+if __name__ == "__main__":
+    main()
