@@ -158,6 +158,7 @@ Result<WriteReport> AxisCompensator::setPersistency(
     WriteRequest request;
     request.dimensionality = now.setup.dimensionality;
     request.persistency = persistency;
+    request.expected = now.setup; // a restart in between brings back another table
     return write(axis, request, options);
 }
 

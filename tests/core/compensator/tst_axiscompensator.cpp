@@ -134,6 +134,36 @@ private Q_SLOTS:
         QCOMPARE(f.state().registers[0], slot);
     }
 
+    /// Flash holds an earlier table, which the restart brings back.
+    void aTableThatARestartTakesAwayIsNotSaidToBePersistent()
+    {
+        int looked = 0; // exchanges until the program knows what the axis has
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            CompensatorFixture f;
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+            WriteRequest request = exampleRequest(2, Persistency::Volatile);
+            request.slot = f.state().registers[0];
+            VERIFY_RESULT(f.compensator.write(0, request));
+            int begin = f.link.exchanges();
+            const auto before = f.compensator.status(0);
+            VERIFY_RESULT(before);
+            looked = f.link.exchanges() - begin;
+            begin = f.link.exchanges();
+            f.link.failAt(exchange, test::LinkFault::Reboot);
+            const auto report = f.compensator.setPersistency(0, Persistency::Persistent);
+            isOver = f.link.exchanges() - begin < exchange;
+            f.link.heal();
+            const auto after = f.compensator.status(0);
+            VERIFY_RESULT(after);
+            const bool isIts =
+                after->table && after->table->crc == before->table->crc && after->table->persistent;
+            QVERIFY2(!report || isIts || exchange <= looked,
+                "restart at exchange " + QByteArray::number(exchange));
+        }
+        QVERIFY(looked > 0);
+    }
+
     void persistencyOfTheTableOnTheDriveCanBeChanged()
     {
         CompensatorFixture f;

@@ -119,6 +119,18 @@ std::vector<std::string> SoakModel::check(const std::vector<Operation>& group,
     return m_problems;
 }
 
+/// What an operation begins with. One that keeps the table of the axis keeps that which a restart
+/// has brought back, when the drive restarts before the program has looked.
+const DrivePicture& SoakModel::keptFrom(const Operation& operation, const Ending& ending, int axis,
+    const Moment& before, const Moment& after)
+{
+    const auto index = static_cast<std::size_t>(axis);
+    const bool isBroughtBack = operation.action == Action::SetPersistency
+        && mayHaveRebooted(operation, ending)
+        && after.now.axes[index].table == before.afterReboot.axes[index].table;
+    return isBroughtBack ? before.afterReboot : before.now;
+}
+
 /// What the axis has when the operation is done; its slot is left open.
 std::optional<AxisPicture> SoakModel::wanted(
     const Operation& operation, int axis, const DrivePicture& before)
@@ -284,7 +296,7 @@ void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int 
     const auto index = static_cast<std::size_t>(axis);
     const AxisPicture& old = before.now.axes[index];
     const AxisPicture& now = after.now.axes[index];
-    const auto complete = wanted(operation, axis, before.now);
+    const auto complete = wanted(operation, axis, keptFrom(operation, ending, axis, before, after));
     std::vector<AxisPicture> allowed;
     const bool hasRebooted = mayHaveRebooted(operation, ending);
     if (hasRebooted && !(complete && ending.isDone()))
@@ -353,13 +365,15 @@ void SoakModel::checkFlash(const Operation& operation, const Ending& ending, int
     const auto index = static_cast<std::size_t>(axis);
     const AxisPicture& later = after.afterReboot.axes[index];
     checkReachable(axis, after);
-    const auto complete = wanted(operation, axis, before.now);
+    const auto complete = wanted(operation, axis, keptFrom(operation, ending, axis, before, after));
     if (storesWrong(operation))
         return; // that parameters were not saved cannot be read back
     if (complete && ending.isDone() && complete->persistent && !operation.isRestore())
         expect(later.compensatesAs(*complete),
             axisName(axis) + "after a reboot it would not have what was written persistently but "
-                + later.text());
+                + later.text() + "; wanted: " + complete->text() + "; it had "
+                + before.now.axes[index].text() + ", after a reboot "
+                + before.afterReboot.axes[index].text());
     if (!operation.changesSetup())
         expect(later == before.afterReboot.axes[index],
             axisName(axis) + "what a reboot brings back was changed from "

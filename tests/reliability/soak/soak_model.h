@@ -29,6 +29,8 @@ public:
 
 private:
     // soak_model.cpp: the states of the axes
+    [[nodiscard]] static const DrivePicture& keptFrom(const Operation& operation,
+        const Ending& ending, int axis, const Moment& before, const Moment& after);
     [[nodiscard]] std::optional<AxisPicture> wanted(
         const Operation& operation, int axis, const DrivePicture& before);
     [[nodiscard]] AxisPicture finished(const Operation& operation);
