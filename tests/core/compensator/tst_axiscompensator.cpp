@@ -150,10 +150,9 @@ private Q_SLOTS:
             VERIFY_RESULT(before);
             looked = f.link.exchanges() - begin;
             begin = f.link.exchanges();
-            f.link.failAt(exchange, test::LinkFault::Reboot);
+            f.link.actBefore(exchange, [&f] { f.drive.reboot(); });
             const auto report = f.compensator.setPersistency(0, Persistency::Persistent);
             isOver = f.link.exchanges() - begin < exchange;
-            f.link.heal();
             const auto after = f.compensator.status(0);
             VERIFY_RESULT(after);
             const bool isIts =
