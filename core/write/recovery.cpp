@@ -36,6 +36,14 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
             == saved.uses.end();
     const bool wasPersistent = unfinished.oldFile() && unfinished.oldFile()->persistent;
     m_savedTouched = m_savedTouched || (isSavedOff && (m_flashTouched || wasPersistent));
+    // Another axis's write has saved what this one had put there: sources that are not the old
+    // table's, which goes into flash again.
+    const bool isSavedOtherwise =
+        saved.isKnown && std::ranges::any_of(saved.uses, [&](const SavedState::Use& use) {
+            return use.axis == m_write.plan.axis
+                && (use.slot != unfinished.oldSlot() || use.crc != unfinished.oldCrc());
+        });
+    m_savedTouched = m_savedTouched || (isSavedOtherwise && wasPersistent);
     AXISCOMP_CHECK(checkFlash());
     AXISCOMP_TRY(auto status, inspectBeforeRecovery(unfinished));
 

@@ -436,6 +436,39 @@ private Q_SLOTS:
         f.drive.reboot();
         QVERIFY(f.state() == old);
     }
+
+    /// The parameters of all axes are saved, also of one whose write has not ended.
+    void whatIsUndoneIsSavedAgainWhenAnotherAxisHasSavedWhatWasWritten()
+    {
+        int undone = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            CompensatorFixture f;
+            VERIFY_RESULT(
+                f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+            const CompensatorFixture::State old = f.state();
+            f.link.failAt(exchange, LinkFault::ProgramDies);
+            isOver = true;
+            try {
+                (void)f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1"));
+            } catch (const ProgramDied&) {
+                isOver = false;
+            }
+            f.link.heal();
+            const auto journal = f.store.journal(4711, 0);
+            VERIFY_RESULT(journal);
+            if (!*journal)
+                continue;
+            VERIFY_RESULT(f.compensator.write(1, exampleRequest(3, Persistency::Persistent)));
+            VERIFY_RESULT(f.compensator.undoUnfinished(**journal));
+            const QByteArray where = "the program died at exchange " + QByteArray::number(exchange);
+            QVERIFY2(f.state() == old, where);
+            f.drive.reboot();
+            QVERIFY2(f.state() == old, where + ", after a reboot");
+            ++undone;
+        }
+        QVERIFY(undone > 5);
+    }
 };
 
 AXISCOMP_TEST(TestSavedState)
