@@ -11525,7 +11525,7 @@
     </message>
     <message>
         <source>As on the drive</source>
-        <translation>Comme sur le variateur</translation>
+        <translation>Comme le variateur</translation>
     </message>
 </context>
 <context>
@@ -16467,7 +16467,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>; %1 of typically %2 flash cycles used</source>
         <comment>of the flash</comment>
-        <translation>&#xa0;; %1 cycles flash utilisés sur %2 typiques</translation>
+        <translation>&#xa0;; cycles flash utilisés : %1 sur %2 typiques</translation>
     </message>
     <message>
         <source>; read as %1, converted</source>
