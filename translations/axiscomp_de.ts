@@ -7074,6 +7074,10 @@
         <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
         <translation>niemand hat das Vorzeichen seines Formats veröffentlicht. Auf „Schreiben“ importieren, dort das Vorzeichen angeben, von dort als Kalibrierdatei exportieren und diese wählen</translation>
     </message>
+    <message>
+        <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
+        <translation>es gibt keine Schrift mit den Zeichen dieser Sprache, um ein PDF zu zeichnen: eine installieren, etwa fonts-noto-cjk, oder den Bericht als HTML schreiben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -7074,6 +7074,10 @@
         <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
         <translation>personne n&apos;a publié le signe de son format. L&apos;importer sur « Écrire », y indiquer le signe, l&apos;exporter de là comme fichier d&apos;étalonnage et choisir celui-ci</translation>
     </message>
+    <message>
+        <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
+        <translation>aucune police ne contient les caractères de cette langue pour dessiner un PDF : en installer une, par exemple fonts-noto-cjk, ou écrire le rapport en HTML</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

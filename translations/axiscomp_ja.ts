@@ -7033,6 +7033,10 @@
         <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
         <translation>この形式の符号は公表されていません。[書き込み] でインポートして符号を指定し、校正ファイルとしてエクスポートしたうえで、それを選択してください</translation>
     </message>
+    <message>
+        <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
+        <translation>PDF を描くための、この言語の文字を含むフォントがありません。fonts-noto-cjk などをインストールするか、報告書を HTML で書き出してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

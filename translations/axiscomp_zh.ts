@@ -7033,6 +7033,10 @@
         <source>nobody has published the sign of its format. Import it on Write, where you state the sign, export it from there as a calibration file, and choose that</source>
         <translation>该格式的符号没有公开资料。请在“写入”页导入该文件并指明符号，再从那里导出为校准文件，然后选择该文件</translation>
     </message>
+    <message>
+        <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
+        <translation>没有包含该语言字符的字体，无法绘制 PDF：请安装一种字体（如 fonts-noto-cjk），或将报告写成 HTML</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

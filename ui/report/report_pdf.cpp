@@ -347,9 +347,8 @@ void drawFirstPage(const ReportDocument& document, QPainter& painter)
     painter.restore();
 }
 
-} // namespace
-
-Result<Bytes> reportPdf(const ReportDocument& document)
+/// Where no font has a character, an empty box stands for it.
+Result<void> checkFonts(const std::string& language)
 {
     if (QFontDatabase::families().isEmpty())
         return fail(ErrorCode::InvalidArgument,
@@ -357,6 +356,23 @@ Result<Bytes> reportPdf(const ReportDocument& document)
                 AXISCOMP_TEXT("Error",
                     "there is no font to draw a PDF with: install one, such as fonts-dejavu-core, "
                     "or write the report as HTML")}});
+    const auto system = language == "ja" ? QFontDatabase::Japanese
+        : language == "zh"               ? QFontDatabase::SimplifiedChinese
+                                         : QFontDatabase::Any;
+    if (system == QFontDatabase::Any || !QFontDatabase::families(system).isEmpty())
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "there is no font with the characters of this language to draw a PDF with: install "
+                "one, such as fonts-noto-cjk, or write the report as HTML")}});
+}
+
+} // namespace
+
+Result<Bytes> reportPdf(const ReportDocument& document)
+{
+    AXISCOMP_CHECK(checkFonts(document.language));
     QByteArray pdf;
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
