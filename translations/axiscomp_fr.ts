@@ -11763,7 +11763,7 @@
     </message>
     <message>
         <source>Snap &amp;tolerance</source>
-        <translation>&amp;Tolérance d&apos;accrochage</translation>
+        <translation>Tolérance d&apos;accroc&amp;hage</translation>
     </message>
     <message>
         <source>&amp;Even grid</source>
@@ -16621,7 +16621,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>axiscomp::ui::StateField</name>
     <message>
         <source>OFF</source>
-        <translation>DÉSACTIVÉE</translation>
+        <translation>ARRÊT</translation>
     </message>
     <message>
         <source>EVALUATING</source>
@@ -16827,7 +16827,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <name>axiscomp::ui::TableContentCombo</name>
     <message>
         <source>Selected table</source>
-        <translation>Table sélectionnée</translation>
+        <translation>Sélection</translation>
     </message>
     <message>
         <source>Table on the drive</source>
@@ -16835,7 +16835,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>Selected - drive</source>
-        <translation>Sélection - variateur</translation>
+        <translation>Écart au variateur</translation>
     </message>
     <message>
         <source>Which values are shown</source>
@@ -17072,7 +17072,7 @@ B - A&#xa0;: %3</translation>
     </message>
     <message>
         <source>Close Without Savin&amp;g</source>
-        <translation>Fermer &amp;sans enregistrer</translation>
+        <translation>Fe&amp;rmer sans enregistrer</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,7 @@ void LogView::build()
     m_view->header()->setSectionResizeMode(WizardLog::Time, QHeaderView::ResizeToContents);
     m_view->header()->resizeSection(WizardLog::Text, 640);
     // Two lines and their heading, where the screen is small.
-    m_view->setMinimumHeight(4 * m_view->fontMetrics().lineSpacing());
+    m_view->setMinimumHeight(3 * m_view->fontMetrics().lineSpacing());
     m_view->scrollToBottom();
     auto* top = new QHBoxLayout;
     top->setSpacing(4);

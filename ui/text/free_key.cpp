@@ -12,11 +12,12 @@ QString withFreeKey(QString name, QSet<QChar>& used)
         used.insert(letter);
         return name.insert(i, u'&');
     }
-    for (QChar digit = u'1'; digit <= u'9'; digit = QChar(digit.unicode() + 1)) {
-        if (used.contains(digit))
+    // A name in Chinese or Japanese has no letter of the keyboard.
+    for (const QChar key : QStringLiteral("123456789abcdefghijklmnopqrstuvwxyz")) {
+        if (used.contains(key))
             continue;
-        used.insert(digit);
-        return name + QStringLiteral(" (&%1)").arg(digit);
+        used.insert(key);
+        return name + QStringLiteral(" (&%1)").arg(key.toUpper());
     }
     return name;
 }
