@@ -877,7 +877,7 @@ def report(
 
     record: RECORD. Record of the compensation (.axcal)
     output: FILE. The report; its extension says whether it is PDF or HTML
-    language: LANGUAGE. Language of the report: en or de
+    language: LANGUAGE. Language of the report: en, de, fr, ja or zh
     lists: Add pages with every target and every value that is left out
     """
     return call(
@@ -1051,8 +1051,8 @@ def write(
         spline and smooth
     hold: Let the even grid extend beyond the data, where the end values are held
     source1: REG. Register that supplies the position of dimension 1: path, tam:// URI or address (0x1234)
-    source2: REG. Register that supplies the position of dimension 2: path, tam:// URI or address (0x1234)
-    source3: REG. Register that supplies the position of dimension 3: path, tam:// URI or address (0x1234)
+    source2: REG. The same for dimension 2
+    source3: REG. The same for dimension 3
     own_position: The source is the axis's own position, for tables of one dimension; with --map each axis's
         own
     persistent: Store the table in the drive's flash, so that it survives a reboot
