@@ -3,10 +3,52 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 namespace axiscomp {
+
+namespace {
+
+/// What several threads take one by one.
+class SharedWork {
+public:
+    SharedWork(std::size_t count, const std::function<void(std::size_t)>& work)
+        : m_count(count)
+        , m_work(work)
+    {
+    }
+
+    void take() noexcept
+    {
+        try {
+            for (std::size_t index = m_next++; index < m_count; index = m_next++)
+                m_work(index);
+        } catch (...) {
+            m_next = m_count;
+            const std::lock_guard lock(m_mutex);
+            m_failure = std::current_exception();
+        }
+    }
+    /// When all threads have ended.
+    void throwFailure() const
+    {
+        if (m_failure)
+            std::rethrow_exception(m_failure);
+    }
+
+private:
+    std::size_t m_count;
+    const std::function<void(std::size_t)>& m_work;
+    std::atomic<std::size_t> m_next = 0;
+    std::mutex m_mutex;
+    std::exception_ptr m_failure;
+};
+
+} // namespace
 
 void forEachAtOnce(
     std::size_t count, std::size_t mostAtOnce, const std::function<void(std::size_t)>& work)
@@ -18,6 +60,24 @@ void forEachAtOnce(
             for (std::size_t index = next++; index < count; index = next++)
                 work(index);
         });
+}
+
+void shareWork(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work)
+{
+    if (threads == 0)
+        threads = std::max(1U, std::thread::hardware_concurrency());
+    SharedWork shared(count, work);
+    {
+        std::vector<std::jthread> others;
+        try {
+            for (std::size_t i = 1; i < std::min(count, threads); ++i)
+                others.emplace_back([&shared] { shared.take(); });
+        } catch (const std::system_error&) {
+            // No more threads are to be had: those that there are do the work.
+        }
+        shared.take();
+    }
+    shared.throwFailure();
 }
 
 } // namespace axiscomp

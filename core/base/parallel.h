@@ -12,4 +12,11 @@ namespace axiscomp {
 void forEachAtOnce(
     std::size_t count, std::size_t mostAtOnce, const std::function<void(std::size_t)>& work);
 
+/// Calls work(0) to work(count - 1) for work that keeps a processor busy: on the calling thread and
+/// as many others as make `threads` of them, 0 for one on each processor. They begin in this order,
+/// and all have ended when it returns. An exception is thrown on to the caller; what had not begun
+/// by then is left out.
+void shareWork(
+    std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work);
+
 } // namespace axiscomp

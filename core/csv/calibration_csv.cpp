@@ -87,11 +87,12 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
     DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
 {
     csv::GridReading grid = csv::readGrid(scan, options, diagnostics);
-    const std::vector<std::uint32_t> points = csv::readPoints(scan, grid, options, diagnostics);
+    const csv::Places places(scan, grid.lines);
+    csv::checkPoints(scan, grid, places, options, diagnostics);
     if (diagnostics.hasErrors())
         return std::nullopt;
     CalibrationData data;
-    data.tables = csv::readTables(scan, grid, points, options.missing, diagnostics);
+    data.tables = csv::readTables(scan, grid, places, options, diagnostics);
     if (diagnostics.hasErrors())
         return std::nullopt;
     data.grid = std::move(grid.grid);
@@ -120,9 +121,9 @@ void parse(
     if (scan.cancelled)
         return;
     const bool usable = scan.headerLine == 0 || !diagnostics.hasErrors();
-    if (scan.rows.size() == 0 && usable)
+    if (scan.rows == 0 && usable)
         reportNoLines(scan, diagnostics);
-    else if (scan.rows.size() > 0 && scan.complete)
+    else if (scan.rows > 0 && scan.complete)
         out.data = readData(scan, options, diagnostics, out.knots);
     out.cancelled = options.stop.stop_requested();
     if (out.cancelled)

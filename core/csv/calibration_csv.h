@@ -38,6 +38,10 @@ struct CsvOptions {
     std::size_t maximumBytes = std::size_t{1}
         << 30; ///< file size; above: TooLarge, nothing is read
     std::size_t maximumDiagnostics = 100;
+    /// Each reads pieces of the file; 0: one on each processor. What comes out does not depend on
+    /// these two.
+    std::size_t threads = 0;
+    std::size_t pieceBytes = std::size_t{1} << 17U; ///< at most 256 KiB
     std::stop_token stop;
     std::function<void(double fraction)>
         progress; ///< 0..1, on the calling thread, a few hundred times

@@ -1,80 +1,128 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/columns.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace axiscomp::csv {
 
-std::optional<std::uint32_t> PositionColumn::intern(
+PositionColumn::PositionColumn(std::string_view text, char separator)
+    : m_text(text)
+    , m_separators(everyByte(static_cast<std::uint8_t>(separator)))
+    , m_entries(1, Entry{{1, 0}, {0, 0}, 0, 0, 0})
+{
+}
+
+std::optional<std::uint16_t> PositionColumn::intern(
     std::string_view cell, char decimal, NumberFault& fault)
 {
-    fault = NumberFault::None;
-    // The same position again is what breaks the order of the slow dimensions.
-    if (!m_entries.empty() && textOf(m_last) == cell) {
-        m_entries[m_last].follower = m_last;
-        return m_last;
-    }
-    if ((m_entries.size() + 1) * 2 > m_slots.size())
+    fault = cell.empty() ? NumberFault::NotANumber : NumberFault::None;
+    if (cell.empty())
+        return std::nullopt;
+    if (m_entries.size() * 2 >= m_slots.size())
         grow();
-    std::uint32_t* slot = slotOf(cell);
-    if (*slot == none) {
+    const Key key = keyOf(cell);
+    std::uint16_t& slot = slotOf(key, cell);
+    if (slot == 0) {
         Number number;
-        fault = parseNumber(cell, decimal, number);
+        fault = parse(cell, decimal, number);
         if (fault != NumberFault::None)
             return std::nullopt;
-        *slot = add(cell, number);
+        slot = add(key, cell);
+        append(number);
     }
-    m_entries[m_last].follower = *slot;
-    m_last = *slot;
-    return *slot;
+    m_entries[m_last].follower = slot;
+    m_last = slot;
+    m_expected = m_entries[slot].follower;
+    return static_cast<std::uint16_t>(slot - 1);
 }
 
-std::uint32_t* PositionColumn::slotOf(std::string_view cell)
+NumberFault PositionColumn::parse(std::string_view cell, char decimal, Number& number) const
+{
+    const char* const end = cell.data() + cell.size();
+    const auto readable = m_text.data() + m_text.size() - cell.data();
+    if (readable >= static_cast<std::ptrdiff_t>(shortNumberReach)
+        && parseShortNumber(cell.data(), decimal, number) == end)
+        return NumberFault::None;
+    return parseNumber(cell, decimal, number);
+}
+
+PositionColumn::Key PositionColumn::keyOf(std::string_view cell) const
+{
+    if (cell.size() > keyLength)
+        return {1, 0};
+    std::array<char, matchReach> copy{};
+    const char* p = cell.data();
+    if (m_text.data() + m_text.size() - p < static_cast<std::ptrdiff_t>(matchReach)) {
+        std::ranges::copy(cell, copy.begin());
+        p = copy.data();
+    }
+    Key key = loaded(p);
+    const std::size_t word = cell.size() / 8;
+    const std::size_t bits = cell.size() % 8 * 8;
+    const std::uint64_t below = (std::uint64_t{1} << bits) - 1;
+    key[word] = (key[word] & below) | ((m_separators & 0xFFU) << bits);
+    if (word == 0)
+        key[1] = 0;
+    return key;
+}
+
+std::uint64_t PositionColumn::hashOf(const Key& key, std::string_view cell)
+{
+    if (cell.size() > keyLength)
+        return std::hash<std::string_view>{}(cell);
+    // Odd numbers without a pattern; the upper bits depend on all characters.
+    return (key[0] * 0x9E3779B97F4A7C15U + key[1] * 0xC2B2AE3D27D4EB4FU) >> 32U;
+}
+
+/// Where the cell stands, or has its place.
+std::uint16_t& PositionColumn::slotOf(const Key& key, std::string_view cell)
 {
     const std::size_t mask = m_slots.size() - 1;
-    std::size_t i = std::hash<std::string_view>{}(cell)&mask;
-    while (m_slots[i] != none && textOf(m_slots[i]) != cell)
-        i = (i + 1) & mask;
-    return &m_slots[i];
+    for (std::size_t i = hashOf(key, cell) & mask;; i = (i + 1) & mask) {
+        const Entry& entry = m_entries[m_slots[i]];
+        if (m_slots[i] == 0
+            || (entry.text == key && (cell.size() <= keyLength || textOf(m_slots[i]) == cell)))
+            return m_slots[i];
+    }
 }
 
-std::uint32_t PositionColumn::add(std::string_view cell, const Number& number)
+std::uint16_t PositionColumn::add(const Key& key, std::string_view cell)
 {
-    const auto id = static_cast<std::uint32_t>(m_entries.size());
+    const auto index = static_cast<std::uint16_t>(m_entries.size());
     // A new text most likely stays (slow dimensions); the fast one learns its order in one round.
-    Entry entry{{0, 0}, static_cast<std::uint32_t>(cell.data() - m_text.data()), id,
-        static_cast<std::uint32_t>(cell.size())};
-    std::memcpy(entry.head, cell.data(), std::min(cell.size(), inlineLength));
+    Entry entry{key, {0, 0}, static_cast<std::uint32_t>(cell.data() - m_text.data()),
+        static_cast<std::uint32_t>(cell.size()), index};
+    if (cell.size() <= keyLength) {
+        const std::size_t bits = cell.size() % 8 * 8 + 8;
+        const std::uint64_t last = bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+        entry.mask = cell.size() < 8 ? Key{last, 0} : Key{~std::uint64_t{0}, last};
+    }
     m_entries.push_back(entry);
-    append(number);
-    return id;
+    return index;
 }
 
 void PositionColumn::grow()
 {
-    m_slots.assign(std::max<std::size_t>(64, m_slots.size() * 2), none);
-    for (std::uint32_t id = 0; id < m_entries.size(); ++id)
-        *slotOf(textOf(id)) = id;
+    m_slots.assign(std::max<std::size_t>(64, m_slots.size() * 2), 0);
+    for (std::uint32_t n = 1; n < m_entries.size(); ++n)
+        slotOf(m_entries[n].text, textOf(n)) = static_cast<std::uint16_t>(n);
 }
 
 RowStore::RowStore(std::size_t idsPerRow, std::size_t valuesPerRow)
     : m_idsPerRow(idsPerRow)
     , m_valuesPerRow(valuesPerRow)
 {
-    constexpr std::size_t blockCells = 65536;
+    constexpr std::size_t blockCells = 16384;
     m_blockRows = std::max<std::size_t>(blockCells / (idsPerRow + valuesPerRow), 16);
 }
 
 RowStore::Block& RowStore::open()
 {
-    if (m_blocks.empty() || m_blocks.back().rows == m_blockRows) {
-        m_finished += lastRows();
+    if (m_blocks.empty() || m_blocks.back().rows == m_blockRows)
         // Not initialised: every row is written before it is counted.
         m_blocks.push_back(
-            {std::unique_ptr<std::uint32_t[]>(new std::uint32_t[m_idsPerRow * m_blockRows]),
+            {std::unique_ptr<std::uint16_t[]>(new std::uint16_t[m_idsPerRow * m_blockRows]),
                 std::unique_ptr<float[]>(new float[m_valuesPerRow * m_blockRows]), 0});
-    }
     return m_blocks.back();
 }
 

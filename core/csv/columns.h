@@ -4,6 +4,9 @@
 #include "core/text/number_parser.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -15,31 +18,48 @@
 
 namespace axiscomp::csv {
 
-/// The positions of one dimension. A grid repeats few positions often, and in a regular order: each
-/// distinct text is parsed once and gets an id, and which text follows which is remembered, so that
-/// reading a cell mostly is one comparison. Positions that do not repeat (one dimension) are
-/// appended instead; then the id is the row.
+/// The positions of one dimension in one piece of a file. A grid repeats few positions often, and
+/// in a regular order: each distinct text is parsed once and gets an id, and which text follows
+/// which is remembered, so that reading a cell mostly is one comparison. Positions that do not
+/// repeat (one dimension) are appended instead; then the id is the row.
 class PositionColumn {
 public:
-    /// text: what all cells are part of; at most 4 GiB.
-    explicit PositionColumn(std::string_view text) : m_text(text) { }
+    /// text: what all cells are part of; at most 4 GiB. separator: what is behind each of them.
+    PositionColumn(std::string_view text, char separator);
 
-    /// Reads a known position and the separator behind it, and moves p past both. False: the next
-    /// position is another one, or unknown. matchReach characters must be readable.
-    bool match(const char*& p, const char* end, char separator, std::uint32_t& id)
+    /// Reads a known position and the separator behind it. Returns what follows both; nullptr: the
+    /// position is another one than expected. matchReach characters must be readable.
+    const char* match(const char* p, std::uint16_t& id)
     {
-        const std::uint32_t candidate = m_entries.empty() ? none : m_entries[m_last].follower;
-        if (candidate != none && matches(candidate, p, end, separator)) {
-            p += m_entries[candidate].length + 1;
-            id = m_last = candidate;
-            return true;
-        }
-        return false;
+        const Entry& entry = m_entries[m_expected];
+        const Key found = loaded(p);
+        if ((((found[0] & entry.mask[0]) ^ entry.text[0])
+                | ((found[1] & entry.mask[1]) ^ entry.text[1]))
+            != 0)
+            return nullptr;
+        id = static_cast<std::uint16_t>(m_expected - 1);
+        m_last = m_expected;
+        m_expected = entry.follower;
+        return p + entry.length + 1;
     }
-    static constexpr std::size_t matchReach = 24;
+    static constexpr std::size_t matchReach = 16;
+
+    /// The length of the cell at p, if its separator is among matchReach characters.
+    [[nodiscard]] std::optional<std::size_t> shortLength(const char* p) const
+    {
+        const Key found = loaded(p);
+        for (std::size_t word = 0; word < found.size(); ++word) {
+            // The lowest marked byte is the first separator; higher ones may be none.
+            const std::uint64_t others = found[word] ^ m_separators;
+            const std::uint64_t marks = (others - everyByte(0x01)) & ~others & everyByte(0x80);
+            if (marks != 0)
+                return 8 * word + static_cast<std::size_t>(std::countr_zero(marks)) / 8;
+        }
+        return std::nullopt;
+    }
 
     /// The id of any cell, new ones included. None: not a number, and why.
-    std::optional<std::uint32_t> intern(std::string_view cell, char decimal, NumberFault& fault);
+    std::optional<std::uint16_t> intern(std::string_view cell, char decimal, NumberFault& fault);
 
     void append(const Number& number)
     {
@@ -53,80 +73,77 @@ public:
     [[nodiscard]] int lastDecimal() const { return m_lastDecimal; }
 
 private:
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    static constexpr std::size_t inlineLength = 16;
+    using Key = std::array<std::uint64_t, 2>; ///< 16 characters
 
+    /// Entry 0 is no text: what is expected before anything is known. The id of entry n is n - 1.
     struct Entry {
-        std::uint64_t head[2]; ///< the first 16 characters, zero behind the end
+        Key text; ///< with the separator behind it, and zeros; what never matches if it is longer
+        Key mask;
         std::uint32_t offset; ///< in the text
-        std::uint32_t follower; ///< what came after it the last time
         std::uint32_t length;
+        std::uint32_t follower; ///< what came after it the last time
     };
 
-    [[nodiscard]] static std::uint64_t load(const char* p, std::size_t length)
+    static constexpr std::size_t keyLength = matchReach - 1;
+
+    static constexpr std::uint64_t everyByte(std::uint8_t byte)
     {
-        std::uint64_t word = 0;
-        std::memcpy(&word, p, sizeof word);
-        return length >= 8 ? word : word & ((std::uint64_t{1} << (8 * length)) - 1);
+        return 0x0101010101010101U * byte;
     }
-    [[nodiscard]] bool matches(
-        std::uint32_t id, const char* p, const char* end, char separator) const
+    [[nodiscard]] static Key loaded(const char* p)
     {
-        const Entry& entry = m_entries[id];
-        const std::size_t length = entry.length;
-        if (length <= 8)
-            return load(p, length) == entry.head[0] && p[length] == separator;
-        if (length <= inlineLength)
-            return load(p, 8) == entry.head[0] && load(p + 8, length - 8) == entry.head[1]
-                && p[length] == separator;
-        return static_cast<std::size_t>(end - p) > length
-            && std::memcmp(p, m_text.data() + entry.offset, length) == 0 && p[length] == separator;
+        static_assert(std::endian::native == std::endian::little);
+        Key key;
+        std::memcpy(key.data(), p, sizeof key);
+        return key;
     }
-    [[nodiscard]] std::string_view textOf(std::uint32_t id) const
+    [[nodiscard]] std::string_view textOf(std::uint32_t entry) const
     {
-        return m_text.substr(m_entries[id].offset, m_entries[id].length);
+        return m_text.substr(m_entries[entry].offset, m_entries[entry].length);
     }
-    std::uint32_t* slotOf(std::string_view cell);
-    std::uint32_t add(std::string_view cell, const Number& number);
+    [[nodiscard]] Key keyOf(std::string_view cell) const;
+    [[nodiscard]] static std::uint64_t hashOf(const Key& key, std::string_view cell);
+    std::uint16_t& slotOf(const Key& key, std::string_view cell);
+    NumberFault parse(std::string_view cell, char decimal, Number& number) const;
+    std::uint16_t add(const Key& key, std::string_view cell);
     void grow();
 
     std::string_view m_text;
+    std::uint64_t m_separators; ///< eight of them
     std::vector<Entry> m_entries;
-    std::vector<std::uint32_t> m_slots; ///< open addressing, at most half full
+    std::vector<std::uint16_t> m_slots; ///< entries, 0: free; open addressing, at most half full
     std::vector<double> m_values;
     std::uint32_t m_last = 0;
+    std::uint32_t m_expected = 0;
     int m_lastDecimal = std::numeric_limits<int>::max();
 };
 
-/// The rows in the order of the file: the ids of their positions (none for one dimension, where the
-/// id is the row) and their values. Kept in blocks, so that nothing is copied while it grows.
+/// Rows in the order of the file: the ids of their positions (none for one dimension, where the id
+/// is the row) and their values. Kept in blocks, so that nothing is copied while it grows.
 class RowStore {
 public:
     RowStore() = default;
     RowStore(std::size_t idsPerRow, std::size_t valuesPerRow);
 
     struct Block {
-        std::unique_ptr<std::uint32_t[]> ids; ///< [dimension * blockRows + row]
+        std::unique_ptr<std::uint16_t[]> ids; ///< [dimension * blockRows + row]
         std::unique_ptr<float[]> values; ///< [table * blockRows + row]
         std::size_t rows = 0;
     };
 
     [[nodiscard]] std::size_t blockRows() const { return m_blockRows; }
     [[nodiscard]] const std::vector<Block>& blocks() const { return m_blocks; }
-    [[nodiscard]] std::size_t size() const { return m_finished + lastRows(); }
+    [[nodiscard]] std::size_t size() const
+    {
+        return m_blocks.empty() ? 0 : (m_blocks.size() - 1) * m_blockRows + m_blocks.back().rows;
+    }
     /// The block with room for the next row, to be filled in place; its rows are then counted up.
     [[nodiscard]] Block& open();
 
 private:
-    [[nodiscard]] std::size_t lastRows() const
-    {
-        return m_blocks.empty() ? 0 : m_blocks.back().rows;
-    }
-
     std::size_t m_idsPerRow = 0;
     std::size_t m_valuesPerRow = 0;
     std::size_t m_blockRows = 1;
-    std::size_t m_finished = 0; ///< rows in all blocks but the last
     std::vector<Block> m_blocks;
 };
 
@@ -138,14 +155,37 @@ struct ValueRange {
 
     void add(double value, float stored, std::size_t row)
     {
-        const double size = value < 0.0 ? -value : value;
-        const double difference = value - static_cast<double>(stored);
-        const double error = difference < 0.0 ? -difference : difference;
-        largest = size > largest ? size : largest;
+        largest = std::max(largest, std::fabs(value));
+        const double error = std::fabs(value - static_cast<double>(stored));
         if (error > largestError) {
             largestError = error;
             errorRow = row;
         }
+    }
+    /// Of rows that follow; firstRow: the row of the file that is their row 0.
+    void add(const ValueRange& following, std::size_t firstRow)
+    {
+        largest = std::max(largest, following.largest);
+        if (following.largestError > largestError) {
+            largestError = following.largestError;
+            errorRow = firstRow + following.errorRow;
+        }
+    }
+};
+
+/// A piece of the file, which one thread reads: its data lines, in their order.
+struct Piece {
+    std::vector<PositionColumn> positions; ///< per dimension
+    RowStore rows;
+    std::vector<ValueRange> ranges; ///< per table, by the rows of the piece
+    std::size_t firstRow = 0; ///< in the file
+    std::array<std::size_t, 3> firstId{}; ///< per dimension, among those of all pieces
+
+    Piece(std::string_view text, char separator, std::size_t dimensions, std::size_t tables)
+        : positions(dimensions, PositionColumn(text, separator))
+        , rows(dimensions == 1 ? 0 : dimensions, tables)
+        , ranges(tables)
+    {
     }
 };
 

@@ -1,78 +1,98 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/fast_rows.h"
 
+#include <cmath>
 #include <limits>
 
 namespace axiscomp::csv {
 
 namespace {
 
-constexpr std::size_t reach = std::max(PositionColumn::matchReach, shortNumberReach);
+constexpr float largestFloat = std::numeric_limits<float>::max();
+constexpr std::size_t lineEndReach = 2;
 
 /// One data line at a time; Dimensions is known at compile time to keep the loop over them flat.
 template <int Dimensions> class PlainRowReader {
 public:
-    PlainRowReader(Scan& scan, const CellFormat& format, const char* end)
-        : m_scan(scan)
+    PlainRowReader(Piece& piece, const CellFormat& format, const char* end)
+        : m_columns(piece.positions.data())
+        , m_ranges(piece.ranges.data())
+        , m_tables(piece.ranges.size())
+        , m_stride(piece.rows.blockRows())
         , m_format(format)
         , m_end(end)
-        , m_tables(scan.tables())
+        , m_reach(static_cast<std::ptrdiff_t>(
+              (Dimensions + m_tables) * (shortNumberReach + 1) + lineEndReach))
     {
     }
 
-    /// Fills the next row of the block and moves p behind the line; on false both stay.
-    bool read(const char*& p, RowStore::Block& block)
+    /// Fills rows of the block from block.rows on, at most up to lastRow. firstRow: the row of the
+    /// piece that is the block's first. Returns where it stopped.
+    const char* fill(RowStore::Block& block, std::size_t firstRow, std::size_t lastRow,
+        const char* p, const char* until)
     {
-        const char* q = p;
-        Number position;
-        std::uint32_t* ids = block.ids.get() + block.rows;
-        if constexpr (Dimensions == 1) {
-            if (!number(q, position) || !separator(q))
-                return false;
-        } else {
-            for (std::size_t d = 0; d < Dimensions; ++d)
-                if (!positionId(q, d, ids[d * m_scan.rows.blockRows()]))
-                    return false;
+        std::size_t row = block.rows;
+        while (p < until && row < lastRow) {
+            const char* const next =
+                read(p, block.ids.get() + row, block.values.get() + row, firstRow + row);
+            if (next == nullptr)
+                break;
+            p = next;
+            ++row;
         }
-        float* values = block.values.get() + block.rows;
-        for (std::size_t table = 0; table < m_tables; ++table) {
-            Number value;
-            if ((table > 0 && !separator(q)) || !number(q, value))
-                return false;
-            const auto stored = static_cast<float>(value.value);
-            if (!(stored <= largest && stored >= -largest))
-                return false;
-            values[table * m_scan.rows.blockRows()] = stored;
-            m_scan.ranges[table].add(value.value, stored, m_row);
-        }
-        if (!lineEnd(q))
-            return false;
-        if constexpr (Dimensions == 1)
-            m_scan.positions[0].append(position);
-        ++block.rows;
-        ++m_row;
-        p = q;
-        return true;
+        block.rows = row;
+        return p;
     }
 
 private:
-    static constexpr float largest = std::numeric_limits<float>::max();
-
-    bool separator(const char*& p) const { return p != m_end && *p++ == m_format.separator; }
-    bool lineEnd(const char*& p) const
+    /// Returns the beginning of the next line; nullptr: this one is not taken.
+    const char* read(const char* p, std::uint16_t* ids, float* values, std::size_t row)
     {
-        if (p == m_end)
-            return false;
-        if (*p == '\n') {
-            ++p;
-            return true;
+        if (!hasRoom(p))
+            return nullptr;
+        Number position;
+        if constexpr (Dimensions == 1) {
+            p = number(p, position);
+            if (p == nullptr || *p++ != m_format.separator)
+                return nullptr;
+        } else {
+            for (std::size_t d = 0; d < Dimensions; ++d) {
+                std::uint16_t& id = ids[d * m_stride];
+                const char* const next = m_columns[d].match(p, id);
+                p = next != nullptr ? next : otherPosition(p, m_columns[d], id);
+                if (p == nullptr)
+                    return nullptr;
+            }
         }
-        if (*p != '\r')
-            return false;
-        p += m_end - p > 1 && p[1] == '\n' ? 2 : 1;
-        return true;
+        for (std::size_t table = 0; table < m_tables; ++table) {
+            Number value;
+            if (table > 0 && *p++ != m_format.separator)
+                return nullptr;
+            p = number(p, value);
+            const auto stored = static_cast<float>(value.value);
+            if (p == nullptr || !(std::fabs(stored) <= largestFloat))
+                return nullptr;
+            values[table * m_stride] = stored;
+            m_ranges[table].add(value.value, stored, row);
+        }
+        p = lineEnd(p);
+        if constexpr (Dimensions == 1)
+            if (p != nullptr)
+                m_columns[0].append(position);
+        return p;
     }
-    std::string_view numberText(const char* p) const
+
+    /// For a line of short cells from here on; so nothing else has to look for the end.
+    [[nodiscard]] bool hasRoom(const char* p) const { return m_end - p >= m_reach; }
+    static const char* lineEnd(const char* p)
+    {
+        if (*p == '\n')
+            return p + 1;
+        if (*p != '\r')
+            return nullptr;
+        return p + (p[1] == '\n' ? 2 : 1);
+    }
+    [[nodiscard]] std::string_view numberText(const char* p) const
     {
         const char* q = p;
         const auto belongs = [this](char c) {
@@ -83,71 +103,71 @@ private:
             ++q;
         return {p, static_cast<std::size_t>(q - p)};
     }
-    bool number(const char*& p, Number& result) const
+    const char* number(const char* p, Number& result) const
     {
-        if (m_end - p < static_cast<std::ptrdiff_t>(reach))
-            return false;
-        const char* after = parseShortNumber(p, m_format.decimal, result);
-        if (after != nullptr && (*after < '0' || *after > '9')) {
-            p = after;
-            return true;
-        }
+        const char* const after = parseShortNumber(p, m_format.decimal, result);
+        return after != nullptr ? after : longNumber(p, result);
+    }
+    [[gnu::noinline]] const char* longNumber(const char* p, Number& result) const
+    {
         const std::string_view text = numberText(p);
         p += text.size();
-        return parseNumber(text, m_format.decimal, result) == NumberFault::None;
+        const bool isNumber =
+            hasRoom(p) && parseNumber(text, m_format.decimal, result) == NumberFault::None;
+        return isNumber ? p : nullptr;
     }
-    bool positionId(const char*& p, std::size_t dimension, std::uint32_t& id) const
+    [[gnu::noinline]] const char* otherPosition(
+        const char* p, PositionColumn& column, std::uint16_t& id) const
     {
-        if (m_end - p < static_cast<std::ptrdiff_t>(reach))
-            return false;
-        PositionColumn& column = m_scan.positions[dimension];
-        if (column.match(p, m_end, m_format.separator, id))
-            return true;
-        const std::string_view text = numberText(p);
+        const std::optional<std::size_t> length = column.shortLength(p);
+        const std::string_view text(p, length ? *length : numberText(p).size());
+        p += text.size();
         NumberFault fault = NumberFault::None;
-        if (p + text.size() == m_end || p[text.size()] != m_format.separator)
-            return false;
-        const std::optional<std::uint32_t> found = column.intern(text, m_format.decimal, fault);
-        p += text.size() + 1;
+        if (!hasRoom(p) || *p != m_format.separator)
+            return nullptr;
+        const std::optional<std::uint16_t> found = column.intern(text, m_format.decimal, fault);
         id = found.value_or(0);
-        return found.has_value();
+        return found ? p + 1 : nullptr;
     }
 
-    Scan& m_scan;
+    PositionColumn* const m_columns;
+    ValueRange* const m_ranges;
+    const std::size_t m_tables;
+    const std::size_t m_stride;
     const CellFormat m_format;
     const char* const m_end;
-    const std::size_t m_tables;
-    std::size_t m_row = m_scan.rows.size();
+    const std::ptrdiff_t m_reach;
 };
 
 template <int Dimensions>
-const char* readRows(Scan& scan, const CellFormat& format, const char* p, const char* until,
+const char* readRows(Piece& piece, const CellFormat& format, const char* p, const char* until,
     const char* end, std::size_t maximumRows)
 {
-    PlainRowReader<Dimensions> reader(scan, format, end);
-    while (p < until && scan.rows.size() < maximumRows) {
-        RowStore::Block& block = scan.rows.open();
-        std::size_t room =
-            std::min(scan.rows.blockRows() - block.rows, maximumRows - scan.rows.size());
-        for (; room > 0 && p < until; --room)
-            if (!reader.read(p, block))
-                return p;
+    PlainRowReader<Dimensions> reader(piece, format, end);
+    while (p < until && piece.rows.size() < maximumRows) {
+        RowStore::Block& block = piece.rows.open();
+        const std::size_t firstRow = piece.rows.size() - block.rows;
+        const std::size_t lastRow = std::min(piece.rows.blockRows(), maximumRows - firstRow);
+        p = reader.fill(block, firstRow, lastRow, p, until);
+        if (block.rows < lastRow)
+            break;
     }
     return p;
 }
 
 } // namespace
 
-const char* readPlainRows(Scan& scan, const CellFormat& format, const char* begin,
+const char* readPlainRows(Piece& piece, const CellFormat& format, const char* begin,
     const char* until, const char* end, std::size_t maximumRows)
 {
-    switch (scan.dimensions) {
+    static_assert(PositionColumn::matchReach <= shortNumberReach);
+    switch (piece.positions.size()) {
     case 1:
-        return readRows<1>(scan, format, begin, until, end, maximumRows);
+        return readRows<1>(piece, format, begin, until, end, maximumRows);
     case 2:
-        return readRows<2>(scan, format, begin, until, end, maximumRows);
+        return readRows<2>(piece, format, begin, until, end, maximumRows);
     default:
-        return readRows<3>(scan, format, begin, until, end, maximumRows);
+        return readRows<3>(piece, format, begin, until, end, maximumRows);
     }
 }
 

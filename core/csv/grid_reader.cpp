@@ -1,128 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/grid_reader.h"
 
+#include "core/base/parallel.h"
 #include "core/csv/header.h"
-#include "core/table/even_spacing.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace axiscomp::csv {
 
 namespace {
-
-constexpr double sameLine = 1e-9; ///< of the range
-
-/// snap: how far a position may be off its line; closer than twice that is the same one. 0: only
-/// what is the same but for rounding.
-GridLines gridLines(const std::vector<double>& values, double snap)
-{
-    std::vector<std::uint32_t> order(values.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto value = [&values](std::uint32_t id) { return values[id]; };
-    if (!std::ranges::is_sorted(values))
-        std::ranges::sort(order, {}, value);
-    const long double range = static_cast<long double>(values[order.back()])
-        - static_cast<long double>(values[order.front()]);
-    const long double closest =
-        std::max(static_cast<long double>(sameLine) * range, 2.0L * static_cast<long double>(snap));
-    GridLines lines;
-    lines.lineOf.resize(values.size());
-    double before = 0.0;
-    for (const std::uint32_t id : order) {
-        const double next = values[id] + 0.0; // no negative zero
-        const long double gap = static_cast<long double>(next) - static_cast<long double>(before);
-        if (lines.positions.empty() || (gap > 0.0L && gap >= closest)) {
-            lines.positions.push_back(next);
-            lines.reach.push_back(next);
-        }
-        lines.lineOf[id] = static_cast<std::uint32_t>(lines.positions.size() - 1);
-        if (snap > 0.0) {
-            before = lines.reach.back() = next;
-        } else {
-            before = lines.positions.back();
-        }
-    }
-    for (std::size_t i = 0; i < lines.positions.size(); ++i) {
-        const double last = lines.reach[i];
-        lines.reach[i] = 0.5 * (last - lines.positions[i]);
-        lines.positions[i] += lines.reach[i];
-    }
-    return lines;
-}
-
-/// How far the positions are off an even line, measured ones on both sides of a grid line included.
-EvenSpacing held(const GridLines& lines, double start, double distance)
-{
-    std::vector<double> even(lines.positions.size());
-    for (std::size_t i = 0; i < even.size(); ++i)
-        even[i] = start + static_cast<double>(i) * distance;
-    EvenSpacing spacing = fitEvenSpacing(even, noDecimals);
-    spacing.deviation = 0.0;
-    for (std::size_t i = 0; i < even.size(); ++i) {
-        const double shift = std::fabs(lines.positions[i] - even[i]) + lines.reach[i];
-        if (shift > spacing.deviation) {
-            spacing.deviation = shift;
-            spacing.worst = i;
-        }
-    }
-    return spacing;
-}
-
-/// An even line that keeps within the tolerance of all positions: by the roundest numbers, or else
-/// the least-squares line.
-std::optional<EvenSpacing> spacingWithin(const GridLines& lines, double tolerance)
-{
-    const double limit = tolerance * (1.0 + 1e-9);
-    const double range = lines.positions.back() - lines.positions.front();
-    const auto steps = static_cast<double>(lines.positions.size() - 1);
-    constexpr int digits = 12;
-    const int coarsest = static_cast<int>(std::ceil(std::log10(range)));
-    for (int decimal = coarsest; decimal > coarsest - digits; --decimal) {
-        const double unit = std::pow(10.0, std::abs(decimal));
-        const auto rounded = [&](double position) {
-            return decimal > 0 ? std::round(position / unit) * unit
-                               : std::round(position * unit) / unit;
-        };
-        const double start = rounded(lines.positions.front());
-        const double distance = (rounded(lines.positions.back()) - start) / steps;
-        if (!(distance > 0.0))
-            continue;
-        if (const EvenSpacing spacing = held(lines, start, distance);
-            spacing.even && spacing.deviation <= limit)
-            return spacing;
-    }
-    const EvenSpacing line = fitEvenSpacing(lines.positions, noDecimals);
-    const EvenSpacing spacing = held(lines, line.start, line.distance);
-    return spacing.even && spacing.deviation <= limit ? std::optional(spacing) : std::nullopt;
-}
-
-/// The tolerance with which positions that scatter would become a grid; 0: none does.
-double suggestedSnap(const std::vector<double>& values)
-{
-    constexpr double mostOfGap = 0.1;
-    constexpr double mostOfDistance = 0.02;
-    std::vector<double> sorted = values;
-    std::ranges::sort(sorted);
-    double largestGap = 0.0;
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-        largestGap = std::max(largestGap, sorted[i] - sorted[i - 1]);
-    const GridLines lines = gridLines(values, 0.5 * mostOfGap * largestGap);
-    if (lines.positions.size() < 3 || !std::isfinite(largestGap))
-        return 0.0;
-    const double distance = (lines.positions.back() - lines.positions.front())
-        / static_cast<double>(lines.positions.size() - 1);
-    const auto spacing = spacingWithin(lines, mostOfDistance * distance);
-    if (!spacing || !(spacing->deviation > 0.0))
-        return 0.0;
-    const double unit = std::pow(10.0, std::floor(std::log10(spacing->deviation)));
-    return std::ceil(spacing->deviation / unit * (1.0 - 1e-9)) * unit;
-}
 
 Text inSteps(double position, double distance)
 {
@@ -134,12 +24,13 @@ Text inSteps(double position, double distance)
 /// The spacing of one dimension.
 class AxisReader {
 public:
-    AxisReader(
-        const Scan& scan, const GridReading& reading, std::size_t d, DiagnosticList& diagnostics)
+    AxisReader(const Scan& scan, const SortedPositions& sorted, const GridLines& lines,
+        std::size_t d, DiagnosticList& diagnostics)
         : m_scan(scan)
-        , m_reading(reading)
+        , m_sorted(sorted)
+        , m_lines(lines)
         , m_dimension(d)
-        , m_positions(reading.lines[d].positions)
+        , m_positions(lines.positions)
         , m_diagnostics(diagnostics)
     {
     }
@@ -157,14 +48,16 @@ private:
     {
         return positionText(m_scan.columns[m_dimension], m_dimension, position);
     }
-    [[nodiscard]] Text withWrongDimensionHint(Text expected) const;
+    [[nodiscard]] Text withWrongDimensionHint(Text expected);
 
     const Scan& m_scan;
-    const GridReading& m_reading;
+    const SortedPositions& m_sorted;
+    const GridLines& m_lines;
     std::size_t m_dimension;
     const std::vector<double>& m_positions;
     DiagnosticList& m_diagnostics;
     bool m_isUneven = false;
+    std::optional<double> m_suggestedSnap; ///< once it is known
 };
 
 std::vector<double> AxisReader::knots(const GridAxis& axis) const
@@ -177,8 +70,7 @@ std::vector<double> AxisReader::knots(const GridAxis& axis) const
 
 std::optional<GridAxis> AxisReader::snapped(double snap)
 {
-    const GridLines& lines = m_reading.lines[m_dimension];
-    const auto spacing = spacingWithin(lines, snap);
+    const auto spacing = spacingWithin(m_lines, snap);
     if (!spacing)
         return std::nullopt;
     const ColumnName& column = m_scan.columns[m_dimension];
@@ -215,10 +107,9 @@ std::optional<GridAxis> AxisReader::read(const CsvOptions& options)
     if (options.snap > 0.0)
         if (auto axis = snapped(options.snap))
             return axis;
-    const EvenSpacing spacing =
-        fitEvenSpacing(m_positions, m_scan.positions[m_dimension].lastDecimal());
-    const bool isMergedTooFar = std::ranges::any_of(m_reading.lines[m_dimension].reach,
-        [&](double reach) { return reach > options.snap * (1.0 + 1e-9); });
+    const EvenSpacing spacing = fitEvenSpacing(m_positions, m_scan.lastDecimalOf(m_dimension));
+    const bool isMergedTooFar = std::ranges::any_of(
+        m_lines.reach, [&](double reach) { return reach > options.snap * (1.0 + 1e-9); });
     if (isMergedTooFar) {
         reportUneven(spacing);
         return std::nullopt;
@@ -300,62 +191,59 @@ void AxisReader::reportStep(std::size_t index, double usual)
         withWrongDimensionHint(inSteps(before + usual, usual)));
 }
 
+/// Of the first row that lies on the grid line.
 std::size_t AxisReader::fileLine(std::size_t gridLine) const
 {
-    std::size_t found = 0;
-    forEachRow(m_scan, [&](const RowStore::Block& block, std::size_t i, std::size_t row) {
-        const std::size_t id = m_scan.id(block, i, row, m_dimension);
-        found = row;
-        return m_reading.lines[m_dimension].lineOf[id] != gridLine;
-    });
-    return m_scan.rowLines.lineOf(found);
+    // Ids follow each other as they come up in the file.
+    const auto found = std::ranges::find(m_lines.lineOf, static_cast<std::uint32_t>(gridLine));
+    const auto id = static_cast<std::size_t>(found - m_lines.lineOf.begin());
+    return m_scan.rowLines.lineOf(m_scan.rowOf(m_dimension, id));
 }
 
 /// Values scatter; positions repeat. A column of positions in which most rows differ is a table, if
 /// it is not measured positions.
-Text AxisReader::withWrongDimensionHint(Text expected) const
+Text AxisReader::withWrongDimensionHint(Text expected)
 {
-    const double snap = suggestedSnap(m_scan.positions[m_dimension].values());
-    if (snap > 0.0)
+    if (!m_suggestedSnap)
+        m_suggestedSnap = suggestedSnap(m_sorted);
+    if (*m_suggestedSnap > 0.0)
         return AXISCOMP_TEXT("Error",
             "{expected}; a tolerance of {tolerance} takes them for an "
             "even grid (--snap, or Snap tolerance in the import)")
             .with("expected", std::move(expected))
-            .with("tolerance", Quantity{roundedText(snap)});
-    return m_positions.size() > m_scan.rows.size() / 2
+            .with("tolerance", Quantity{roundedText(*m_suggestedSnap)});
+    return m_positions.size() > m_scan.rows / 2
         ? withDimensionalityHint(std::move(expected), static_cast<int>(m_dimension))
         : expected;
 }
 
-constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-
-class PointReader {
+/// Whether every point of the grid occurs once, and what is to be said where it does not.
+class PointCheck {
 public:
-    PointReader(const Scan& scan, const GridReading& grid, const CsvOptions& options,
-        DiagnosticList& diagnostics)
+    PointCheck(const Scan& scan, const GridReading& grid, const Places& places,
+        const CsvOptions& options, DiagnosticList& diagnostics)
         : m_scan(scan)
         , m_grid(grid)
-        , m_dimensions(grid.lines.size())
-        , m_rows(scan.rows.size())
+        , m_places(places)
+        , m_threads(options.threads)
         , m_diagnostics(diagnostics)
     {
-        for (std::size_t d = 0; d < m_dimensions; ++d) {
-            m_sizes[d] = static_cast<double>(grid.lines[d].positions.size());
-            m_pointCount *= m_sizes[d];
-        }
+        for (const GridLines& lines : grid.lines)
+            m_pointCount *= static_cast<double>(lines.positions.size());
         const double columns = static_cast<double>(scan.columns.size());
         m_mayMiss = options.missing != MissingPoints::Refuse
             && m_pointCount * columns <= static_cast<double>(options.maximumCells);
         // Enough to find the first missing points of a grid of any size, and all points of a full
         // one.
-        const double enough = m_mayMiss ? m_pointCount : static_cast<double>(m_rows + mostNamed);
+        const double enough = m_mayMiss ? m_pointCount : static_cast<double>(scan.rows + mostNamed);
         m_looked = static_cast<std::size_t>(std::min(m_pointCount, enough));
     }
 
-    std::vector<std::uint32_t> read();
+    void run();
 
 private:
-    void place();
+    [[nodiscard]] bool isFull() const;
+    void findDuplicates();
     void reportDuplicates();
     void reportMissing();
     [[nodiscard]] std::vector<Text> pointText(std::size_t point) const;
@@ -366,76 +254,72 @@ private:
 
     struct Duplicate {
         std::size_t row;
-        std::uint32_t point;
+        std::size_t point;
     };
 
     const Scan& m_scan;
     const GridReading& m_grid;
-    std::size_t m_dimensions;
-    std::size_t m_rows;
+    const Places& m_places;
+    std::size_t m_threads;
     DiagnosticList& m_diagnostics;
-    std::array<double, 3> m_sizes{1.0, 1.0, 1.0};
     double m_pointCount = 1.0; ///< may be beyond any integer in a file that is no grid
     bool m_mayMiss = false; ///< points without a line are no error
     std::size_t m_looked = 0; ///< points that are looked at, from the first
     std::vector<bool> m_occupied;
-    std::vector<std::uint32_t> m_points;
     std::vector<Duplicate> m_duplicates; ///< the first ones
     std::size_t m_duplicateCount = 0;
 };
 
-std::vector<std::uint32_t> PointReader::read()
+void PointCheck::run()
 {
-    place();
+    if (isFull())
+        return;
+    findDuplicates();
     reportDuplicates();
     // What a grid misses is worth saying when there is a grid: not when positions scatter.
     if (m_grid.even && !m_mayMiss)
         reportMissing();
-    const bool full =
-        m_duplicateCount == 0 && (m_mayMiss || m_pointCount == static_cast<double>(m_rows));
-    return full ? std::move(m_points) : std::vector<std::uint32_t>{};
 }
 
-void PointReader::place()
+/// As many rows as points, and no point without a row: then none has two.
+bool PointCheck::isFull() const
 {
-    // Doubles hold every place that is looked at exactly, and do not overflow beyond.
-    std::array<std::vector<double>, 3> strides;
-    double stride = 1.0;
-    for (std::size_t d = 0; d < m_dimensions; ++d) {
-        for (const std::uint32_t line : m_grid.lines[d].lineOf)
-            strides[d].push_back(stride * line);
-        stride *= m_sizes[d];
-    }
-    m_occupied.assign(m_looked, false);
-    m_points.resize(m_rows);
-    const auto limit = static_cast<double>(m_looked);
-    forEachRow(m_scan, [&](const RowStore::Block& block, std::size_t i, std::size_t row) {
-        double point = 0.0;
-        for (std::size_t d = 0; d < m_dimensions; ++d)
-            point += strides[d][m_scan.id(block, i, row, d)];
-        m_points[row] = nowhere;
-        if (point >= limit)
-            return true;
-        m_points[row] = static_cast<std::uint32_t>(point);
-        if (!m_occupied[m_points[row]]) {
-            m_occupied[m_points[row]] = true;
-        } else {
-            if (m_duplicateCount < mostDuplicates)
-                m_duplicates.push_back({row, m_points[row]});
-            ++m_duplicateCount;
-        }
-        return true;
+    if (m_pointCount != static_cast<double>(m_scan.rows))
+        return false;
+    std::vector<std::uint8_t> occupied(m_looked);
+    shareWork(m_scan.pieces.size(), m_threads, [&](std::size_t n) {
+        m_places.forEachBlock(m_scan.pieces[n],
+            [&](std::size_t, const RowStore::Block&, std::span<const double> places) {
+                for (const double place : places)
+                    std::atomic_ref(occupied[static_cast<std::size_t>(place)])
+                        .store(1, std::memory_order_relaxed);
+                return true;
+            });
     });
+    return std::ranges::find(occupied, std::uint8_t{0}) == occupied.end();
 }
 
-void PointReader::reportDuplicates()
+void PointCheck::findDuplicates()
 {
-    std::vector<std::size_t> firstRows(m_duplicates.size(), m_rows);
-    if (!m_duplicates.empty())
-        for (std::size_t row = 0; row < m_duplicates.back().row; ++row)
-            for (std::size_t i = 0; i < m_duplicates.size(); ++i)
-                if (m_points[row] == m_duplicates[i].point)
-                    firstRows[i] = std::min(firstRows[i], row);
+    m_occupied.assign(m_looked, false);
+    const auto limit = static_cast<double>(m_looked);
+    for (const Piece& piece : m_scan.pieces)
+        m_places.forEachBlock(
+            piece, [&](std::size_t row, const RowStore::Block&, std::span<const double> places) {
+                for (std::size_t i = 0; i < places.size(); ++i) {
+                    if (places[i] >= limit)
+                        continue;
+                    const auto point = static_cast<std::size_t>(places[i]);
+                    if (m_occupied[point] && m_duplicateCount++ < mostDuplicates)
+                        m_duplicates.push_back({row + i, point});
+                    m_occupied[point] = true;
+                }
+                return true;
+            });
+}
+
+void PointCheck::reportDuplicates()
+{
     Text expected = AXISCOMP_TEXT("Error", "every position once");
     if (m_scan.tables() > 1)
         expected = withDimensionalityHint(expected, m_scan.dimensions + 1);
@@ -444,17 +328,19 @@ void PointReader::reportDuplicates()
         m_diagnostics.error(DiagnosticCode::DuplicatePoint, line, 0,
             AXISCOMP_TEXT("Error", "{point} in line {first} and again in line {second}")
                 .with("point", pointText(m_duplicates[i].point))
-                .with("first", m_scan.rowLines.lineOf(firstRows[i]))
+                .with("first",
+                    m_scan.rowLines.lineOf(
+                        m_places.rowOf(static_cast<double>(m_duplicates[i].point))))
                 .with("second", line),
             expected);
     }
     m_diagnostics.countErrors(m_duplicateCount - m_duplicates.size());
 }
 
-void PointReader::reportMissing()
+void PointCheck::reportMissing()
 {
     // Duplicates beyond the points that are looked at are not known; there are many missing then.
-    const double missing = m_pointCount - static_cast<double>(m_rows - m_duplicateCount);
+    const double missing = m_pointCount - static_cast<double>(m_scan.rows - m_duplicateCount);
     if (missing <= 0.0)
         return;
     Argument points = Verbatim{};
@@ -483,10 +369,10 @@ void PointReader::reportMissing()
                 "(--fill, --crop, or Missing points in the import)")));
 }
 
-std::vector<Text> PointReader::pointText(std::size_t point) const
+std::vector<Text> PointCheck::pointText(std::size_t point) const
 {
     std::vector<Text> text;
-    for (std::size_t d = 0; d < m_dimensions; ++d) {
+    for (std::size_t d = 0; d < m_grid.lines.size(); ++d) {
         const std::vector<double>& positions = m_grid.lines[d].positions;
         text.push_back(positionText(m_scan.columns[d], d, positions[point % positions.size()]));
         point /= positions.size();
@@ -496,12 +382,12 @@ std::vector<Text> PointReader::pointText(std::size_t point) const
 
 /// Those of a grid of fewer dimensions, when the last columns of positions follow from the ones
 /// before; otherwise 0.
-int PointReader::fewerDimensions() const
+int PointCheck::fewerDimensions() const
 {
     double points = 1.0;
-    for (std::size_t d = 0; d + 1 < m_dimensions; ++d) {
-        points *= m_sizes[d];
-        if (points == static_cast<double>(m_rows))
+    for (std::size_t d = 0; d + 1 < m_grid.lines.size(); ++d) {
+        points *= static_cast<double>(m_grid.lines[d].positions.size());
+        if (points == static_cast<double>(m_scan.rows))
             return static_cast<int>(d) + 1;
     }
     return 0;
@@ -530,12 +416,17 @@ Text columnText(const ColumnName& column, std::size_t dimension)
 
 GridReading readGrid(const Scan& scan, const CsvOptions& options, DiagnosticList& diagnostics)
 {
+    const auto dimensions = static_cast<std::size_t>(scan.dimensions);
     GridReading reading;
-    for (const PositionColumn& column : scan.positions)
-        reading.lines.push_back(gridLines(column.values(), options.snap));
+    reading.lines.resize(dimensions);
+    std::vector<std::optional<SortedPositions>> sorted(dimensions);
+    shareWork(dimensions, options.threads, [&](std::size_t d) {
+        sorted[d].emplace(scan.positionsOf(d));
+        reading.lines[d] = gridLines(*sorted[d], options.snap);
+    });
     reading.even = true;
-    for (std::size_t d = 0; d < scan.positions.size(); ++d) {
-        AxisReader reader(scan, reading, d, diagnostics);
+    for (std::size_t d = 0; d < dimensions; ++d) {
+        AxisReader reader(scan, *sorted[d], reading.lines[d], d, diagnostics);
         const std::optional<GridAxis> axis = reader.read(options);
         reading.even = reading.even && axis;
         if (axis && options.acceptsUneven)
@@ -545,10 +436,10 @@ GridReading readGrid(const Scan& scan, const CsvOptions& options, DiagnosticList
     return reading;
 }
 
-std::vector<std::uint32_t> readPoints(const Scan& scan, const GridReading& grid,
+void checkPoints(const Scan& scan, const GridReading& grid, const Places& places,
     const CsvOptions& options, DiagnosticList& diagnostics)
 {
-    return PointReader(scan, grid, options, diagnostics).read();
+    PointCheck(scan, grid, places, options, diagnostics).run();
 }
 
 } // namespace axiscomp::csv

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/scan.h"
 
+#include "core/base/parallel.h"
 #include "core/csv/cell_reader.h"
 #include "core/csv/header.h"
 #include "core/table/target_axis.h"
 #include "core/text/line_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace axiscomp::csv {
 
 namespace {
+
+/// Ids have 16 bits; in a line of two positions and a value are at least six characters.
+constexpr std::size_t mostPieceBytes = std::size_t{1} << 18U;
+static_assert(mostPieceBytes / 6 + 1 < std::numeric_limits<std::uint16_t>::max());
 
 class Scanner {
 public:
@@ -29,12 +36,17 @@ public:
     Scan run();
 
 private:
+    bool goesOn();
     void readLine();
     void keepNote(std::string_view comment, std::size_t lineNumber);
     void reportDroppedNotes();
     bool useHeader(std::string_view line, std::size_t lineNumber);
-    void readPlainRowsUntil(const char* until);
+    void readPieces();
+    void readPiece(const char* plainUntil, const char* end);
+    void takePlainRows(const char* position, std::size_t rows);
+    [[nodiscard]] std::vector<const char*> pieceEnds() const;
     void readDataLine(std::string_view line, std::size_t lineNumber);
+    void refuseMoreRows(std::size_t lineNumber);
     bool readPositions(RowStore::Block& block);
     void readValues(std::size_t lineNumber, RowStore::Block& block);
     [[nodiscard]] std::size_t maximumRows() const
@@ -52,34 +64,39 @@ private:
     std::size_t m_noteBytes = 0;
     std::size_t m_droppedNotes = 0;
     std::size_t m_firstDroppedLine = 0;
+    std::size_t m_nextReport = 0; ///< of the progress, in bytes
+    std::array<std::size_t, 3> m_nextId{};
+    Piece* m_piece = nullptr; ///< which is being read
     Scan m_scan;
 };
 
 Scan Scanner::run()
 {
-    constexpr std::size_t steps = 256;
-    const std::size_t step = std::max<std::size_t>(m_text.size() / steps, std::size_t{1} << 16U);
-    const char* const begin = m_text.data();
     m_scan.complete = true;
-    while (!m_lines.atEnd() && !m_stop) {
-        if (m_options.stop.stop_requested()) {
-            m_scan.cancelled = true;
-            return std::move(m_scan);
-        }
-        if (m_options.progress)
-            m_options.progress(static_cast<double>(m_lines.position() - begin)
-                / static_cast<double>(m_text.size()));
-        const auto left = static_cast<std::size_t>(m_lines.end() - m_lines.position());
-        const char* const until = m_lines.position() + std::min(step, left);
-        while (m_lines.position() < until && !m_stop) {
-            if (m_scan.headerLine != 0)
-                readPlainRowsUntil(until);
-            if (m_lines.position() < until)
-                readLine();
-        }
+    while (!m_lines.atEnd() && !m_stop && goesOn()) {
+        if (m_scan.headerLine == 0)
+            readLine();
+        else
+            readPieces();
     }
     reportDroppedNotes();
     return std::move(m_scan);
+}
+
+/// Says how far it is. False: the reading is to stop.
+bool Scanner::goesOn()
+{
+    constexpr std::size_t steps = 256;
+    if (m_options.stop.stop_requested()) {
+        m_scan.cancelled = true;
+        return false;
+    }
+    const auto done = static_cast<std::size_t>(m_lines.position() - m_text.data());
+    if (m_options.progress && done >= m_nextReport) {
+        m_options.progress(static_cast<double>(done) / static_cast<double>(m_text.size()));
+        m_nextReport = done + std::max(m_text.size() / steps, std::size_t{1} << 16U);
+    }
+    return true;
 }
 
 void Scanner::readLine()
@@ -128,43 +145,106 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
         return false;
     m_cells.begin(header->separator, header->columns.size(), lineNumber);
     m_scan.columns = std::move(header->columns);
-    m_scan.ranges.resize(m_scan.tables());
     const auto dimensions = static_cast<std::size_t>(m_scan.dimensions);
     m_cells.setNoValueHint(dimensions + 1,
         AXISCOMP_TEXT("Error",
             "{expected}; points without a value can be filled or left out (--fill, --crop, or "
             "Missing points in the import)"));
-    m_scan.positions.assign(dimensions, PositionColumn(m_text));
-    m_scan.rows = RowStore(dimensions == 1 ? 0 : dimensions, m_scan.tables());
     return true;
 }
 
-void Scanner::readPlainRowsUntil(const char* until)
+/// Where the next pieces end, each at the end of a line. While nobody knows which decimal sign the
+/// file has, there is only one: it stops at the first number with a sign.
+std::vector<const char*> Scanner::pieceEnds() const
 {
-    const std::size_t row = m_scan.rows.size();
-    const char* const position = readPlainRows(
-        m_scan, m_cells.format(), m_lines.position(), until, m_lines.end(), maximumRows());
-    const std::size_t rows = m_scan.rows.size() - row;
+    constexpr std::size_t mostPieces = 64;
+    const std::size_t count = m_cells.format().decimal == '\0' ? 1 : mostPieces;
+    const std::size_t bytes = std::clamp<std::size_t>(m_options.pieceBytes, 1, mostPieceBytes);
+    const char* const end = m_lines.end();
+    std::vector<const char*> ends;
+    for (const char* p = m_lines.position(); p != end && ends.size() < count; ends.push_back(p)) {
+        p += std::min(bytes - 1, static_cast<std::size_t>(end - p));
+        while (p != end && *p != '\n' && *p != '\r')
+            ++p;
+        if (end - p > 1 && p[0] == '\r' && p[1] == '\n')
+            ++p;
+        p += p == end ? 0 : 1;
+    }
+    return ends;
+}
+
+/// All threads read pieces as far as their lines are plain; the rest of each is read here, in the
+/// order of the file.
+void Scanner::readPieces()
+{
+    const std::vector<const char*> ends = pieceEnds();
+    const std::size_t first = m_scan.pieces.size();
+    std::vector<const char*> stops(ends.size(), m_lines.position());
+    std::copy(ends.begin(), ends.end() - 1, stops.begin() + 1);
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        m_scan.pieces.emplace_back(m_text, m_cells.format().separator,
+            static_cast<std::size_t>(m_scan.dimensions), m_scan.tables());
+    shareWork(ends.size(), m_options.threads, [&](std::size_t i) {
+        if (!m_options.stop.stop_requested())
+            stops[i] = readPlainRows(m_scan.pieces[first + i], m_cells.format(), stops[i], ends[i],
+                m_lines.end(), maximumRows());
+    });
+    for (std::size_t i = 0; i < ends.size() && !m_stop && !m_scan.cancelled; ++i) {
+        m_piece = &m_scan.pieces[first + i];
+        readPiece(stops[i], ends[i]);
+    }
+}
+
+/// plainUntil: up to where its lines have been read.
+void Scanner::readPiece(const char* plainUntil, const char* end)
+{
+    m_piece->firstRow = m_scan.rows;
+    m_piece->firstId = m_nextId;
+    takePlainRows(plainUntil, m_piece->rows.size());
+    while (m_lines.position() < end && !m_stop && goesOn()) {
+        readLine();
+        if (m_lines.position() >= end || m_stop)
+            break;
+        const std::size_t rows = m_piece->rows.size();
+        const char* const position = readPlainRows(*m_piece, m_cells.format(), m_lines.position(),
+            end, m_lines.end(), rows + maximumRows() - m_scan.rows);
+        takePlainRows(position, m_piece->rows.size() - rows);
+    }
+    for (std::size_t d = 0; d < m_piece->positions.size(); ++d)
+        m_nextId[d] += m_piece->positions[d].values().size();
+    goesOn();
+}
+
+/// position: behind them.
+void Scanner::takePlainRows(const char* position, std::size_t rows)
+{
+    const std::size_t room = maximumRows() - m_scan.rows;
     if (rows == 0)
         return;
-    m_scan.rowLines.add(row, m_lines.lineNumber());
+    if (rows > room)
+        return refuseMoreRows(m_lines.lineNumber() + room);
+    m_scan.rowLines.add(m_scan.rows, m_lines.lineNumber());
+    m_scan.rows += rows;
     m_lines.skipTo(position, rows);
+}
+
+void Scanner::refuseMoreRows(std::size_t lineNumber)
+{
+    m_diagnostics.error(DiagnosticCode::TooLarge, lineNumber, 0,
+        AXISCOMP_TEXT("Error", "more than {rows} data lines of {columns} columns")
+            .with("rows", maximumRows())
+            .with("columns", m_scan.columns.size()),
+        AXISCOMP_TEXT("Error", "at most {cells} cells (lines x columns)")
+            .with("cells", m_options.maximumCells));
+    m_stop = true;
+    m_scan.complete = false;
 }
 
 void Scanner::readDataLine(std::string_view line, std::size_t lineNumber)
 {
-    if (m_scan.rows.size() >= maximumRows()) {
-        m_diagnostics.error(DiagnosticCode::TooLarge, lineNumber, 0,
-            AXISCOMP_TEXT("Error", "more than {rows} data lines of {columns} columns")
-                .with("rows", maximumRows())
-                .with("columns", m_scan.columns.size()),
-            AXISCOMP_TEXT("Error", "at most {cells} cells (lines x columns)")
-                .with("cells", m_options.maximumCells));
-        m_stop = true;
-        m_scan.complete = false;
-        return;
-    }
-    RowStore::Block& block = m_scan.rows.open();
+    if (m_scan.rows >= maximumRows())
+        return refuseMoreRows(lineNumber);
+    RowStore::Block& block = m_piece->rows.open();
     const bool wellFormed = m_cells.take(line, lineNumber);
     const bool placed = wellFormed && readPositions(block);
     if (wellFormed)
@@ -173,7 +253,8 @@ void Scanner::readDataLine(std::string_view line, std::size_t lineNumber)
         m_scan.complete = false;
         return;
     }
-    m_scan.rowLines.add(m_scan.rows.size(), lineNumber);
+    m_scan.rowLines.add(m_scan.rows, lineNumber);
+    ++m_scan.rows;
     ++block.rows;
 }
 
@@ -184,25 +265,25 @@ bool Scanner::readPositions(RowStore::Block& block)
         Number position;
         good = m_cells.readNumber(1, position);
         if (good)
-            m_scan.positions[0].append(position);
+            m_piece->positions[0].append(position);
         return good;
     }
-    for (std::size_t d = 0; d < m_scan.positions.size(); ++d) {
+    for (std::size_t d = 0; d < m_piece->positions.size(); ++d) {
         NumberFault fault = NumberFault::None;
-        std::optional<std::uint32_t> id;
+        std::optional<std::uint16_t> id;
         if (m_cells.decideDecimal(d + 1)) {
-            id = m_scan.positions[d].intern(m_cells.text(d + 1), m_cells.format().decimal, fault);
+            id = m_piece->positions[d].intern(m_cells.text(d + 1), m_cells.format().decimal, fault);
             m_cells.reportFault(fault, d + 1);
         }
         good = good && id;
-        block.ids[d * m_scan.rows.blockRows() + block.rows] = id.value_or(0);
+        block.ids[d * m_piece->rows.blockRows() + block.rows] = id.value_or(0);
     }
     return good;
 }
 
 void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
 {
-    const std::size_t positions = m_scan.positions.size();
+    const std::size_t positions = m_piece->positions.size();
     for (std::size_t table = 0; table < m_scan.tables(); ++table) {
         Number number;
         float stored = 0.0F;
@@ -215,13 +296,57 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
                 m_diagnostics.error(DiagnosticCode::NotFinite, lineNumber, positions + table + 1,
                     Verbatim{excerpt(m_cells.cell(positions + table + 1).text, m_encoding)},
                     AXISCOMP_TEXT("Error", "a value that fits float32 (below 3.4e38)"));
-            m_scan.ranges[table].add(number.value, stored, m_scan.rows.size());
+            m_piece->ranges[table].add(number.value, stored, m_piece->rows.size());
         }
-        block.values[table * m_scan.rows.blockRows() + block.rows] = stored;
+        block.values[table * m_piece->rows.blockRows() + block.rows] = stored;
     }
 }
 
 } // namespace
+
+ValueRange Scan::rangeOf(std::size_t table) const
+{
+    ValueRange range;
+    for (const Piece& piece : pieces)
+        range.add(piece.ranges[table], piece.firstRow);
+    return range;
+}
+
+std::vector<double> Scan::positionsOf(std::size_t dimension) const
+{
+    std::vector<double> positions;
+    for (const Piece& piece : pieces) {
+        const std::vector<double>& own = piece.positions[dimension].values();
+        positions.insert(positions.end(), own.begin(), own.end());
+    }
+    return positions;
+}
+
+std::size_t Scan::rowOf(std::size_t dimension, std::size_t id) const
+{
+    if (dimensions == 1)
+        return id;
+    const auto isBefore = [&](const Piece& piece) { return piece.firstId[dimension] <= id; };
+    const Piece& piece = *(std::ranges::partition_point(pieces, isBefore) - 1);
+    const std::size_t stride = piece.rows.blockRows();
+    std::size_t row = piece.firstRow;
+    for (const RowStore::Block& block : piece.rows.blocks()) {
+        const std::uint16_t* const ids = block.ids.get() + dimension * stride;
+        const auto* const found = std::find(ids, ids + block.rows, id - piece.firstId[dimension]);
+        row += static_cast<std::size_t>(found - ids);
+        if (found != ids + block.rows)
+            break;
+    }
+    return row;
+}
+
+int Scan::lastDecimalOf(std::size_t dimension) const
+{
+    int decimal = std::numeric_limits<int>::max();
+    for (const Piece& piece : pieces)
+        decimal = std::min(decimal, piece.positions[dimension].lastDecimal());
+    return decimal;
+}
 
 Scan scan(const TextInspection& text, const CsvOptions& options, DiagnosticList& diagnostics)
 {

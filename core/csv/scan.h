@@ -6,6 +6,8 @@
 #include "core/csv/columns.h"
 #include "core/text/text_file.h"
 
+#include <vector>
+
 namespace axiscomp::csv {
 
 /// A column's header: "X [mm]".
@@ -20,10 +22,9 @@ struct Scan {
     std::size_t headerLine = 0;
     std::vector<ColumnName> columns; ///< dimensions, then tables
     std::vector<std::string> notes;
-    std::vector<PositionColumn> positions;
-    RowStore rows;
+    std::vector<Piece> pieces; ///< in the order of the file
+    std::size_t rows = 0; ///< of all pieces
     RowLines rowLines;
-    std::vector<ValueRange> ranges; ///< per table
     bool complete = false; ///< every data line is among the rows
     bool cancelled = false;
 
@@ -31,12 +32,14 @@ struct Scan {
     {
         return columns.size() - static_cast<std::size_t>(dimensions);
     }
-    /// The id of a position; i: the row's index in its block.
-    [[nodiscard]] std::size_t id(
-        const RowStore::Block& block, std::size_t i, std::size_t row, std::size_t dimension) const
-    {
-        return dimensions == 1 ? row : block.ids[dimension * rows.blockRows() + i];
-    }
+    /// What the values of a table are in all pieces.
+    [[nodiscard]] ValueRange rangeOf(std::size_t table) const;
+    /// The positions of a dimension in all pieces, by their id: the id in a piece, and its firstId.
+    [[nodiscard]] std::vector<double> positionsOf(std::size_t dimension) const;
+    /// The first row with the position of this id.
+    [[nodiscard]] std::size_t rowOf(std::size_t dimension, std::size_t id) const;
+    /// The finest decimal that is printed in a dimension.
+    [[nodiscard]] int lastDecimalOf(std::size_t dimension) const;
 };
 
 /// Reads all lines. Problems go to diagnostics.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/table_reader.h"
 
+#include "core/base/parallel.h"
 #include "core/table/large_correction.h"
 #include "core/text/number_text.h"
 
@@ -17,20 +18,20 @@ namespace {
 constexpr double largestGradient = 0.01 * (1.0 + 1e-6);
 constexpr double largestRelativeError = 1e-6; ///< of the largest value
 
-class TableReader {
+/// What is worth a warning in a table.
+class TableCheck {
 public:
-    /// points: where each row stands in the table; empty: that is not worth saying
-    TableReader(const Scan& scan, const std::vector<std::uint32_t>& points, std::size_t index,
-        DiagnosticList& diagnostics)
+    /// places: of the rows in the table; null: they are not worth saying
+    TableCheck(
+        const Scan& scan, const Places* places, std::size_t index, DiagnosticList& diagnostics)
         : m_scan(scan)
-        , m_points(points)
+        , m_places(places)
         , m_index(index)
-        , m_column(scan.positions.size() + index + 1)
+        , m_column(static_cast<std::size_t>(scan.dimensions) + index + 1)
         , m_diagnostics(diagnostics)
     {
     }
 
-    [[nodiscard]] CompensationTable read(const Grid& grid);
     void look(const CompensationTable& table);
 
 private:
@@ -39,33 +40,16 @@ private:
     [[nodiscard]] std::size_t lineOf(std::size_t point) const;
 
     const Scan& m_scan;
-    const std::vector<std::uint32_t>& m_points;
+    const Places* m_places;
     std::size_t m_index;
     std::size_t m_column;
     DiagnosticList& m_diagnostics;
 };
 
-/// A point without a row is NaN.
-CompensationTable TableReader::read(const Grid& grid)
-{
-    const ColumnName& name = m_scan.columns[m_column - 1];
-    const std::size_t points = grid.pointCount();
-    CompensationTable table{name.name, name.unit, grid, std::vector<float>(points)};
-    if (points > m_points.size())
-        std::ranges::fill(table.values, std::numeric_limits<float>::quiet_NaN());
-    const std::uint32_t* point = m_points.data();
-    for (const RowStore::Block& block : m_scan.rows.blocks()) {
-        const float* values = block.values.get() + m_index * m_scan.rows.blockRows();
-        for (std::size_t i = 0; i < block.rows; ++i)
-            table.values[*point++] = values[i];
-    }
-    return table;
-}
-
-void TableReader::look(const CompensationTable& table)
+void TableCheck::look(const CompensationTable& table)
 {
     const auto [smallest, largest] = std::ranges::minmax(table.values);
-    warnOfPrecision(m_scan.ranges[m_index]);
+    warnOfPrecision(m_scan.rangeOf(m_index));
     if (smallest == largest)
         m_diagnostics.warning(DiagnosticCode::ConstantTable, m_scan.headerLine, m_column,
 
@@ -77,7 +61,7 @@ void TableReader::look(const CompensationTable& table)
         warnOfGradient(table);
 }
 
-void TableReader::warnOfPrecision(const ValueRange& range)
+void TableCheck::warnOfPrecision(const ValueRange& range)
 {
     if (range.largestError > largestRelativeError * range.largest)
         m_diagnostics.warning(DiagnosticCode::FloatPrecision,
@@ -88,7 +72,7 @@ void TableReader::warnOfPrecision(const ValueRange& range)
                 .with("value", Quantity{toText(range.largest)}));
 }
 
-void TableReader::warnOfGradient(const CompensationTable& table)
+void TableCheck::warnOfGradient(const CompensationTable& table)
 {
     const SteepestStep step = steepestStep(table);
     if (!(step.slope > largestGradient))
@@ -105,12 +89,39 @@ void TableReader::warnOfGradient(const CompensationTable& table)
 }
 
 /// 0 where the table has points that the file does not have, or others than the file.
-std::size_t TableReader::lineOf(std::size_t point) const
+std::size_t TableCheck::lineOf(std::size_t point) const
 {
-    const auto row = std::ranges::find(m_points, static_cast<std::uint32_t>(point));
-    return row == m_points.end()
-        ? 0
-        : m_scan.rowLines.lineOf(static_cast<std::size_t>(row - m_points.begin()));
+    const std::size_t row =
+        m_places == nullptr ? m_scan.rows : m_places->rowOf(static_cast<double>(point));
+    return row == m_scan.rows ? 0 : m_scan.rowLines.lineOf(row);
+}
+
+/// A point without a row is NaN.
+std::vector<CompensationTable> placedTables(
+    const Scan& scan, const Grid& grid, const Places& places, std::size_t threads)
+{
+    const std::size_t points = grid.pointCount();
+    std::vector<CompensationTable> tables;
+    for (std::size_t index = 0; index < scan.tables(); ++index) {
+        const ColumnName& name = scan.columns[static_cast<std::size_t>(scan.dimensions) + index];
+        tables.push_back({name.name, name.unit, grid,
+            std::vector<float>(
+                points, points > scan.rows ? std::numeric_limits<float>::quiet_NaN() : 0.0F)});
+    }
+    shareWork(scan.pieces.size(), threads, [&](std::size_t n) {
+        const std::size_t stride = scan.pieces[n].rows.blockRows();
+        places.forEachBlock(scan.pieces[n],
+            [&](std::size_t, const RowStore::Block& block, std::span<const double> own) {
+                const float* values = block.values.get();
+                for (CompensationTable& table : tables) {
+                    for (std::size_t i = 0; i < own.size(); ++i)
+                        table.values[static_cast<std::size_t>(own[i])] = values[i];
+                    values += stride;
+                }
+                return true;
+            });
+    });
+    return tables;
 }
 
 std::vector<double> positionsOf(const GridAxis& axis)
@@ -174,19 +185,17 @@ bool complete(const Scan& scan, GridReading& reading, MissingPoints missing,
 } // namespace
 
 std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading,
-    const std::vector<std::uint32_t>& points, MissingPoints missing, DiagnosticList& diagnostics)
+    const Places& places, const CsvOptions& options, DiagnosticList& diagnostics)
 {
-    std::vector<CompensationTable> tables;
-    tables.reserve(scan.tables());
-    for (std::size_t index = 0; index < scan.tables(); ++index)
-        tables.push_back(TableReader(scan, points, index, diagnostics).read(reading.grid));
+    std::vector<CompensationTable> tables =
+        placedTables(scan, reading.grid, places, options.threads);
     const Grid whole = reading.grid;
-    if (missing != MissingPoints::Refuse && !complete(scan, reading, missing, tables, diagnostics))
+    if (options.missing != MissingPoints::Refuse
+        && !complete(scan, reading, options.missing, tables, diagnostics))
         return {};
-    const std::vector<std::uint32_t> unknown;
-    const auto& places = sameSpans(whole, reading.grid) ? points : unknown;
+    const Places* const known = sameSpans(whole, reading.grid) ? &places : nullptr;
     for (std::size_t index = 0; index < scan.tables(); ++index)
-        TableReader(scan, places, index, diagnostics).look(tables[index]);
+        TableCheck(scan, known, index, diagnostics).look(tables[index]);
     return tables;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
@@ -39,6 +40,12 @@ struct Digits {
     unsigned count; ///< 0 to 8
 };
 
+/// 10 and more: none.
+inline unsigned digitAt(const char* p)
+{
+    return static_cast<unsigned char>(*p) - unsigned{'0'};
+}
+
 /// The decimal digits at the beginning of 8 readable characters, all at once.
 inline Digits leadingDigits(const char* p)
 {
@@ -67,33 +74,39 @@ inline const char* parseShortNumber(const char* p, char decimal, Number& number)
     // Clinger's fast path: a mantissa up to 2^53 and a power of ten up to 10^22 are exact doubles,
     // and the division rounds once.
     constexpr std::uint64_t exactMantissa = std::uint64_t{1} << 53U;
-    const bool negative = *p == '-';
-    p += negative || *p == '+' ? 1 : 0;
-    const detail::Digits whole = detail::leadingDigits(p);
-    if (whole.count == 8)
-        return nullptr;
-    p += whole.count;
-    std::uint64_t mantissa = whole.value;
+    constexpr std::ptrdiff_t mostWholeDigits = 7;
+    // Signs come at random: nothing here branches on them.
+    const auto negative = static_cast<std::uint64_t>(*p == '-');
+    p += negative | static_cast<std::uint64_t>(*p == '+');
+    const char* const first = p;
+    std::uint64_t mantissa = 0;
+    for (unsigned digit = detail::digitAt(p); digit < 10; digit = detail::digitAt(p)) {
+        if (p - first == mostWholeDigits)
+            return nullptr;
+        mantissa = mantissa * 10 + digit;
+        ++p;
+    }
+    auto digits = static_cast<unsigned>(p - first);
     unsigned decimals = 0;
     if (*p == decimal) {
-        ++p;
-        detail::Digits part = detail::leadingDigits(p);
+        detail::Digits part = detail::leadingDigits(p + 1);
         mantissa = mantissa * detail::wholePowersOfTen[part.count] + part.value;
         decimals = part.count;
         if (part.count == 8) {
-            part = detail::leadingDigits(p + 8);
-            if (whole.count + part.count > 10)
+            part = detail::leadingDigits(p + 9);
+            if (digits + part.count > 10)
                 return nullptr;
             mantissa = mantissa * detail::wholePowersOfTen[part.count] + part.value;
             decimals += part.count;
         }
-        p += decimals;
+        p += decimals + 1;
+        digits += decimals;
     }
-    const bool hasExponent = (static_cast<unsigned char>(*p) | 0x20U) == 'e';
-    if (whole.count + decimals == 0 || hasExponent || mantissa > exactMantissa)
+    const bool goesOn = detail::digitAt(p) < 10 || (static_cast<unsigned char>(*p) | 0x20U) == 'e';
+    if (digits == 0 || goesOn || mantissa > exactMantissa)
         return nullptr;
     const double size = static_cast<double>(mantissa) / detail::powersOfTen[decimals];
-    number.value = negative ? -size : size;
+    number.value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) | negative << 63U);
     number.lastDecimal = -static_cast<int>(decimals);
     return p;
 }

@@ -71,6 +71,8 @@ private Q_SLOTS:
         row("both cells of a line", 1, "X,T\nx,y\n", {"2:1 NotANumber x|", "2:2 NotANumber y|"});
         row("empty cells", 1, "X,T\n0,\n,1\n2,\"\"\n",
             {"2:2 NotANumber |", "3:1 NotANumber |", "4:2 NotANumber |"});
+        row("an empty position of a plane", 2, "X,Y,T\n0,0,0\n1,,0\n ,1,0\n1,1,0\n",
+            {"3:2 NotANumber |", "4:1 NotANumber |"});
         row("hexadecimal", 1, "X,T\n0,0x10\n1,1\n", {"2:2 NotANumber 0x10|"});
         row("trailing text", 1, "X,T\n0,1.5mm\n1,1 5\n",
             {"2:2 NotANumber 1.5mm|", "3:2 NotANumber 1 5|"});

@@ -67,6 +67,16 @@ private Q_SLOTS:
         QCOMPARE(reading.diagnostics.back().code, DiagnosticCode::FilledPoints);
     }
 
+    /// No line of the file can be named for it: the point has none.
+    void aSteepStepToAFilledPointHasNoLine()
+    {
+        const QByteArray text = "X [mm],Y [mm],T\n0,0,0\n3,0,9\n0,1,0\n1,1,0\n2,1,9\n3,1,9\n";
+        const CsvReading reading = parse(text, 2, with(MissingPoints::Nearest));
+        QVERIFY(reading.data);
+        QVERIFY(describe(reading).join('\n').contains("0:3 LargeGradient"));
+        QVERIFY(describe(parse("X,T\n0,0\n1,9\n", 1)).join('\n').contains("3:2 LargeGradient"));
+    }
+
     void theGridIsCropped()
     {
         const CsvReading reading = parse(bed, 2, with(MissingPoints::Crop));

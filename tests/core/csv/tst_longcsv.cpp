@@ -114,17 +114,24 @@ private Q_SLOTS:
         }
     }
 
-    /// Positions of 9 to 16 characters that begin with the same eight.
+    /// Positions of 11 characters that begin with the same eight.
+    void longPositionsThatBeginAlikeAreToldApart_data()
+    {
+        QTest::addColumn<int>("alike");
+        QTest::newRow("two") << 2;
+        QTest::newRow("a hundred") << 100;
+    }
     void longPositionsThatBeginAlikeAreToldApart()
     {
+        QFETCH(int, alike);
         QByteArray text = "X [mm],Y [mm],A\n";
         constexpr int lines = 3000;
         for (int i = 0; i < lines; ++i)
-            text += "100.0000" + QByteArray::number(i % 2) + ',' + QByteArray::number(i / 2)
-                + ",0.00" + QByteArray::number(i % 2 + 1) + '\n';
+            text += "100.0000" + QByteArray::number(100 + i % alike) + ','
+                + QByteArray::number(i / alike) + ",0.00" + QByteArray::number(i % 2 + 1) + '\n';
         const CsvReading reading = parse(text, 2);
         QVERIFY(reading.data);
-        QCOMPARE(reading.data->grid.axes[0].size, 2U);
+        QCOMPARE(reading.data->grid.axes[0].size, static_cast<std::uint32_t>(alike));
         QCOMPARE(reading.data->tables[0].values.size(), static_cast<std::size_t>(lines));
     }
 
