@@ -113,7 +113,7 @@ void parse(
         reportTooLarge(diagnostics, text.size(), maximumBytes(options));
         return;
     }
-    const TextInspection inspection(text, options.stop, diagnostics);
+    const TextInspection inspection(text, options.stop, diagnostics, options.threads);
     if (diagnostics.hasErrors())
         return;
     csv::Scan scan = csv::scan(inspection, options, diagnostics);
@@ -206,12 +206,12 @@ CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)
 
 CsvReading readCalibrationCsv(const std::filesystem::path& file, const CsvOptions& options)
 {
-    const Result<Bytes> bytes = loadFile(file, maximumBytes(options));
-    if (bytes)
-        return parseCalibrationCsv(asText(*bytes), options);
+    const auto content = loadContent(file, maximumBytes(options), options.threads);
+    if (content)
+        return parseCalibrationCsv(asText(content->view()), options);
     CsvReading reading;
     DiagnosticList diagnostics(options.maximumDiagnostics);
-    const ErrorContext& context = bytes.error().context;
+    const ErrorContext& context = content.error().context;
     if (const Argument* const size = context.find("size"))
         reportTooLarge(diagnostics, *size, maximumBytes(options));
     else

@@ -36,6 +36,13 @@ std::optional<std::uint16_t> PositionColumn::intern(
     return static_cast<std::uint16_t>(slot - 1);
 }
 
+void PositionColumn::close()
+{
+    m_entries = {};
+    m_slots = {};
+    m_values.shrink_to_fit();
+}
+
 NumberFault PositionColumn::parse(std::string_view cell, char decimal, Number& number) const
 {
     const char* const end = cell.data() + cell.size();
@@ -70,8 +77,10 @@ std::uint64_t PositionColumn::hashOf(const Key& key, std::string_view cell)
 {
     if (cell.size() > keyLength)
         return std::hash<std::string_view>{}(cell);
-    // Odd numbers without a pattern; the upper bits depend on all characters.
-    return (key[0] * 0x9E3779B97F4A7C15U + key[1] * 0xC2B2AE3D27D4EB4FU) >> 32U;
+    // Odd numbers without a pattern. A product's upper bits depend on all lower ones of its factor.
+    std::uint64_t hash = key[0] ^ (key[1] * 0xC2B2AE3D27D4EB4FU);
+    hash = (hash ^ (hash >> 32U)) * 0x9E3779B97F4A7C15U;
+    return hash >> 32U;
 }
 
 /// Where the cell stands, or has its place.
@@ -81,7 +90,8 @@ std::uint16_t& PositionColumn::slotOf(const Key& key, std::string_view cell)
     for (std::size_t i = hashOf(key, cell) & mask;; i = (i + 1) & mask) {
         const Entry& entry = m_entries[m_slots[i]];
         if (m_slots[i] == 0
-            || (entry.text == key && (cell.size() <= keyLength || textOf(m_slots[i]) == cell)))
+            || (isSame(entry.text, key)
+                && (cell.size() <= keyLength || textOf(m_slots[i]) == cell)))
             return m_slots[i];
     }
 }

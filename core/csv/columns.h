@@ -67,6 +67,9 @@ public:
         m_lastDecimal = std::min(m_lastDecimal, number.lastDecimal);
     }
 
+    /// Keeps the values alone: nothing more is read.
+    void close();
+
     /// By id. Different texts of the same value are different ids.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// The finest one printed.
@@ -100,6 +103,11 @@ private:
     [[nodiscard]] std::string_view textOf(std::uint32_t entry) const
     {
         return m_text.substr(m_entries[entry].offset, m_entries[entry].length);
+    }
+    /// Without branches; == of arrays is a call of memcmp.
+    [[nodiscard]] static bool isSame(const Key& a, const Key& b)
+    {
+        return ((a[0] ^ b[0]) | (a[1] ^ b[1])) == 0;
     }
     [[nodiscard]] Key keyOf(std::string_view cell) const;
     [[nodiscard]] static std::uint64_t hashOf(const Key& key, std::string_view cell);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace axiscomp::csv {
 
@@ -67,12 +68,9 @@ std::optional<EvenSpacing> held(const GridLines& lines, double start, double dis
 
 } // namespace
 
-SortedPositions::SortedPositions(const std::vector<double>& values)
+SortedPositions::SortedPositions(std::vector<Place> places) : m_places(std::move(places))
 {
-    m_places.reserve(values.size());
-    for (std::uint32_t id = 0; id < values.size(); ++id)
-        m_places.push_back({values[id], id});
-    if (!std::ranges::is_sorted(values))
+    if (!std::ranges::is_sorted(m_places, {}, &Place::value))
         sortByBytes(m_places);
 }
 

@@ -18,8 +18,8 @@ public:
         std::uint32_t id;
     };
 
-    /// values: by id.
-    explicit SortedPositions(const std::vector<double>& values);
+    /// By id, which all are there from 0 on.
+    explicit SortedPositions(std::vector<Place> places);
 
     /// Equal ones by their ids.
     [[nodiscard]] const std::vector<Place>& places() const { return m_places; }

@@ -417,21 +417,31 @@ Text columnText(const ColumnName& column, std::size_t dimension)
 GridReading readGrid(const Scan& scan, const CsvOptions& options, DiagnosticList& diagnostics)
 {
     const auto dimensions = static_cast<std::size_t>(scan.dimensions);
-    GridReading reading;
-    reading.lines.resize(dimensions);
-    std::vector<std::optional<SortedPositions>> sorted(dimensions);
+    struct Dimension {
+        GridLines lines;
+        std::optional<GridAxis> axis;
+        std::vector<double> knots;
+        DiagnosticList diagnostics;
+    };
+    std::vector<Dimension> found(dimensions, {{}, {}, {}, DiagnosticList(diagnostics.maximum())});
     shareWork(dimensions, options.threads, [&](std::size_t d) {
-        sorted[d].emplace(scan.positionsOf(d));
-        reading.lines[d] = gridLines(*sorted[d], options.snap);
+        Dimension& own = found[d];
+        const SortedPositions sorted(scan.positionsOf(d));
+        own.lines = gridLines(sorted, options.snap);
+        AxisReader reader(scan, sorted, own.lines, d, own.diagnostics);
+        own.axis = reader.read(options);
+        if (own.axis && options.acceptsUneven)
+            own.knots = reader.knots(*own.axis);
     });
+    GridReading reading;
     reading.even = true;
-    for (std::size_t d = 0; d < dimensions; ++d) {
-        AxisReader reader(scan, *sorted[d], reading.lines[d], d, diagnostics);
-        const std::optional<GridAxis> axis = reader.read(options);
-        reading.even = reading.even && axis;
-        if (axis && options.acceptsUneven)
-            reading.knots.push_back(reader.knots(*axis));
-        reading.grid.axes.push_back(axis.value_or(GridAxis{}));
+    for (Dimension& own : found) {
+        diagnostics.append(std::move(own.diagnostics));
+        reading.even = reading.even && own.axis;
+        if (own.axis && options.acceptsUneven)
+            reading.knots.push_back(std::move(own.knots));
+        reading.grid.axes.push_back(own.axis.value_or(GridAxis{}));
+        reading.lines.push_back(std::move(own.lines));
     }
     return reading;
 }

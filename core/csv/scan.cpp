@@ -185,9 +185,14 @@ void Scanner::readPieces()
         m_scan.pieces.emplace_back(m_text, m_cells.format().separator,
             static_cast<std::size_t>(m_scan.dimensions), m_scan.tables());
     shareWork(ends.size(), m_options.threads, [&](std::size_t i) {
-        if (!m_options.stop.stop_requested())
-            stops[i] = readPlainRows(m_scan.pieces[first + i], m_cells.format(), stops[i], ends[i],
-                m_lines.end(), maximumRows());
+        if (m_options.stop.stop_requested())
+            return;
+        Piece& piece = m_scan.pieces[first + i];
+        stops[i] =
+            readPlainRows(piece, m_cells.format(), stops[i], ends[i], m_lines.end(), maximumRows());
+        // What it knows of texts is larger than the piece where positions scatter.
+        if (stops[i] == ends[i])
+            std::ranges::for_each(piece.positions, &PositionColumn::close);
     });
     for (std::size_t i = 0; i < ends.size() && !m_stop && !m_scan.cancelled; ++i) {
         m_piece = &m_scan.pieces[first + i];
@@ -312,13 +317,14 @@ ValueRange Scan::rangeOf(std::size_t table) const
     return range;
 }
 
-std::vector<double> Scan::positionsOf(std::size_t dimension) const
+std::vector<SortedPositions::Place> Scan::positionsOf(std::size_t dimension) const
 {
-    std::vector<double> positions;
-    for (const Piece& piece : pieces) {
-        const std::vector<double>& own = piece.positions[dimension].values();
-        positions.insert(positions.end(), own.begin(), own.end());
-    }
+    std::vector<SortedPositions::Place> positions;
+    positions.reserve(
+        pieces.back().firstId[dimension] + pieces.back().positions[dimension].values().size());
+    for (const Piece& piece : pieces)
+        for (const double value : piece.positions[dimension].values())
+            positions.push_back({value, static_cast<std::uint32_t>(positions.size())});
     return positions;
 }
 

@@ -4,6 +4,7 @@
 #include "core/csv/calibration_csv.h"
 #include "core/csv/cells.h"
 #include "core/csv/columns.h"
+#include "core/csv/grid_lines.h"
 #include "core/text/text_file.h"
 
 #include <vector>
@@ -35,7 +36,7 @@ struct Scan {
     /// What the values of a table are in all pieces.
     [[nodiscard]] ValueRange rangeOf(std::size_t table) const;
     /// The positions of a dimension in all pieces, by their id: the id in a piece, and its firstId.
-    [[nodiscard]] std::vector<double> positionsOf(std::size_t dimension) const;
+    [[nodiscard]] std::vector<SortedPositions::Place> positionsOf(std::size_t dimension) const;
     /// The first row with the position of this id.
     [[nodiscard]] std::size_t rowOf(std::size_t dimension, std::size_t id) const;
     /// The finest decimal that is printed in a dimension.

@@ -48,13 +48,14 @@ private:
 
 void TableCheck::look(const CompensationTable& table)
 {
-    const auto [smallest, largest] = std::ranges::minmax(table.values);
+    const float first = table.values.front();
+    const bool isConstant =
+        std::ranges::all_of(table.values, [first](float value) { return value == first; });
     warnOfPrecision(m_scan.rangeOf(m_index));
-    if (smallest == largest)
+    if (isConstant)
         m_diagnostics.warning(DiagnosticCode::ConstantTable, m_scan.headerLine, m_column,
-
             AXISCOMP_TEXT("Error", "{value} at every point of {table}")
-                .with("value", Quantity{toText(smallest)})
+                .with("value", Quantity{toText(first)})
                 .with("table", table.name),
             AXISCOMP_TEXT("Error", "values that differ"));
     else

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/local_file.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <limits>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -164,24 +167,61 @@ Result<void> replace(
     return {};
 }
 
-/// Reads to the end, or one byte more than the maximum. A file may be longer than it says
-/// (expected) while somebody writes to it.
-bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, Bytes& bytes)
+/// Reads from an offset on until the space is full or the file ends. Returns what was read; none:
+/// an error.
+std::optional<std::size_t> readAt(int descriptor, std::size_t offset, std::span<std::byte> space)
 {
-    constexpr std::uint64_t firstBlock = 4096;
     std::size_t filled = 0;
-    while (filled <= maximumSize) {
-        if (filled == bytes.size())
-            bytes.resize(static_cast<std::size_t>(std::min(
-                maximumSize + 1, std::max({firstBlock, expected + 1, 2 * std::uint64_t{filled}}))));
-        const ssize_t count = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+    while (filled < space.size()) {
+        const ssize_t count = ::pread(descriptor, space.data() + filled, space.size() - filled,
+            static_cast<off_t>(offset + filled));
         if (count < 0 && errno != EINTR)
-            return false;
+            return std::nullopt;
         if (count == 0)
             break;
         filled += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
     }
-    bytes.resize(filled);
+    return filled;
+}
+
+/// Several threads read pieces of the bytes. False: one of them came out short, or there was an
+/// error.
+bool readTogether(int descriptor, std::size_t threads, std::span<std::byte> bytes)
+{
+    constexpr std::size_t piece = std::size_t{1} << 20U;
+    std::atomic<bool> isWhole = true;
+    shareWork((bytes.size() + piece - 1) / piece, threads, [&](std::size_t index) {
+        const std::size_t offset = index * piece;
+        const auto part = bytes.subspan(offset, std::min(piece, bytes.size() - offset));
+        if (readAt(descriptor, offset, part) != part.size())
+            isWhole = false;
+    });
+    return isWhole;
+}
+
+/// Reads to the end, or one byte more than the maximum. A file may be longer than it says
+/// (expected) while somebody writes to it, or shorter.
+bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, std::size_t threads,
+    FileContent& content)
+{
+    constexpr std::uint64_t firstBlock = 4096;
+    content.resize(static_cast<std::size_t>(std::max(firstBlock, expected + 1)));
+    std::size_t filled = 0;
+    if (readTogether(descriptor, threads, {content.data(), static_cast<std::size_t>(expected)}))
+        filled = static_cast<std::size_t>(expected);
+    while (filled <= maximumSize) {
+        if (filled == content.size())
+            content.resize(static_cast<std::size_t>(
+                std::min(maximumSize + 1, 2 * std::uint64_t{content.size()})));
+        const auto count =
+            readAt(descriptor, filled, {content.data() + filled, content.size() - filled});
+        if (!count)
+            return false;
+        filled += *count;
+        if (filled < content.size())
+            break;
+    }
+    content.resize(filled);
     return true;
 }
 
@@ -241,7 +281,18 @@ Result<void> saveFile(const std::filesystem::path& file, ByteView bytes)
     return replace(*target, old, bytes);
 }
 
-Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize)
+void FileContent::resize(std::size_t size)
+{
+    if (size > m_size) {
+        auto larger = std::make_unique_for_overwrite<std::byte[]>(size);
+        std::copy_n(m_bytes.get(), m_size, larger.get());
+        m_bytes = std::move(larger);
+    }
+    m_size = size;
+}
+
+Result<FileContent> loadContent(
+    const std::filesystem::path& file, std::uint64_t maximumSize, std::size_t threads)
 try {
     // Does not wait for somebody to write into a pipe.
     const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -266,12 +317,20 @@ try {
     // One byte more is asked for to see that nothing follows.
     const std::uint64_t readable =
         std::min<std::uint64_t>(maximumSize, std::numeric_limits<std::int64_t>::max());
-    Bytes bytes;
-    if (!readAll(descriptor.number(), expected, readable, bytes))
+    FileContent content;
+    if (!readAll(descriptor.number(), expected, readable, threads, content))
         return notReadable(file, errno);
-    if (bytes.size() > maximumSize)
+    if (content.size() > maximumSize)
         return tooLarge(AXISCOMP_TEXT("Error", "more than {size}").with("size", maximumSize));
-    return bytes;
+    return content;
+} catch (const std::bad_alloc&) {
+    return notReadable(file, ENOMEM);
+}
+
+Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize)
+try {
+    AXISCOMP_TRY(const auto content, loadContent(file, maximumSize));
+    return Bytes(content.view().begin(), content.view().end());
 } catch (const std::bad_alloc&) {
     return notReadable(file, ENOMEM);
 }

@@ -4,8 +4,10 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 
 namespace axiscomp {
 
@@ -15,7 +17,26 @@ namespace axiscomp {
 /// refused. Devices and pipes ("/dev/stdout") are written to directly. Errors: FileNotWritable.
 [[nodiscard]] Result<void> saveFile(const std::filesystem::path& file, ByteView bytes);
 
-/// Pipes and devices are refused: they may have no end. Errors: FileNotReadable, FileTooLarge.
+/// The bytes of a file. Unlike Bytes, they are not cleared before they are read.
+class FileContent {
+public:
+    [[nodiscard]] ByteView view() const { return {m_bytes.get(), m_size}; }
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    [[nodiscard]] std::byte* data() { return m_bytes.get(); }
+    /// Keeps the bytes up to the smaller size; what follows is anything.
+    void resize(std::size_t size);
+
+private:
+    std::unique_ptr<std::byte[]> m_bytes;
+    std::size_t m_size = 0;
+};
+
+/// Pipes and devices are refused: they may have no end. threads: as shareWork has them, for a file
+/// of megabytes. Errors: FileNotReadable, FileTooLarge.
+[[nodiscard]] Result<FileContent> loadContent(
+    const std::filesystem::path& file, std::uint64_t maximumSize, std::size_t threads = 1);
+
+/// The same as Bytes.
 [[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
 
 /// Whether this is an ordinary file, or nothing at all: a pipe would be waited for, a device be

@@ -5,6 +5,7 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -36,6 +37,21 @@ std::optional<double> valueInPositions(const CompensationTable& table, const Gri
     return unitFactor(table.unit, axis.unit);
 }
 
+/// The largest |step| between each of `count` values and the one a stride behind it. Eight at a
+/// time, which wait for each other no more.
+float largestStep(const float* values, std::size_t stride, std::size_t count)
+{
+    constexpr std::size_t lanes = 8;
+    std::array<float, lanes> largest{};
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k)
+            largest[k] = std::max(largest[k], std::fabs(values[i + stride + k] - values[i + k]));
+    for (; i < count; ++i)
+        largest[0] = std::max(largest[0], std::fabs(values[i + stride] - values[i]));
+    return std::ranges::max(largest);
+}
+
 /// The steepest step in one dimension. The runs of neighbouring values are compared as a whole,
 /// because most tables have no step worth finding.
 SteepestStep steepestAlong(
@@ -48,9 +64,7 @@ SteepestStep steepestAlong(
     float largest = 0.0F;
     for (std::size_t begin = 0; begin < values.size(); begin += run) {
         const std::size_t end = begin + run - stride;
-        float here = 0.0F;
-        for (std::size_t i = begin; i < end; ++i)
-            here = std::max(here, std::fabs(values[i + stride] - values[i]));
+        const float here = largestStep(values.data() + begin, stride, run - stride);
         if (!(here > largest))
             continue;
         largest = here;

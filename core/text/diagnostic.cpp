@@ -261,6 +261,18 @@ void DiagnosticList::countErrors(std::size_t count)
     m_suppressed += count;
 }
 
+void DiagnosticList::append(DiagnosticList following)
+{
+    for (Diagnostic& item : following.m_items)
+        error(std::move(item));
+    const std::size_t room = m_maximum - std::min(m_maximum, m_warnings.size());
+    const std::size_t kept = std::min(room, following.m_warnings.size());
+    std::move(following.m_warnings.begin(),
+        following.m_warnings.begin() + static_cast<std::ptrdiff_t>(kept),
+        std::back_inserter(m_warnings));
+    countErrors(following.m_suppressed);
+}
+
 std::vector<Diagnostic> DiagnosticList::take()
 {
     // Errors come first when there is no room for all: they are what stops the file.

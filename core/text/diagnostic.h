@@ -112,6 +112,10 @@ public:
     /// Counts errors that are not worth a diagnostic each.
     void countErrors(std::size_t count);
 
+    /// Adds what another list of the same maximum holds, as if it had been found after all of this.
+    void append(DiagnosticList following);
+
+    [[nodiscard]] std::size_t maximum() const { return m_maximum; }
     /// True when a further error would only be counted.
     [[nodiscard]] bool isFull() const { return m_items.size() >= m_maximum; }
     [[nodiscard]] bool hasErrors() const { return m_hasErrors; }

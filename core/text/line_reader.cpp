@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/line_reader.h"
 
-#include <algorithm>
 #include <cstring>
 
 namespace axiscomp {
@@ -21,18 +20,18 @@ LineReader::LineReader(std::string_view text)
     : m_position(text.data())
     , m_end(text.data() + text.size())
     , m_nextFeed(find(m_position, m_end, '\n'))
-    , m_nextReturn(find(m_position, m_end, '\r'))
+    , m_nextReturn(find(m_position, m_nextFeed, '\r'))
 {
 }
 
 std::string_view LineReader::next()
 {
     const char* begin = m_position;
-    const char* end = std::min(m_nextFeed, m_nextReturn);
+    const char* end = m_nextReturn;
     const char* following = end;
     if (following != m_end)
         ++following;
-    if (end == m_nextReturn && following == m_nextFeed && following != m_end)
+    if (following == m_nextFeed && following != m_end)
         ++following;
     skipTo(following, 1);
     return {begin, static_cast<std::size_t>(end - begin)};
@@ -42,12 +41,12 @@ void LineReader::skipTo(const char* position, std::size_t lines)
 {
     m_position = position;
     m_lineNumber += lines;
-    // Searched for once each, so that a text without the one or the other is not read to its end
-    // again and again.
+    // Searched for once each: a text without LF is not read to its end again and again, and one
+    // without CR never further than the line.
     if (m_nextFeed < position)
         m_nextFeed = find(position, m_end, '\n');
     if (m_nextReturn < position)
-        m_nextReturn = find(position, m_end, '\r');
+        m_nextReturn = find(position, m_nextFeed, '\r');
 }
 
 } // namespace axiscomp

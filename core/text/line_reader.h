@@ -26,7 +26,7 @@ private:
     const char* m_position;
     const char* m_end;
     const char* m_nextFeed; ///< the first LF at or after the position, or the end
-    const char* m_nextReturn;
+    const char* m_nextReturn; ///< the first CR before that LF, or the same
     std::size_t m_lineNumber = 1;
 };
 

@@ -16,7 +16,9 @@ enum class Encoding { Utf8, Windows1252 };
 /// no text, and the warning Encoding when they are not UTF-8.
 class TextInspection {
 public:
-    TextInspection(std::string_view text, const std::stop_token& stop, DiagnosticList& diagnostics);
+    /// threads: as shareWork has them.
+    TextInspection(std::string_view text, const std::stop_token& stop, DiagnosticList& diagnostics,
+        std::size_t threads = 1);
 
     /// Without the byte-order mark.
     [[nodiscard]] std::string_view body() const { return m_body; }
@@ -25,7 +27,7 @@ public:
 private:
     bool refuse(const TextPattern& what, std::size_t line = 0);
     bool refuseForeignFormat(std::string_view text);
-    bool refuseNul(const std::stop_token& stop);
+    bool refuseNul(const std::stop_token& stop, std::size_t threads);
     void decideEncoding();
 
     DiagnosticList& m_diagnostics;
