@@ -78,8 +78,8 @@ struct CsvReading {
     const std::filesystem::path& file, const CsvOptions& options);
 
 /// A calibration file that parses back to the same data (positions and values in shortest exact
-/// form).
-[[nodiscard]] std::string writeCalibrationCsv(const CalibrationData& data);
+/// form). threads: as shareWork has them; the text does not depend on it.
+[[nodiscard]] std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads = 0);
 
 /// The example file of AN140 2.3 for 1, 2 or 3 dimensions; parses back without a warning.
 [[nodiscard]] std::string exampleCalibrationCsv(int dimensions, int tables = 2);

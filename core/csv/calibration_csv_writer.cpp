@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
 #include "core/csv/calibration_csv.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_parser.h"
@@ -6,20 +7,28 @@
 #include "core/text/text_file.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
 
 namespace axiscomp {
 
 namespace {
 
 /// The shortest text that is read back as the same float32. The reader goes by way of a double,
-/// which in rare cases rounds the shortest float32 text twice.
-std::string valueText(float value)
+/// which in rare cases rounds the shortest float32 text twice. shortNumberReach characters behind
+/// the buffer's beginning must be there. Writes a comma behind the text, and returns its end.
+char* writeValue(float value, char* buffer)
 {
-    std::string text = toText(value);
+    char* end = writeText(value, buffer);
+    *end = ',';
     Number read;
-    const bool same = parseNumber(text, '.', read) == NumberFault::None
-        && static_cast<float>(read.value) == value;
-    return same ? text : toText(static_cast<double>(value));
+    const bool isRead = parseShortNumber(buffer, '.', read) == end
+        || parseNumber({buffer, end}, '.', read) == NumberFault::None;
+    if (!isRead || static_cast<float>(read.value) != value)
+        end = writeText(static_cast<double>(value), buffer);
+    *end = ',';
+    return end + 1;
 }
 
 std::string oneLine(std::string text)
@@ -111,27 +120,91 @@ std::string targetLine(const CalibrationData& data)
     return line + '\n';
 }
 
-} // namespace
+/// A position and the separator behind it, with room, so that it is copied without asking how long
+/// it is.
+struct PositionText {
+    std::array<char, longestText + 8> text{};
+    std::size_t size = 0;
 
-std::string writeCalibrationCsv(const CalibrationData& data)
-{
-    std::vector<std::vector<std::string>> positions;
-    for (const GridAxis& axis : data.grid.axes) {
-        positions.emplace_back();
-        for (std::uint32_t i = 0; i < axis.size; ++i)
-            positions.back().push_back(toText(axis.position(i)));
+    explicit PositionText(double position)
+    {
+        char* const end = writeText(position, text.data());
+        *end = ',';
+        size = static_cast<std::size_t>(end + 1 - text.data());
     }
-    std::string text = notes(data) + targetLine(data) + headerLine(data);
-    const std::size_t points = data.grid.pointCount();
-    for (std::size_t point = 0; point < points; ++point) {
+    char* copyTo(char* to) const
+    {
+        std::memcpy(to, text.data(), text.size());
+        return to + size;
+    }
+};
+
+/// The lines of the points.
+class PointWriter {
+public:
+    explicit PointWriter(const CalibrationData& data) : m_tables(data.tables)
+    {
+        for (const GridAxis& axis : data.grid.axes)
+            for (std::vector<PositionText>& texts = m_positions.emplace_back();
+                 texts.size() < axis.size;)
+                texts.emplace_back(axis.position(texts.size()));
+    }
+
+    struct Lines {
+        std::unique_ptr<char[]> text;
+        std::size_t size = 0;
+    };
+    [[nodiscard]] Lines write(std::size_t firstPoint, std::size_t lastPoint) const
+    {
+        const std::size_t longestLine = (m_positions.size() + m_tables.size()) * (longestText + 1);
+        const std::size_t room =
+            (lastPoint - firstPoint) * longestLine + sizeof(PositionText) + shortNumberReach;
+        Lines lines{std::make_unique_for_overwrite<char[]>(room), 0};
+        char* end = lines.text.get();
+        for (std::size_t point = firstPoint; point < lastPoint; ++point)
+            end = writeLine(point, end);
+        lines.size = static_cast<std::size_t>(end - lines.text.get());
+        return lines;
+    }
+
+private:
+    char* writeLine(std::size_t point, char* end) const
+    {
         std::size_t rest = point;
-        for (const std::vector<std::string>& axis : positions) {
-            text.append(axis[rest % axis.size()]).append(1, ',');
+        for (const std::vector<PositionText>& axis : m_positions) {
+            end = axis[rest % axis.size()].copyTo(end);
             rest /= axis.size();
         }
-        for (const CompensationTable& table : data.tables)
-            text.append(valueText(table.values[point])).append(1, ',');
-        text.back() = '\n';
+        for (const CompensationTable& table : m_tables)
+            end = writeValue(table.values[point], end);
+        end[-1] = '\n';
+        return end;
+    }
+
+    const std::vector<CompensationTable>& m_tables;
+    std::vector<std::vector<PositionText>> m_positions; ///< per dimension
+};
+
+} // namespace
+
+std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads)
+{
+    constexpr std::size_t cellsAtOnce = 32768;
+    const std::size_t points = data.grid.pointCount();
+    const std::size_t pointsAtOnce = 1 + cellsAtOnce / (data.grid.axes.size() + data.tables.size());
+    const PointWriter writer(data);
+    std::vector<PointWriter::Lines> pieces((points + pointsAtOnce - 1) / pointsAtOnce);
+    shareWork(pieces.size(), threads, [&](std::size_t n) {
+        pieces[n] = writer.write(n * pointsAtOnce, std::min(points, (n + 1) * pointsAtOnce));
+    });
+    std::string text = notes(data) + targetLine(data) + headerLine(data);
+    std::size_t size = text.size();
+    for (const PointWriter::Lines& piece : pieces)
+        size += piece.size;
+    text.reserve(size);
+    for (PointWriter::Lines& piece : pieces) {
+        text.append(piece.text.get(), piece.size);
+        piece.text.reset();
     }
     return text;
 }

@@ -9,16 +9,22 @@ namespace axiscomp {
 
 namespace {
 
-template <typename Float> std::string plainText(Float value)
+template <typename Float> char* writePlainText(Float value, char* buffer)
 {
     constexpr Float smallest = static_cast<Float>(1e-7);
     constexpr Float largest = static_cast<Float>(1e15);
     const Float size = value < 0 ? -value : value;
     const bool plain = size == 0 || (size >= smallest && size < largest);
-    std::array<char, 64> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-        plain ? std::chars_format::fixed : std::chars_format::scientific);
-    return {buffer.data(), result.ptr};
+    // Without an exponent: a sign, "0.", six zeros and 17 digits at most; with one, 24 characters.
+    return std::to_chars(buffer, buffer + longestText, value,
+        plain ? std::chars_format::fixed : std::chars_format::scientific)
+        .ptr;
+}
+
+template <typename Float> std::string plainText(Float value)
+{
+    std::array<char, longestText> buffer{};
+    return {buffer.data(), writePlainText(value, buffer.data())};
 }
 
 template <typename Float> std::string fewestCharacters(Float value)
@@ -39,6 +45,16 @@ std::string toText(double value)
 std::string toText(float value)
 {
     return plainText(value);
+}
+
+char* writeText(float value, char* buffer)
+{
+    return writePlainText(value, buffer);
+}
+
+char* writeText(double value, char* buffer)
+{
+    return writePlainText(value, buffer);
 }
 
 std::string fixedDigits(double value, int decimals)

@@ -12,6 +12,11 @@ namespace axiscomp {
 [[nodiscard]] std::string toText(double value);
 [[nodiscard]] std::string toText(float value);
 
+/// The same into a buffer, for millions of them. Returns the end of the text.
+inline constexpr std::size_t longestText = 32;
+[[nodiscard]] char* writeText(float value, char* buffer);
+[[nodiscard]] char* writeText(double value, char* buffer);
+
 /// With this many digits behind the point, without an exponent, and no sign before what is rounded
 /// to 0.
 [[nodiscard]] std::string fixedDigits(double value, int decimals);

@@ -104,14 +104,20 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
     return encodeTamTable(inUnits, persistent, profile.layout);
 }
 
-Result<Bytes> encodeAs(Environment& environment, const ConvertOptions& options,
+/// Returns the number of bytes written.
+Result<std::size_t> writeAs(Environment& environment, const ConvertOptions& options,
     const TableFormat& format, const CalibrationData& data, bool persistent)
 {
-    if (&format == &tam_table::format())
-        return encodeTable(environment, options, data.tables.front(), persistent);
+    const Output output{options.output, options.input.command};
+    if (&format == &tam_table::format()) {
+        AXISCOMP_TRY(
+            const auto bytes, encodeTable(environment, options, data.tables.front(), persistent));
+        AXISCOMP_CHECK(writeOutput(environment, output, bytes));
+        return bytes.size();
+    }
     const std::string text = writeCalibrationCsv(data);
-    const ByteView view = asBytes(text);
-    return Bytes(view.begin(), view.end());
+    AXISCOMP_CHECK(writeOutput(environment, output, asBytes(text)));
+    return text.size();
 }
 
 /// A file of the product's own formats into the other one: the same numbers.
@@ -121,8 +127,7 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
     const Output output{options.output, options.input.command};
     AXISCOMP_TRY(auto data, chosenTables(std::move(*input.data), options, to.facts));
     const bool persistent = options.persistent || (input.persistent && !options.isVolatile);
-    AXISCOMP_TRY(auto bytes, encodeAs(environment, options, to, data, persistent));
-    AXISCOMP_CHECK(writeOutput(environment, output, bytes));
+    AXISCOMP_TRY(const auto bytes, writeAs(environment, options, to, data, persistent));
 
     Json tables = Json::array();
     for (const CompensationTable& table : data.tables)
@@ -131,12 +136,12 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
         {"from", input.format->facts.name}, {"to", to.facts.name},
         {"dimensions", data.grid.dimensions()}, {"axes", toJson(data.grid)},
         {"tables", std::move(tables)}, {"persistent", persistent && to.facts.holdsPersistency},
-        {"bytes", bytes.size()}});
+        {"bytes", bytes}});
     if (!output.isStandardOutput())
         environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
             + plural(data.tables.size(), "table", "tables") + ", "
             + plural(data.grid.pointCount(), "point", "points") + ", "
-            + plural(bytes.size(), "byte", "bytes") + ".\n");
+            + plural(bytes, "byte", "bytes") + ".\n");
     return ExitCode::Done;
 }
 

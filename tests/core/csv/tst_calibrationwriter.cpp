@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -30,6 +31,30 @@ class TestCalibrationWriter : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    /// 30 000 points are several pieces, the last one a part of one.
+    void anyNumberOfThreadsWritesTheSameBytes()
+    {
+        std::mt19937 random(3); // NOLINT: the same table every time
+        CalibrationData data{{{{"X", "mm", -3.1, 0.1, 300}, {"Y", "mm", 7.0, 2.5, 100}}}, {}, {}};
+        for (const char* name : {"T", "U"}) {
+            CompensationTable& table = data.tables.emplace_back();
+            table.name = name;
+            table.grid = data.grid;
+            while (table.values.size() < data.grid.pointCount()) {
+                const auto value = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+                table.values.push_back(std::isfinite(value) ? value : 0.0F);
+            }
+        }
+        const std::string due = writeCalibrationCsv(data, 1);
+        for (const std::size_t threads : {0, 2, 3, 7})
+            QVERIFY(writeCalibrationCsv(data, threads) == due);
+        const CsvReading reading = parse(QByteArray::fromStdString(due), 2);
+        QVERIFY(reading.data);
+        QVERIFY(reading.data->grid == data.grid);
+        for (std::size_t n = 0; n < data.tables.size(); ++n)
+            QVERIFY(reading.data->tables[n].values == data.tables[n].values);
+    }
 
     void everyWayToWriteAGridGivesTheSameTable()
     {
