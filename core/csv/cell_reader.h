@@ -31,7 +31,8 @@ public:
     [[nodiscard]] const CellFormat& format() const { return m_format; }
     [[nodiscard]] std::string_view text(std::size_t column) const
     {
-        return trimmed(m_cells[column - 1].text);
+        const Cell& cell = m_cells[column - 1];
+        return cell.quoting == Quoting::None ? cell.text : trimmed(cell.text);
     }
     [[nodiscard]] const Cell& cell(std::size_t column) const { return m_cells[column - 1]; }
     [[nodiscard]] bool hasNoValue(std::size_t column) const

@@ -12,8 +12,10 @@ namespace {
 /// Takes one cell off the line; more is false when it was the last.
 Cell takeCell(std::string_view& line, char separator, bool& more)
 {
-    const std::size_t first = line.find_first_not_of(" \t");
-    if (first == std::string_view::npos || line[first] != '"') {
+    std::size_t first = 0;
+    while (first < line.size() && (line[first] == ' ' || line[first] == '\t'))
+        ++first;
+    if (first == line.size() || line[first] != '"') {
         const std::size_t end = line.find(separator);
         const Cell cell{trimmed(line.substr(0, end)), Quoting::None};
         more = end != std::string_view::npos;
