@@ -29,6 +29,13 @@ bool asksForJson(int argc, char** argv)
         [](std::string_view argument) { return argument == "--json"; });
 }
 
+/// What decides which command it is; nothing where more follows than that.
+std::string_view firstWord(int argc, char** argv)
+{
+    const std::string_view word = argc > 1 ? argv[1] : "";
+    return word.starts_with('-') && argc > 2 ? std::string_view() : word;
+}
+
 ExitCode runCommand(Console& console, const CommandLine& line)
 {
     Interrupt interrupt;
@@ -41,7 +48,7 @@ ExitCode runCommand(Console& console, const CommandLine& line)
 
 ExitCode run(int argc, char** argv, Console& console)
 {
-    CommandLine line;
+    CommandLine line(firstWord(argc, argv));
     const Result<bool> proceed = parseArguments(line.parser(), argc, argv, console);
     if (!proceed)
         return reportError(console, proceed.error(), asksForJson(argc, argv), Json::array());
@@ -65,9 +72,9 @@ EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments, Interrupt& in
     std::vector<char*> pointers;
     for (std::string& word : words)
         pointers.push_back(word.data());
-    CommandLine line;
-    const Result<bool> proceed =
-        parseArguments(line.parser(), static_cast<int>(pointers.size()), pointers.data(), console);
+    const int count = static_cast<int>(pointers.size());
+    CommandLine line(firstWord(count, pointers.data()));
+    const Result<bool> proceed = parseArguments(line.parser(), count, pointers.data(), console);
     Result<ExitCode> outcome = ExitCode::Done;
     if (!proceed)
         outcome = fail(proceed.error());

@@ -3,9 +3,44 @@
 
 #include "app/common/arguments.h"
 
+#include <algorithm>
+#include <array>
+
 namespace axiscomp::app {
 
-CommandLine::CommandLine()
+namespace {
+
+constexpr const char* versionFlag = "--version";
+
+/// What one function adds.
+struct CommandGroup {
+    std::array<std::string_view, 3> names;
+    void (*add)(CommandLine& line);
+};
+
+/// In the order of the help.
+constexpr std::array groups{CommandGroup{{"example"}, addExampleCommand},
+    CommandGroup{{"inspect"}, addInspectCommand}, CommandGroup{{"convert"}, addConvertCommand},
+    CommandGroup{{"lookup"}, addLookupCommand}, CommandGroup{{"formats"}, addFormatsCommand},
+    CommandGroup{{"targets"}, addTargetsCommand}, CommandGroup{{"capture"}, addCaptureCommand},
+    CommandGroup{{"runs"}, addRunsCommand}, CommandGroup{{"judge"}, addJudgeCommand},
+    CommandGroup{{"fit"}, addFitCommand}, CommandGroup{{"compare"}, addCompareCommand},
+    CommandGroup{{"report"}, addReportCommand}, CommandGroup{{"axes"}, addAxesCommand},
+    CommandGroup{{"status"}, addStatusCommand}, CommandGroup{{"write"}, addWriteCommand},
+    CommandGroup{{"persist", "unpersist"}, addPersistencyCommands},
+    CommandGroup{{"delete"}, addDeleteCommand},
+    CommandGroup{{"evaluate", "activate", "deactivate"}, addActivationCommands},
+    CommandGroup{{"read"}, addReadCommand},
+    CommandGroup{{"files", "upload", "download"}, addTransferCommands},
+    CommandGroup{{"monitor"}, addMonitorCommand},
+    CommandGroup{{"backup", "restore"}, addBackupCommands},
+    CommandGroup{{"recover"}, addRecoverCommand}, CommandGroup{{"config"}, addConfigCommand},
+    CommandGroup{{"plan", "apply"}, addMachineCommands},
+    CommandGroup{{"snapshot"}, addSnapshotCommand}, CommandGroup{{"metrics"}, addMetricsCommand}};
+
+} // namespace
+
+CommandLine::CommandLine(std::string_view only)
     : m_parser(AXISCOMP_HELP("Help",
                    "Writes compensation tables for measured axis errors to a servo drive, "
                    "activates them, and checks the drive's output against the table."),
@@ -13,35 +48,15 @@ CommandLine::CommandLine()
 {
     setHelpStyle(m_parser);
     m_parser.set_version_flag(
-        "--version", "axiscomp " AXISCOMP_VERSION, AXISCOMP_HELP("Help", "Show the version"));
+        versionFlag, "axiscomp " AXISCOMP_VERSION, AXISCOMP_HELP("Help", "Show the version"));
     m_parser.require_subcommand(1);
-    addExampleCommand(*this);
-    addInspectCommand(*this);
-    addConvertCommand(*this);
-    addLookupCommand(*this);
-    addFormatsCommand(*this);
-    addTargetsCommand(*this);
-    addCaptureCommand(*this);
-    addRunsCommand(*this);
-    addJudgeCommand(*this);
-    addFitCommand(*this);
-    addCompareCommand(*this);
-    addReportCommand(*this);
-    addAxesCommand(*this);
-    addStatusCommand(*this);
-    addWriteCommand(*this);
-    addPersistencyCommands(*this);
-    addDeleteCommand(*this);
-    addActivationCommands(*this);
-    addReadCommand(*this);
-    addTransferCommands(*this);
-    addMonitorCommand(*this);
-    addBackupCommands(*this);
-    addRecoverCommand(*this);
-    addConfigCommand(*this);
-    addMachineCommands(*this);
-    addSnapshotCommand(*this);
-    addMetricsCommand(*this);
+    const auto isWanted = [only](const CommandGroup& group) {
+        return !only.empty() && std::ranges::find(group.names, only) != group.names.end();
+    };
+    const bool wantsAll = only != versionFlag && std::ranges::none_of(groups, isWanted);
+    for (const CommandGroup& group : groups)
+        if (wantsAll || isWanted(group))
+            group.add(*this);
     // Last, as commands take over what is there when they are added.
     m_parser.footer(AXISCOMP_HELP("Help",
         "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the "

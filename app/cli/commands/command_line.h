@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace axiscomp::app {
 
@@ -20,7 +21,10 @@ using Command = std::function<Result<ExitCode>(Environment&)>;
 /// The command line of axiscomp: collects the commands, and holds the one that was chosen.
 class CommandLine {
 public:
-    CommandLine();
+    /// only: the name of the command that alone is wanted, or --version for none; the options of
+    /// the others then are not made, which is half of what a start takes. Anything else: all of
+    /// them.
+    explicit CommandLine(std::string_view only = {});
 
     /// A command with its --json. run is called after parsing, if this command was chosen; it keeps
     /// its options alive.
