@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the largest calibration file that a drive can take. bench_csv --sample FILE writes that
-// file for tests/bench/pandas_csv.py; AXISCOMP_BENCH_CSV names an existing one to be read instead.
+// Reads and writes the largest calibration file that a drive can take, and files of other sizes.
+// bench_csv
+// --sample FILE [random | scattered] writes such a file for other programs; AXISCOMP_BENCH_CSV
+// names one to be read instead. threads:0 is one on each processor.
 #include "core/csv/calibration_csv.h"
 #include "core/io/local_file.h"
 
@@ -9,10 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <random>
 
 #include <malloc.h>
@@ -23,12 +27,20 @@ namespace {
 using namespace axiscomp;
 
 constexpr int dimensions = 3;
-constexpr std::array<int, dimensions> sizes{80, 80, 81};
+using Sizes = std::array<int, dimensions>;
+constexpr Sizes largest{80, 80, 81};
 
-enum class Order { Grid, Random };
-enum class Positions { Even, Scattered };
+/// Scattered: no position twice.
+enum class Order { Grid, Random, Scattered };
 
-void appendFixed(std::string& text, double value, int decimals)
+void append(std::string& text, double value)
+{
+    std::array<char, 32> buffer{};
+    text.append(
+        buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr);
+}
+
+void append(std::string& text, double value, int decimals)
 {
     std::array<char, 32> buffer{};
     const auto written = std::to_chars(
@@ -36,29 +48,65 @@ void appendFixed(std::string& text, double value, int decimals)
     text.append(buffer.data(), written.ptr);
 }
 
-/// 518 400 lines of 4 columns, about 20 MB.
-std::string sample(Order order = Order::Grid, Positions positions = Positions::Even)
+constexpr const char* head = "// grid plate, 20 degrees\nX [mm],Y [mm],Z [mm],Table 1 [mm]\n";
+
+/// 518 400 lines of 4 columns, 14.7 MB: positions as short as they are, values with 9 decimals.
+std::string gridText(const Sizes& sizes)
 {
     std::mt19937 random(1); // NOLINT: the same file every time
     std::normal_distribution<double> noise;
-    std::vector<std::string> lines;
+    std::string text = head;
     for (int z = 0; z < sizes[2]; ++z)
         for (int y = 0; y < sizes[1]; ++y)
             for (int x = 0; x < sizes[0]; ++x) {
-                std::string& line = lines.emplace_back();
                 for (const int index : {x, y, z}) {
-                    const double scatter = positions == Positions::Even ? 0.0 : 1e-3;
-                    appendFixed(line, -50.0 + 1.25 * index + scatter * noise(random), 5);
-                    line += ',';
+                    append(text, -50.0 + 1.25 * index);
+                    text += ',';
                 }
-                appendFixed(line, 0.002 * noise(random), 8);
+                append(text, 0.002 * noise(random), 9);
+                text += '\n';
             }
-    if (order == Order::Random)
-        std::ranges::shuffle(lines, random);
-    std::string text = "// grid plate, 20 degrees\nX [mm],Y [mm],Z [mm],Table 1 [mm]\n";
-    for (const std::string& line : lines)
-        text.append(line).append(1, '\n');
     return text;
+}
+
+std::string scatteredText()
+{
+    std::mt19937 random(2); // NOLINT
+    std::uniform_real_distribution<double> place(-50.0, 50.0);
+    std::string text = head;
+    for (int line = 0; line < largest[0] * largest[1] * largest[2]; ++line) {
+        for (int d = 0; d < dimensions; ++d) {
+            append(text, place(random), 6);
+            text += ',';
+        }
+        append(text, 1e-5 * place(random), 9);
+        text += '\n';
+    }
+    return text;
+}
+
+std::string shuffledText()
+{
+    const std::string text = gridText(largest);
+    std::vector<std::string_view> lines;
+    for (std::size_t begin = std::strlen(head); begin < text.size();) {
+        const std::size_t end = text.find('\n', begin) + 1;
+        lines.push_back(std::string_view(text).substr(begin, end - begin));
+        begin = end;
+    }
+    std::mt19937 random(3); // NOLINT
+    std::ranges::shuffle(lines, random);
+    std::string shuffled = head;
+    for (const std::string_view line : lines)
+        shuffled += line;
+    return shuffled;
+}
+
+std::string sample(Order order = Order::Grid)
+{
+    return order == Order::Grid  ? gridText(largest)
+        : order == Order::Random ? shuffledText()
+                                 : scatteredText();
 }
 
 /// A file that is gone with the process.
@@ -95,10 +143,11 @@ const std::filesystem::path& sampleFile()
     return file.path();
 }
 
-CsvOptions options()
+CsvOptions options(std::int64_t threads)
 {
     CsvOptions result;
     result.dimensions = dimensions;
+    result.threads = static_cast<std::size_t>(threads);
     return result;
 }
 
@@ -118,7 +167,7 @@ double peakMemoryRatio(std::size_t fileSize)
     ::malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5"; // sets the peak back
     const double before = processMemory("VmRSS");
-    const CsvReading reading = readCalibrationCsv(sampleFile(), options());
+    const CsvReading reading = readCalibrationCsv(sampleFile(), options(0));
     benchmark::DoNotOptimize(reading.data);
     return (processMemory("VmHWM") - before) / static_cast<double>(fileSize);
 }
@@ -127,7 +176,7 @@ void fileToTable(benchmark::State& state)
 {
     const auto size = static_cast<std::size_t>(std::filesystem::file_size(sampleFile()));
     for (auto _ : state) {
-        const CsvReading reading = readCalibrationCsv(sampleFile(), options());
+        const CsvReading reading = readCalibrationCsv(sampleFile(), options(state.range(0)));
         if (!reading.data)
             return state.SkipWithError("the file was not read");
         benchmark::DoNotOptimize(reading.data->tables.front().values.data());
@@ -138,18 +187,11 @@ void fileToTable(benchmark::State& state)
 
 void textToTable(benchmark::State& state, const std::string& text)
 {
-    bool read = false;
     for (auto _ : state) {
-        const CsvReading reading = parseCalibrationCsv(text, options());
-        read = reading.data.has_value();
-        benchmark::DoNotOptimize(read);
+        const CsvReading reading = parseCalibrationCsv(text, options(state.range(0)));
+        benchmark::DoNotOptimize(reading.data.has_value());
     }
     state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
-}
-
-void gridOrder(benchmark::State& state)
-{
-    textToTable(state, sample());
 }
 
 void randomOrder(benchmark::State& state)
@@ -157,33 +199,71 @@ void randomOrder(benchmark::State& state)
     textToTable(state, sample(Order::Random));
 }
 
-/// No grid: every position is another one. Is refused, and must not take long about it.
+/// No grid: is refused, and must not take long about it.
 void scatteredPositions(benchmark::State& state)
 {
-    textToTable(state, sample(Order::Grid, Positions::Scattered));
+    textToTable(state, sample(Order::Scattered));
 }
 
 void writeText(benchmark::State& state)
 {
-    const CsvReading reading = parseCalibrationCsv(sample(), options());
+    const CsvReading reading = parseCalibrationCsv(sample(), options(0));
     std::size_t bytes = 0;
     for (auto _ : state)
-        bytes += writeCalibrationCsv(*reading.data).size();
+        bytes +=
+            writeCalibrationCsv(*reading.data, static_cast<std::size_t>(state.range(0))).size();
     state.SetBytesProcessed(static_cast<std::int64_t>(bytes));
 }
 
-BENCHMARK(fileToTable)->Unit(benchmark::kMillisecond);
-BENCHMARK(gridOrder)->Unit(benchmark::kMillisecond);
-BENCHMARK(randomOrder)->Unit(benchmark::kMillisecond);
-BENCHMARK(scatteredPositions)->Unit(benchmark::kMillisecond);
-BENCHMARK(writeText)->Unit(benchmark::kMillisecond);
+/// From about `range` cells, four in a line: how the time grows with them.
+void growth(benchmark::State& state)
+{
+    const double lines = static_cast<double>(state.range(0)) / (dimensions + 1);
+    const int edge = std::max(2, static_cast<int>(std::lround(std::cbrt(lines))));
+    const std::string text = gridText({edge, edge, edge});
+    CsvOptions all = options(0);
+    all.maximumCells = std::numeric_limits<std::size_t>::max();
+    for (auto _ : state) {
+        const CsvReading reading = parseCalibrationCsv(text, all);
+        if (!reading.data)
+            return state.SkipWithError("the text was not read");
+        benchmark::DoNotOptimize(reading.data->tables.front().values.data());
+    }
+    state.counters["cells"] = std::pow(edge, dimensions) * (dimensions + 1);
+}
+
+void oneAndAll(benchmark::internal::Benchmark* benchmark)
+{
+    benchmark->Unit(benchmark::kMillisecond)->UseRealTime()->ArgName("threads")->Arg(1)->Arg(0);
+}
+
+BENCHMARK(fileToTable)->Apply(oneAndAll);
+BENCHMARK(randomOrder)->Apply(oneAndAll);
+BENCHMARK(scatteredPositions)->Apply(oneAndAll);
+BENCHMARK(writeText)->Apply(oneAndAll);
+BENCHMARK(growth)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->ArgName("cells")
+    ->RangeMultiplier(10)
+    ->Range(1'000, 64'000'000)
+    ->Iterations(3);
+
+/// As on the command line.
+bool saveSample(const char* file, std::string_view order)
+{
+    const std::string text = sample(order == "random" ? Order::Random
+            : order == "scattered"                    ? Order::Scattered
+                                                      : Order::Grid);
+    return saveFile(file, asBytes(text)).has_value();
+}
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-    if (argc == 3 && std::strcmp(argv[1], "--sample") == 0)
-        return saveFile(argv[2], asBytes(sample())) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (argc >= 3 && std::strcmp(argv[1], "--sample") == 0)
+        return saveSample(argv[2], argc > 3 ? argv[3] : "") ? EXIT_SUCCESS : EXIT_FAILURE;
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return EXIT_FAILURE;
