@@ -38,8 +38,9 @@ std::optional<std::uint16_t> PositionColumn::intern(
 
 void PositionColumn::close()
 {
-    m_entries = {};
-    m_slots = {};
+    // What = {} assigns is an empty list, for which they would keep their memory.
+    m_entries = std::vector<Entry>();
+    m_slots = std::vector<std::uint16_t>();
     m_values.shrink_to_fit();
 }
 
@@ -122,8 +123,9 @@ RowStore::RowStore(std::size_t idsPerRow, std::size_t valuesPerRow)
     : m_idsPerRow(idsPerRow)
     , m_valuesPerRow(valuesPerRow)
 {
+    // A block of a piece is never much larger than the piece: a wide line is one by itself.
     constexpr std::size_t blockCells = 16384;
-    m_blockRows = std::max<std::size_t>(blockCells / (idsPerRow + valuesPerRow), 16);
+    m_blockRows = std::max<std::size_t>(blockCells / (idsPerRow + valuesPerRow), 1);
 }
 
 RowStore::Block& RowStore::open()

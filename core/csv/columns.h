@@ -69,6 +69,12 @@ public:
 
     /// Keeps the values alone: nothing more is read.
     void close();
+    /// In bytes, by the room that it keeps.
+    [[nodiscard]] std::size_t memory() const
+    {
+        return m_values.capacity() * sizeof(double) + m_entries.capacity() * sizeof(Entry)
+            + m_slots.capacity() * sizeof(std::uint16_t);
+    }
 
     /// By id. Different texts of the same value are different ids.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
@@ -185,7 +191,7 @@ struct ValueRange {
 struct Piece {
     std::vector<PositionColumn> positions; ///< per dimension
     RowStore rows;
-    std::vector<ValueRange> ranges; ///< per table, by the rows of the piece
+    std::vector<ValueRange> ranges; ///< per table, by the rows of the piece; while it is read
     std::size_t firstRow = 0; ///< in the file
     std::array<std::size_t, 3> firstId{}; ///< per dimension, among those of all pieces
 

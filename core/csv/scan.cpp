@@ -16,9 +16,10 @@ namespace axiscomp::csv {
 
 namespace {
 
-/// Ids have 16 bits; in a line of two positions and a value are at least six characters.
+/// Ids have 16 bits; a line of two positions and a value, which may be an empty cell, has at least
+/// five characters.
 constexpr std::size_t mostPieceBytes = std::size_t{1} << 18U;
-static_assert(mostPieceBytes / 6 + 1 < std::numeric_limits<std::uint16_t>::max());
+static_assert(mostPieceBytes / 5 + 1 < std::numeric_limits<std::uint16_t>::max());
 
 class Scanner {
 public:
@@ -145,6 +146,7 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
         return false;
     m_cells.begin(header->separator, header->columns.size(), lineNumber);
     m_scan.columns = std::move(header->columns);
+    m_scan.ranges.resize(m_scan.tables());
     const auto dimensions = static_cast<std::size_t>(m_scan.dimensions);
     m_cells.setNoValueHint(dimensions + 1,
         AXISCOMP_TEXT("Error",
@@ -215,8 +217,14 @@ void Scanner::readPiece(const char* plainUntil, const char* end)
             end, m_lines.end(), rows + maximumRows() - m_scan.rows);
         takePlainRows(position, m_piece->rows.size() - rows);
     }
-    for (std::size_t d = 0; d < m_piece->positions.size(); ++d)
+    for (std::size_t d = 0; d < m_piece->positions.size(); ++d) {
+        m_piece->positions[d].close();
         m_nextId[d] += m_piece->positions[d].values().size();
+    }
+    for (std::size_t table = 0; table < m_piece->ranges.size(); ++table)
+        m_scan.ranges[table].add(m_piece->ranges[table], m_piece->firstRow);
+    // Of a few wide lines they take more than the lines.
+    m_piece->ranges = std::vector<ValueRange>();
     goesOn();
 }
 
@@ -308,14 +316,6 @@ void Scanner::readValues(std::size_t lineNumber, RowStore::Block& block)
 }
 
 } // namespace
-
-ValueRange Scan::rangeOf(std::size_t table) const
-{
-    ValueRange range;
-    for (const Piece& piece : pieces)
-        range.add(piece.ranges[table], piece.firstRow);
-    return range;
-}
 
 std::vector<SortedPositions::Place> Scan::positionsOf(std::size_t dimension) const
 {

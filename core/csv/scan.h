@@ -24,6 +24,7 @@ struct Scan {
     std::vector<ColumnName> columns; ///< dimensions, then tables
     std::vector<std::string> notes;
     std::vector<Piece> pieces; ///< in the order of the file
+    std::vector<ValueRange> ranges; ///< per table, of all pieces
     std::size_t rows = 0; ///< of all pieces
     RowLines rowLines;
     bool complete = false; ///< every data line is among the rows
@@ -33,8 +34,6 @@ struct Scan {
     {
         return columns.size() - static_cast<std::size_t>(dimensions);
     }
-    /// What the values of a table are in all pieces.
-    [[nodiscard]] ValueRange rangeOf(std::size_t table) const;
     /// The positions of a dimension in all pieces, by their id: the id in a piece, and its firstId.
     [[nodiscard]] std::vector<SortedPositions::Place> positionsOf(std::size_t dimension) const;
     /// The first row with the position of this id.

@@ -51,7 +51,7 @@ void TableCheck::look(const CompensationTable& table)
     const float first = table.values.front();
     const bool isConstant =
         std::ranges::all_of(table.values, [first](float value) { return value == first; });
-    warnOfPrecision(m_scan.rangeOf(m_index));
+    warnOfPrecision(m_scan.ranges[m_index]);
     if (isConstant)
         m_diagnostics.warning(DiagnosticCode::ConstantTable, m_scan.headerLine, m_column,
             AXISCOMP_TEXT("Error", "{value} at every point of {table}")

@@ -201,8 +201,9 @@ bool readTogether(int descriptor, std::size_t threads, std::span<std::byte> byte
 
 /// Reads to the end, or one byte more than the maximum. A file may be longer than it says
 /// (expected) while somebody writes to it, or shorter.
+template <typename Content>
 bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, std::size_t threads,
-    FileContent& content)
+    Content& content)
 {
     constexpr std::uint64_t firstBlock = 4096;
     content.resize(static_cast<std::size_t>(std::max(firstBlock, expected + 1)));
@@ -223,6 +224,44 @@ bool readAll(int descriptor, std::uint64_t expected, std::uint64_t maximumSize, 
     }
     content.resize(filled);
     return true;
+}
+
+/// Straight into what is asked for: a second copy would be memory for nothing.
+template <typename Content>
+Result<Content> load(
+    const std::filesystem::path& file, std::uint64_t maximumSize, std::size_t threads)
+try {
+    // Does not wait for somebody to write into a pipe.
+    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+    struct stat status { };
+    if (!descriptor.isOpen() || ::fstat(descriptor.number(), &status) != 0)
+        return notReadable(file, errno);
+    if (S_ISDIR(status.st_mode))
+        return notReadable(file, EISDIR);
+    if (!S_ISREG(status.st_mode))
+        return fail(ErrorCode::FileNotReadable,
+            {{"file", file.string()},
+                {"reason", AXISCOMP_TEXT("Error", "it is a pipe or a device, not a file")}});
+
+    const auto tooLarge = [&](const Argument& size) {
+        return fail(ErrorCode::FileTooLarge,
+            {{"file", file.string()}, {"size", size}, {"limit", maximumSize}});
+    };
+    const auto expected = static_cast<std::uint64_t>(status.st_size);
+    if (expected > maximumSize)
+        return tooLarge(expected);
+
+    // One byte more is asked for to see that nothing follows.
+    const std::uint64_t readable =
+        std::min<std::uint64_t>(maximumSize, std::numeric_limits<std::int64_t>::max());
+    Content content;
+    if (!readAll(descriptor.number(), expected, readable, threads, content))
+        return notReadable(file, errno);
+    if (content.size() > maximumSize)
+        return tooLarge(AXISCOMP_TEXT("Error", "more than {size}").with("size", maximumSize));
+    return content;
+} catch (const std::bad_alloc&) {
+    return notReadable(file, ENOMEM);
 }
 
 } // namespace
@@ -293,46 +332,13 @@ void FileContent::resize(std::size_t size)
 
 Result<FileContent> loadContent(
     const std::filesystem::path& file, std::uint64_t maximumSize, std::size_t threads)
-try {
-    // Does not wait for somebody to write into a pipe.
-    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-    struct stat status { };
-    if (!descriptor.isOpen() || ::fstat(descriptor.number(), &status) != 0)
-        return notReadable(file, errno);
-    if (S_ISDIR(status.st_mode))
-        return notReadable(file, EISDIR);
-    if (!S_ISREG(status.st_mode))
-        return fail(ErrorCode::FileNotReadable,
-            {{"file", file.string()},
-                {"reason", AXISCOMP_TEXT("Error", "it is a pipe or a device, not a file")}});
-
-    const auto tooLarge = [&](const Argument& size) {
-        return fail(ErrorCode::FileTooLarge,
-            {{"file", file.string()}, {"size", size}, {"limit", maximumSize}});
-    };
-    const auto expected = static_cast<std::uint64_t>(status.st_size);
-    if (expected > maximumSize)
-        return tooLarge(expected);
-
-    // One byte more is asked for to see that nothing follows.
-    const std::uint64_t readable =
-        std::min<std::uint64_t>(maximumSize, std::numeric_limits<std::int64_t>::max());
-    FileContent content;
-    if (!readAll(descriptor.number(), expected, readable, threads, content))
-        return notReadable(file, errno);
-    if (content.size() > maximumSize)
-        return tooLarge(AXISCOMP_TEXT("Error", "more than {size}").with("size", maximumSize));
-    return content;
-} catch (const std::bad_alloc&) {
-    return notReadable(file, ENOMEM);
+{
+    return load<FileContent>(file, maximumSize, threads);
 }
 
 Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize)
-try {
-    AXISCOMP_TRY(const auto content, loadContent(file, maximumSize));
-    return Bytes(content.view().begin(), content.view().end());
-} catch (const std::bad_alloc&) {
-    return notReadable(file, ENOMEM);
+{
+    return load<Bytes>(file, maximumSize, 1);
 }
 
 Result<void> checkOrdinaryFile(const std::filesystem::path& file)

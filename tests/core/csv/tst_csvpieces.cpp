@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/scan.h"
 #include "tests/core/csv/csv_reading.h"
 #include "tests/support/test_registry.h"
 
@@ -204,6 +205,58 @@ private Q_SLOTS:
         CsvOptions options;
         options.maximumCells = 30'000;
         QVERIFY(readIn(text, 2, 5000, 2, options).data);
+    }
+
+    /// Each piece of such a file has but a few lines: room for more would be many times the file.
+    void wideLinesTakeNoRoomForLinesThatDoNotFollow()
+    {
+        constexpr std::size_t most = 16384;
+        for (const std::size_t tables : {1, 100, 1000, 2000, 16382})
+            QVERIFY(csv::RowStore(2, tables).blockRows() * (2 + tables) <= most);
+        constexpr int wide = 2000;
+        QByteArray text = "X" + QByteArray(",").repeated(wide) + '\n';
+        for (int x = 0; x < 60; ++x) {
+            text += QByteArray::number(x);
+            for (int table = 0; table < wide; ++table)
+                text += ',' + QByteArray::number((x * 7 + table * 3) % 10);
+            text += '\n';
+        }
+        const CsvReading due = readIn(text, 1, whole, 1);
+        QVERIFY(due.data);
+        QCOMPARE(due.data->tables[1999].values[59], 0.0F);
+        QCOMPARE(due.data->tables[1998].values[58], 0.0F);
+        for (const std::size_t bytes : {1, 4096, 10'000, 100'000})
+            QVERIFY(isSame(readIn(text, 1, bytes, 3), due));
+    }
+
+    /// Quoted lines are read one by one, plain ones by the threads.
+    void aPieceThatIsReadKeepsNoMoreThanItsRows_data()
+    {
+        QTest::addColumn<QByteArray>("quote");
+        QTest::newRow("plain") << QByteArray();
+        QTest::newRow("quoted") << QByteArray("\"");
+    }
+    void aPieceThatIsReadKeepsNoMoreThanItsRows()
+    {
+        QFETCH(QByteArray, quote);
+        QByteArrayList lines;
+        for (int i = 0; i < 5000; ++i)
+            lines += quote + QByteArray::number(1.5 * i) + quote + ',' + QByteArray::number(7 * i)
+                + ",0.001";
+        const std::string text = planeText(lines).toStdString();
+        CsvOptions options;
+        options.dimensions = 2;
+        options.pieceBytes = 10'000;
+        DiagnosticList diagnostics(100);
+        const TextInspection inspection(text, options.stop, diagnostics);
+        const csv::Scan scan = csv::scan(inspection, options, diagnostics);
+        QVERIFY(scan.complete);
+        QCOMPARE(scan.rows, std::size_t{5000});
+        for (const csv::Piece& piece : scan.pieces) {
+            QCOMPARE(piece.ranges.capacity(), std::size_t{0});
+            for (const csv::PositionColumn& positions : piece.positions)
+                QCOMPARE(positions.memory(), positions.values().size() * sizeof(double));
+        }
     }
 
     void pointsMayBeMissingInAnyPiece()

@@ -7,6 +7,7 @@
 
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <thread>
@@ -133,6 +134,11 @@ void TestLocalFile::whatIsSavedIsLoaded()
     const auto loaded = loadFile(m_path / "file", size);
     VERIFY_RESULT(loaded);
     QVERIFY(*loaded == bytes);
+    for (const std::size_t threads : {1, 2, 7}) {
+        const auto content = loadContent(m_path / "file", size, threads);
+        VERIFY_RESULT(content);
+        QVERIFY(std::ranges::equal(content->view(), bytes));
+    }
     QCOMPARE(fs::file_size(m_path / "file"), size);
 }
 
