@@ -66,7 +66,7 @@ py::array valuesView(const py::object& self)
     return view;
 }
 
-/// One value for each position, on the thread that asks and without the interpreter's lock.
+/// One value for each position, on all processors and without the interpreter's lock.
 py::array_t<double> lookedUp(
     const TableObject& object, const Numbers& positions, const std::string& outside)
 {
@@ -88,8 +88,7 @@ py::array_t<double> lookedUp(
     const auto count = static_cast<std::size_t>(answer.size());
     const auto width = static_cast<std::size_t>(dimensions);
     const py::gil_scoped_release released;
-    for (std::size_t i = 0; i < count; ++i)
-        to[i] = lookup.at(std::span(from + i * width, width));
+    lookup.atEach({from, count * width}, {to, count});
     return answer;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/axis_interpolant.h"
 
-#include "core/curve/cubic_curve.h"
+#include "core/curve/curve_slopes.h"
 #include "core/curve/smoothing_spline.h"
 #include "core/neutral/table_motion.h"
 
@@ -46,14 +46,42 @@ void AxisInterpolant::load(const double* first, std::size_t stride, Line& line) 
     line.values.resize(m_knots.size());
     for (std::size_t i = 0; i < m_count; ++i)
         line.values[i] = first[i * stride];
+    prepare(line);
+}
+
+void AxisInterpolant::load(
+    const double* values, const EightPlaces& firsts, std::size_t stride, EightLines& lines) const
+{
+    lines.values.resize(m_knots.size());
+    for (std::size_t i = 0; i < m_count; ++i)
+        firsts.load(values + i * stride, lines.values[i]);
+    prepare(lines);
+}
+
+template <typename Number> void AxisInterpolant::prepare(LineOf<Number>& line) const
+{
     if (m_wrap)
         line.values.back() = line.values.front();
+    const auto values = std::span<const Number>(line.values);
     if (m_method == ResamplingMethod::MonotoneCubic)
-        line.slopes = monotoneSlopes(m_knots, line.values, m_wrap.has_value());
+        findMonotoneSlopes<Number>(m_knots, values, m_wrap.has_value(), line.slopes);
     if (m_method == ResamplingMethod::SmoothingSpline)
         smooth(line);
     if (followsCurve(m_method))
-        line.slopes = splineSlopes(m_knots, line.values, m_wrap.has_value());
+        findSplineSlopes<Number>(m_knots, values, m_wrap.has_value(), line.slopes);
+}
+
+void AxisInterpolant::smooth(EightLines& lines) const
+{
+    Line line;
+    for (std::size_t n = 0; n < 8; ++n) {
+        line.values.clear();
+        for (const Eight& values : lines.values)
+            line.values.push_back(values[n]);
+        smooth(line);
+        for (std::size_t i = 0; i < line.values.size(); ++i)
+            lines.values[i][n] = line.values[i];
+    }
 }
 
 /// A smoothing spline is the natural spline through its own values at the knots.
@@ -77,23 +105,9 @@ FittedCurve AxisInterpolant::curve(const Line& line) const
 
 double AxisInterpolant::at(const Line& line, const Place& place) const
 {
-    const double from = line.values[place.knot];
-    if (place.fraction == 0.0)
-        return from;
-    const double to = line.values[place.knot + 1];
-    const double t = place.fraction;
-    if (m_method == ResamplingMethod::Linear)
-        return from + t * (to - from);
-    const double rise = to - from;
-    const double width = m_knots[place.knot + 1] - m_knots[place.knot];
-    const double begin = width * line.slopes[place.knot];
-    const double end = width * line.slopes[place.knot + 1];
-    const double value =
-        from + t * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)));
-    if (m_method != ResamplingMethod::MonotoneCubic)
-        return value;
-    // rounding must not overshoot either
-    return std::clamp(value, std::min(from, to), std::max(from, to));
+    double found = 0.0;
+    interpolate(line, place, found);
+    return found;
 }
 
 } // namespace axiscomp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/line_inversion.h"
 #include "core/conversion/conversion_errors.h"
+#include "core/conversion/shared_lines.h"
 
 #include "core/text/number_text.h"
 
@@ -70,6 +71,25 @@ Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::siz
                 .with("end", quantityOf(end, unit)));
     }
     return {};
+}
+
+/// What is wrong with a line that has a fault.
+tl::unexpected<Error> faultOf(const NeutralTable& table, const Mover& mover, std::size_t first)
+{
+    const SourceAxis& axis = table.axes[mover.axis];
+    const LineInversion line(table, mover, first);
+    const std::size_t knot = line.fault().value_or(0);
+    const std::size_t next = (knot + 1) % axis.knots.size();
+    const Position position = knotPosition(table, first + knot * strideOf(table, mover.axis));
+    if (!std::isfinite(line.sum(knot)) || !std::isfinite(line.sum(next)))
+        return notConvertible(table, position,
+            AXISCOMP_TEXT("Error", "the numbers are too large to be added to each other"));
+    return notConvertible(table, position,
+        AXISCOMP_TEXT("Error",
+            "from there to {place} the correction changes by {change}, so that positions "
+            "would change their order; check the unit of the values")
+            .with("place", quantityOf(axis.knots[next], axis.unit))
+            .with("change", quantityOf(line.offset(next) - line.offset(knot), axis.unit)));
 }
 
 /// By how much a mover moves its axis at most.
@@ -158,14 +178,18 @@ LineInversion::LineInversion(
     , m_goesOn(outside == Outside::Extrapolate && !m_axis.wrap)
     , m_places(m_axis.knots)
 {
-    for (std::size_t i = 0; i < m_axis.knots.size(); ++i)
-        m_offsets.push_back(offsetAt(table, mover, first + i * m_stride));
-    for (std::size_t i = 0; i < m_places.size(); ++i)
-        m_sums.push_back(m_places[i] + m_offsets[i]);
+    const std::size_t count = m_axis.knots.size();
+    m_offsets.resize(count);
+    m_sums.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        m_offsets[i] = offsetAt(table, mover, first + i * m_stride);
+        m_sums[i] = m_places[i] + m_offsets[i];
+    }
     if (m_axis.wrap && !isFullTurn(m_axis)) {
         m_places.push_back(m_places.front() + *m_axis.wrap);
         m_sums.push_back(m_places.back() + m_offsets.front());
     }
+    m_search.emplace(m_sums);
 }
 
 std::optional<std::size_t> LineInversion::fault() const
@@ -186,8 +210,8 @@ LineInversion::Place LineInversion::placeOf(double sum) const
         return {0, 0.0, sum - m_offsets.front()};
     if (sum >= m_sums.back() && !m_goesOn)
         return {m_offsets.size() - 1, 0.0, sum - m_offsets.back()};
-    const auto above = std::upper_bound(m_sums.begin() + 1, m_sums.end() - 1, sum);
-    const auto i = static_cast<std::size_t>(above - m_sums.begin()) - 1;
+    const std::size_t above = m_search->firstAbove(sum);
+    const std::size_t i = std::clamp<std::size_t>(above, 1, m_sums.size() - 1) - 1;
     const double fraction = (sum - m_sums[i]) / (m_sums[i + 1] - m_sums[i]);
     return {i, fraction, m_places[i] + fraction * (m_places[i + 1] - m_places[i])};
 }
@@ -205,26 +229,16 @@ Result<void> checkInvertible(const NeutralTable& table, const Mover& mover)
 {
     if (auto fine = checkClosed(table, mover, mover.axis); !fine)
         return fine;
-    const SourceAxis& axis = table.axes[mover.axis];
-    const std::size_t stride = strideOf(table, mover.axis);
-    const std::size_t count = axis.knots.size();
-    for (std::size_t first = 0; first < table.pointCount(); ++first) {
-        if (first / stride % count != 0)
-            continue;
-        const LineInversion line(table, mover, first);
-        if (const auto knot = line.fault()) {
-            if (!std::isfinite(line.sum(*knot)) || !std::isfinite(line.sum((*knot + 1) % count)))
-                return notConvertible(table, knotPosition(table, first + *knot * stride),
-                    AXISCOMP_TEXT("Error", "the numbers are too large to be added to each other"));
-            const std::size_t next = (*knot + 1) % count;
-            return notConvertible(table, knotPosition(table, first + *knot * stride),
-                AXISCOMP_TEXT("Error",
-                    "from there to {place} the correction changes by {change}, so that positions "
-                    "would change their order; check the unit of the values")
-                    .with("place", quantityOf(axis.knots[next], axis.unit))
-                    .with("change", quantityOf(line.offset(next) - line.offset(*knot), axis.unit)));
-        }
-    }
+    // The first line of each part with a fault, and of these the first.
+    const TableLines lines(table, mover.axis);
+    std::vector<std::optional<std::size_t>> faults(lines.parts());
+    shareLines(lines, [&](std::size_t part, std::size_t line) {
+        if (!faults[part] && LineInversion(table, mover, lines.first(line)).fault())
+            faults[part] = line;
+    });
+    for (const auto& fault : faults)
+        if (fault)
+            return faultOf(table, mover, lines.first(*fault));
     return {};
 }
 

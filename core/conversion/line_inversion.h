@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/neutral/knot_search.h"
 #include "core/neutral/table_motion.h"
+
+#include <optional>
 
 namespace axiscomp {
 
@@ -20,6 +23,8 @@ public:
     /// first: the index of the line's first point, as in CompensationColumn::values.
     LineInversion(const NeutralTable& table, const Mover& mover, std::size_t first,
         Outside outside = Outside::Hold);
+    LineInversion(const LineInversion&) = delete;
+    LineInversion& operator=(const LineInversion&) = delete;
 
     /// The knot behind which the sum does not increase.
     [[nodiscard]] std::optional<std::size_t> fault() const;
@@ -40,6 +45,7 @@ private:
     std::vector<double> m_offsets; ///< f at the knots
     std::vector<double> m_places; ///< the knots; a modulo axis ends with the first one again
     std::vector<double> m_sums; ///< z + f(z) at these
+    std::optional<KnotSearch> m_search; ///< among the sums
 };
 
 /// Whether every sum along the axis that moves has one place. Errors: SignNotConvertible.

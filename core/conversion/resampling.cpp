@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
+#include "core/base/parallel.h"
 #include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/axis_interpolant.h"
@@ -34,6 +35,19 @@ Places placesOf(const AxisInterpolant& interpolant, const std::vector<double>& p
     return places;
 }
 
+/// The first offsets of eight lines along an axis with so many points, of values with this stride;
+/// behind the last line it counts again.
+EightPlaces placesOfLines(
+    std::size_t line, std::size_t lines, std::size_t stride, std::size_t length)
+{
+    std::array<std::size_t, 8> firsts{};
+    for (std::size_t n = 0; n < firsts.size(); ++n) {
+        const std::size_t i = std::min(line + n, lines - 1);
+        firsts[n] = i / stride * stride * length + i % stride;
+    }
+    return EightPlaces(firsts);
+}
+
 void interpolateAlong(
     Values& data, std::size_t axis, const AxisInterpolant& interpolant, const Places& places)
 {
@@ -41,17 +55,25 @@ void interpolateAlong(
     for (std::size_t n = 0; n < axis; ++n)
         stride *= data.sizes[n];
     const std::size_t count = data.sizes[axis];
-    const std::size_t blocks = data.values.size() / (stride * count);
-    std::vector<double> made(stride * places.size() * blocks);
-    AxisInterpolant::Line line;
-    for (std::size_t block = 0; block < blocks; ++block) {
-        for (std::size_t i = 0; i < stride; ++i) {
-            interpolant.load(&data.values[block * count * stride + i], stride, line);
-            double* const target = &made[block * places.size() * stride + i];
-            for (std::size_t n = 0; n < places.size(); ++n)
-                target[n * stride] = interpolant.at(line, places[n]);
+    const std::size_t lines = data.values.size() / count;
+    std::vector<double> made(lines * places.size());
+    constexpr std::size_t enough = 32'768; // numbers for a thread to be worth its while
+    const std::size_t atOnce =
+        8 * std::max<std::size_t>(1, enough / (8 * std::max(count, places.size())));
+    shareWork((lines + atOnce - 1) / atOnce, 0, [&](std::size_t part) {
+        AxisInterpolant::EightLines eight;
+        Eight found;
+        const std::size_t end = std::min(lines, (part + 1) * atOnce);
+        for (std::size_t line = part * atOnce; line < end; line += 8) {
+            interpolant.load(
+                data.values.data(), placesOfLines(line, lines, stride, count), stride, eight);
+            const EightPlaces targets = placesOfLines(line, lines, stride, places.size());
+            for (std::size_t n = 0; n < places.size(); ++n) {
+                interpolant.at(eight, places[n], found);
+                targets.store(found, &made[n * stride]);
+            }
         }
-    }
+    });
     data.values = std::move(made);
     data.sizes[axis] = places.size();
 }
@@ -85,19 +107,20 @@ std::vector<std::size_t> sizesOf(const NeutralTable& table)
     return sizes;
 }
 
-/// The knots of the source within the wanted range count.
-bool isWanted(
-    const NeutralTable& source, const std::vector<PlannedAxis>& plan, const Position& position)
+/// Which knots of the source are within the wanted range, and count.
+std::vector<std::vector<bool>> wantedKnots(
+    const NeutralTable& source, const std::vector<PlannedAxis>& plan)
 {
+    std::vector<std::vector<bool>> wanted;
     for (std::size_t n = 0; n < plan.size(); ++n) {
         const double rounding =
             1e-12 * (std::abs(plan[n].from) + std::abs(plan[n].to)); // positions are computed
-        const bool isOutside =
-            position[n] < plan[n].from - rounding || position[n] > plan[n].to + rounding;
-        if (!source.axes[n].wrap && isOutside)
-            return false;
+        std::vector<bool>& knots = wanted.emplace_back();
+        for (const double knot : source.axes[n].knots)
+            knots.push_back(source.axes[n].wrap.has_value()
+                || (knot >= plan[n].from - rounding && knot <= plan[n].to + rounding));
     }
-    return true;
+    return wanted;
 }
 
 ColumnDeviation deviationOf(const NeutralTable& source, const std::vector<PlannedAxis>& plan,
@@ -106,18 +129,31 @@ ColumnDeviation deviationOf(const NeutralTable& source, const std::vector<Planne
     ColumnDeviation deviation;
     double sum = 0.0;
     std::size_t count = 0;
-    for (std::size_t index = 0; index < values.size(); ++index) {
-        const Position position = knotPosition(source, index);
-        if (!isWanted(source, plan, position))
-            continue;
-        const double size = std::abs(found[index] - values[index]);
-        sum += size * size;
-        ++count;
-        if (size > deviation.largest) {
-            deviation.largest = size;
-            deviation.position.assign(position.begin(),
-                position.begin() + static_cast<std::ptrdiff_t>(source.axes.size()));
+    std::size_t largest = 0;
+    const std::vector<std::vector<bool>> wanted = wantedKnots(source, plan);
+    const std::size_t width = source.axes[0].knots.size();
+    for (std::size_t begin = 0; begin < values.size(); begin += width) {
+        bool isWanted = true;
+        for (std::size_t n = 1, rest = begin / width; n < plan.size(); ++n) {
+            isWanted = isWanted && wanted[n][rest % wanted[n].size()];
+            rest /= wanted[n].size();
         }
+        for (std::size_t i = 0; isWanted && i < width; ++i) {
+            if (!wanted[0][i])
+                continue;
+            const double size = std::abs(found[begin + i] - values[begin + i]);
+            sum += size * size;
+            ++count;
+            if (size > deviation.largest) {
+                deviation.largest = size;
+                largest = begin + i;
+            }
+        }
+    }
+    if (deviation.largest > 0.0) {
+        const Position position = knotPosition(source, largest);
+        deviation.position.assign(
+            position.begin(), position.begin() + static_cast<std::ptrdiff_t>(source.axes.size()));
     }
     deviation.rms = count == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(count));
     return deviation;

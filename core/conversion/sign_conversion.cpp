@@ -3,12 +3,15 @@
 #include "core/conversion/conversion_errors.h"
 
 #include "core/conversion/line_inversion.h"
+#include "core/conversion/shared_lines.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace axiscomp {
 
@@ -37,10 +40,15 @@ private:
     void convertLines(const Mover& mover, const std::vector<std::size_t>& columns);
     [[nodiscard]] Result<void> convertJointly(
         const std::vector<Mover>& movers, const std::vector<std::size_t>& columns);
-    [[nodiscard]] Result<Position> fixedPoint(
-        const Motion& motion, const SlopeMatrix& slopes, const Position& knot);
-    void noteEnds(std::size_t axis, double place);
+    /// mostNeeded: raised to the number of iterations that it took.
+    [[nodiscard]] Result<Position> fixedPoint(const Motion& motion, const SlopeMatrix& slopes,
+        const Position& knot, int& mostNeeded) const;
+    /// Whether a place is where the source's controller applies nothing.
+    [[nodiscard]] bool needsHeldEnds(std::size_t axis, double place) const;
     [[nodiscard]] Result<double> largestResidual() const;
+    /// On one line.
+    [[nodiscard]] double residualAlong(const ControllerLookup& applied, std::size_t column,
+        const std::vector<Mover>& movers, const TableLines& lines, std::size_t line) const;
 
     const NeutralTable& m_source;
     TableBehaviour m_behaviour;
@@ -130,41 +138,43 @@ void SignConverter::negate(const std::vector<std::size_t>& columns)
             value = 0.0 - value; // no negative zero
 }
 
-void SignConverter::noteEnds(std::size_t axis, double place)
+bool SignConverter::needsHeldEnds(std::size_t axis, double place) const
 {
     const SourceAxis& source = m_source.axes[axis];
     const double rounding = 8.0 * epsilon * std::abs(place);
     const bool isBefore = place < source.knots.front() - rounding;
     const bool isBehind = place > source.knots.back() + rounding;
     const bool needsZero = m_behaviour.outside == Outside::Zero;
-    if (!source.wrap
-        && ((isBefore && (needsZero || m_behaviour.startsAtFirst)) || (isBehind && needsZero)))
-        m_result.usesHeldEnds = true;
+    return !source.wrap
+        && ((isBefore && (needsZero || m_behaviour.startsAtFirst)) || (isBehind && needsZero));
 }
 
 void SignConverter::convertLines(const Mover& mover, const std::vector<std::size_t>& columns)
 {
     const SourceAxis& axis = m_source.axes[mover.axis];
-    const std::size_t stride = strideOf(m_source, mover.axis);
-    const std::size_t count = axis.knots.size();
     const bool isClosed = isFullTurn(axis);
-    for (std::size_t first = 0; first < m_source.pointCount(); ++first) {
-        if (first / stride % count != 0)
-            continue;
+    const TableLines lines(m_source, mover.axis);
+    std::atomic<bool> usesHeldEnds = false;
+    const auto convertLine = [&](std::size_t first) {
         const LineInversion line(m_source, mover, first, m_ends.outside);
-        for (std::size_t i = 0; i < count; ++i) {
+        bool heldEnds = false;
+        for (std::size_t i = 0; i < lines.length; ++i) {
             const LineInversion::Place place =
-                line.placeOf(axis.knots[isClosed ? i % (count - 1) : i]);
-            noteEnds(mover.axis, place.position);
+                line.placeOf(axis.knots[isClosed ? i % (lines.length - 1) : i]);
+            heldEnds = heldEnds || needsHeldEnds(mover.axis, place.position);
             for (const std::size_t column : columns)
-                m_result.table.columns[column].values[first + i * stride] =
+                m_result.table.columns[column].values[first + i * lines.stride] =
                     0.0 - line.valueAt(m_source.columns[column].values, place);
         }
-    }
+        if (heldEnds)
+            usesHeldEnds = true;
+    };
+    shareLines(lines, [&](std::size_t, std::size_t line) { convertLine(lines.first(line)); });
+    m_result.usesHeldEnds = m_result.usesHeldEnds || usesHeldEnds;
 }
 
 Result<Position> SignConverter::fixedPoint(
-    const Motion& motion, const SlopeMatrix& slopes, const Position& knot)
+    const Motion& motion, const SlopeMatrix& slopes, const Position& knot, int& mostNeeded) const
 {
     constexpr int mostIterations = 5000;
     const std::size_t dimensions = m_source.axes.size();
@@ -181,7 +191,7 @@ Result<Position> SignConverter::fixedPoint(
             isSettled = isSettled && std::abs(next - place[n]) <= rounding;
             place[n] = next;
         }
-        m_result.iterations = std::max(m_result.iterations, iteration);
+        mostNeeded = std::max(mostNeeded, iteration);
         if (isSettled)
             return place;
     }
@@ -200,35 +210,79 @@ Result<void> SignConverter::convertJointly(
     std::vector<ControllerLookup> applied;
     for (const std::size_t column : columns)
         applied.emplace_back(m_source, column, m_ends);
-    for (std::size_t index = 0; index < m_source.pointCount(); ++index) {
-        AXISCOMP_TRY(const auto place, fixedPoint(motion, slopes, knotPosition(m_source, index)));
+    struct Part {
+        int iterations = 0;
+        bool usesHeldEnds = false;
+        std::optional<Error> error;
+    };
+    const auto convertPoint = [&](std::size_t index, Part& part) {
+        const auto place =
+            fixedPoint(motion, slopes, knotPosition(m_source, index), part.iterations);
+        if (!place) {
+            part.error = place.error();
+            return;
+        }
         for (const Mover& mover : movers)
-            noteEnds(mover.axis, place[mover.axis]);
+            part.usesHeldEnds =
+                part.usesHeldEnds || needsHeldEnds(mover.axis, (*place)[mover.axis]);
         for (std::size_t i = 0; i < columns.size(); ++i)
             m_result.table.columns[columns[i]].values[index] =
-                0.0 - applied[i].at(std::span(place).first(m_source.axes.size()));
+                0.0 - applied[i].at(std::span(*place).first(m_source.axes.size()));
+    };
+    const TableLines lines(m_source, 0);
+    std::vector<Part> parts(lines.parts());
+    shareLines(lines, [&](std::size_t part, std::size_t line) {
+        for (std::size_t i = 0; i < lines.length && !parts[part].error; ++i)
+            convertPoint(lines.first(line) + i, parts[part]);
+    });
+    for (const Part& part : parts) {
+        if (part.error)
+            return tl::unexpected(*part.error);
+        m_result.iterations = std::max(m_result.iterations, part.iterations);
+        m_result.usesHeldEnds = m_result.usesHeldEnds || part.usesHeldEnds;
     }
     return {};
+}
+
+double SignConverter::residualAlong(const ControllerLookup& applied, std::size_t column,
+    const std::vector<Mover>& movers, const TableLines& lines, std::size_t line) const
+{
+    const NeutralTable& table = m_result.table;
+    const std::size_t axis = movers.empty() ? 0 : movers.front().axis;
+    const std::size_t first = lines.first(line);
+    Position place = knotPosition(table, first);
+    const auto used = std::span<const double>(place).first(table.axes.size());
+    const ControllerLookup::Line source = applied.along(axis, used);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < lines.length; ++i) {
+        const std::size_t index = first + i * lines.stride;
+        place = movers.size() > 1 ? knotPosition(table, index) : place;
+        place[axis] = table.axes[axis].knots[i];
+        for (const Mover& mover : movers)
+            for (const Mover::Part& part : mover.parts)
+                place[mover.axis] += part.factor * table.columns[part.column].values[index];
+        const double found = movers.size() > 1 ? applied.at(used) : source.at(place[axis]);
+        largest = std::max(largest, std::abs(table.columns[column].values[index] + found));
+    }
+    return largest;
 }
 
 /// Found in another way than the values are: by applying both tables.
 Result<double> SignConverter::largestResidual() const
 {
-    const NeutralTable& table = m_result.table;
     const OwnAxes ownAxes = ownAxesOf(m_source);
     double largest = 0.0;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        AXISCOMP_TRY(const auto movers, moversOf(m_source, ownAxes, table.columns[i].direction));
+    for (std::size_t i = 0; i < m_result.table.columns.size(); ++i) {
+        AXISCOMP_TRY(
+            const auto movers, moversOf(m_source, ownAxes, m_result.table.columns[i].direction));
         const ControllerLookup applied(m_source, i, m_ends);
-        for (std::size_t index = 0; index < table.pointCount(); ++index) {
-            Position place = knotPosition(table, index);
-            for (const Mover& mover : movers)
-                for (const Mover::Part& part : mover.parts)
-                    place[mover.axis] += part.factor * table.columns[part.column].values[index];
-            const double residual = table.columns[i].values[index]
-                + applied.at(std::span(place).first(table.axes.size()));
-            largest = std::max(largest, std::abs(residual));
-        }
+        const TableLines lines(m_result.table, movers.empty() ? 0 : movers.front().axis);
+        std::vector<double> residuals(lines.parts());
+        shareLines(lines, [&](std::size_t part, std::size_t line) {
+            residuals[part] =
+                std::max(residuals[part], residualAlong(applied, i, movers, lines, line));
+        });
+        largest = std::max(largest, std::ranges::max(residuals));
     }
     return largest;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/parallel.h"
 #include "core/conversion/conversion_errors.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
@@ -118,22 +119,77 @@ struct Side {
     {
         Position converted{};
         for (std::size_t n = 0; n < table.axes.size(); ++n)
-            converted[n] = convertedTo(table.axes[n], x[n], factors[n]);
+            converted[n] = placeOf(n, x[n]);
         return converted;
     }
     [[nodiscard]] std::span<const double> used(const Position& position) const
     {
         return std::span(position).first(table.axes.size());
     }
+    [[nodiscard]] double placeOf(std::size_t axis, double x) const
+    {
+        return convertedTo(table.axes[axis], x, factors[axis]);
+    }
+    [[nodiscard]] bool contains(std::size_t axis, double place) const
+    {
+        const SourceAxis& source = table.axes[axis];
+        return source.wrap || (place >= source.knots.front() && place <= source.knots.back());
+    }
     [[nodiscard]] bool contains(const Position& position) const
     {
-        for (std::size_t n = 0; n < table.axes.size(); ++n) {
-            const SourceAxis& axis = table.axes[n];
-            if (!axis.wrap
-                && !(position[n] >= axis.knots.front() && position[n] <= axis.knots.back()))
+        return containsBut(table.axes.size(), position);
+    }
+    /// In all axes but one.
+    [[nodiscard]] bool containsBut(std::size_t axis, const Position& position) const
+    {
+        for (std::size_t n = 0; n < table.axes.size(); ++n)
+            if (n != axis && !contains(n, position[n]))
                 return false;
-        }
         return true;
+    }
+};
+
+/// What was found at one position: a difference, and whether both tables have values there.
+struct Look {
+    double size = 0.0;
+    bool isInside = false;
+};
+
+/// A position along an axis, and where it lies in both tables before any correction moves it: the
+/// same on all lines.
+struct Unmoved {
+    double x = 0.0; ///< in a's unit
+    ControllerLookup::Place a;
+    ControllerLookup::Place b;
+    bool isInside = false;
+};
+
+/// Both tables along one line of positions, which no correction leaves.
+struct LineLooks {
+    ControllerLookup::Line a;
+    ControllerLookup::Line b;
+    double factor; ///< of b's value
+    bool othersInside; ///< the positions of the other axes, in both tables
+    std::optional<Motion::Line> motion; ///< of the command table; none: the same convention
+    double motionFactor; ///< from a's unit to that of the motion
+    bool isCommandA;
+    const Side& feedback;
+    const ControllerLookup& feedbackLookup;
+    std::size_t along;
+
+    [[nodiscard]] Look at(const Unmoved& unmoved) const
+    {
+        bool isInside = othersInside && unmoved.isInside;
+        if (!motion)
+            return {std::abs(a.at(unmoved.a) + factor * b.at(unmoved.b)), isInside};
+        // the feedback table is looked up where the encoder is moved to
+        const double offset = motion->offset(isCommandA ? unmoved.a : unmoved.b);
+        const double moved = feedback.placeOf(along, unmoved.x + offset / motionFactor);
+        const ControllerLookup::Place place = feedbackLookup.placeOf(along, moved);
+        isInside = isInside && feedback.contains(along, moved);
+        const double ofA = a.at(isCommandA ? unmoved.a : place);
+        const double ofB = b.at(isCommandA ? place : unmoved.b);
+        return {std::abs(ofA + factor * ofB), isInside};
     }
 };
 
@@ -192,23 +248,26 @@ private:
 /// The positions of each axis.
 using AxisLists = std::vector<std::vector<double>>;
 
-/// All combinations of the positions of all axes but one.
-template <typename Visit> void forEachLine(const AxisLists& axes, std::size_t along, Visit visit)
+/// How many combinations of the positions of all axes but one there are.
+std::size_t lineCount(const AxisLists& axes, std::size_t along)
 {
     std::size_t count = 1;
     for (std::size_t n = 0; n < axes.size(); ++n)
         count *= n == along ? 1 : axes[n].size();
-    for (std::size_t index = 0; index < count; ++index) {
-        Position x{};
-        std::size_t rest = index;
-        for (std::size_t n = 0; n < axes.size(); ++n) {
-            if (n == along)
-                continue;
-            x[n] = axes[n][rest % axes[n].size()];
-            rest /= axes[n].size();
-        }
-        visit(x);
+    return count;
+}
+
+/// One of them; 0 along the axis itself.
+Position lineAt(const AxisLists& axes, std::size_t along, std::size_t index)
+{
+    Position x{};
+    for (std::size_t n = 0; n < axes.size(); ++n) {
+        if (n == along)
+            continue;
+        x[n] = axes[n][index % axes[n].size()];
+        index /= axes[n].size();
     }
+    return x;
 }
 
 /// Evenly chosen, the first and the last among them.
@@ -228,6 +287,32 @@ public:
     [[nodiscard]] Result<ConversionDifference> run(std::size_t mostPositions);
 
 private:
+    /// What all lines of one comparison have in common.
+    struct Job {
+        const ControllerLookup& a;
+        const ControllerLookup& b;
+        double factor; ///< of b's value
+        const Motion& motion; ///< of the command table
+        bool movesAcross; ///< also out of the lines
+        bool movesAlong;
+        const AxisLists& axes;
+        std::size_t along;
+        std::vector<Unmoved> positions = {}; ///< axes[along]
+        /// The knots of the command table along the axis, on a modulo axis to the next turn, and
+        /// where it is looked up there.
+        std::vector<double> knots = {};
+        std::vector<ControllerLookup::Place> knotPlaces = {};
+    };
+    /// What was found on some lines.
+    struct Finding {
+        ColumnDifference difference;
+        std::size_t positions = 0;
+
+        /// Of two that are as large, the first counts.
+        void take(const Look& look, const Position& x, std::size_t dimensions);
+        void append(const Finding& following);
+    };
+
     [[nodiscard]] bool isMixed() const { return m_a.table.sign != m_b.table.sign; }
     [[nodiscard]] const Side& command() const
     {
@@ -237,21 +322,18 @@ private:
     /// The own axes of a side's columns, as a states them, or else b.
     [[nodiscard]] OwnAxes rolesOf(const Side& side) const;
     [[nodiscard]] Result<Motion> motionOf(const Side& side, Direction direction) const;
-    /// The axis that a column moves, where it is only one.
-    [[nodiscard]] Result<std::optional<std::size_t>> movedAxis(Direction direction) const;
+    /// The axes that the command table moves.
+    [[nodiscard]] Result<std::vector<std::size_t>> movedAxes(Direction direction) const;
+    void findPlaces(Job& job) const;
+    [[nodiscard]] Unmoved unmovedAt(const Job& job, double x) const;
     /// Where x + c(x) meets the knots of the feedback table, on a line along the axis that moves.
-    [[nodiscard]] std::vector<double> metKnots(
-        const Position& line, std::size_t axis, const Motion& motion) const;
+    [[nodiscard]] std::vector<double> metKnots(const Job& job, const Position& line) const;
     [[nodiscard]] AxisLists positions(ConversionDifference& result, std::size_t most) const;
-    /// Where each table is looked up for a position x, and whether both have values there.
-    struct Places {
-        Position a;
-        Position b;
-        bool isInside = false;
-    };
-    [[nodiscard]] Places placesOf(const Position& x, const Motion& motion) const;
     [[nodiscard]] Result<ColumnDifference> compare(
         const ColumnPair& pair, const AxisLists& axes, std::size_t& positions) const;
+    void compareLine(const Job& job, Position x, Finding& finding) const;
+    [[nodiscard]] LineLooks looksAlong(const Job& job, const Position& x) const;
+    [[nodiscard]] Look lookAcross(const Job& job, const Position& x) const;
 
     Side m_a;
     Side m_b;
@@ -302,33 +384,54 @@ Result<Motion> Comparison::motionOf(const Side& side, Direction direction) const
     return Motion(side.table, side.behaviour, movers);
 }
 
-Result<std::optional<std::size_t>> Comparison::movedAxis(Direction direction) const
+Result<std::vector<std::size_t>> Comparison::movedAxes(Direction direction) const
 {
+    std::vector<std::size_t> axes;
     if (!isMixed())
-        return std::nullopt;
+        return axes;
     AXISCOMP_TRY(const auto movers, moversOf(command().table, rolesOf(command()), direction));
-    return movers.size() == 1 ? std::optional(movers.front().axis) : std::nullopt;
+    for (const Mover& mover : movers)
+        axes.push_back(mover.axis);
+    return axes;
 }
 
-std::vector<double> Comparison::metKnots(
-    const Position& line, std::size_t axis, const Motion& motion) const
+void Comparison::findPlaces(Job& job) const
 {
+    const SourceAxis& axis = command().table.axes[job.along];
+    const double factor = command().factors[job.along];
+    const ControllerLookup& lookup = &command() == &m_a ? job.a : job.b;
+    for (const double x : job.axes[job.along])
+        job.positions.push_back(unmovedAt(job, x));
+    job.knots = axis.knots;
+    if (axis.wrap && !isFullTurn(axis))
+        job.knots.push_back(axis.knots.front() + *axis.wrap);
+    for (const double knot : job.knots)
+        job.knotPlaces.push_back(
+            lookup.placeOf(job.along, convertedTo(axis, knot / factor, factor)));
+}
+
+Unmoved Comparison::unmovedAt(const Job& job, double x) const
+{
+    const double placeB = m_b.placeOf(job.along, x);
+    return {x, job.a.placeOf(job.along, x), job.b.placeOf(job.along, placeB),
+        m_a.contains(job.along, x) && m_b.contains(job.along, placeB)};
+}
+
+std::vector<double> Comparison::metKnots(const Job& job, const Position& line) const
+{
+    const std::size_t axis = job.along;
     const SourceAxis& moved = command().table.axes[axis];
     const double toFeedback = feedback().factors[axis] / command().factors[axis];
-    Position x = line;
-    std::vector<double> places = moved.knots;
-    if (moved.wrap && !isFullTurn(moved))
-        places.push_back(places.front() + *moved.wrap);
-    std::vector<double> sums;
-    for (const double place : places) {
-        x[axis] = place / command().factors[axis];
-        sums.push_back(place + motion.offset(command().used(command().positionOf(x)))[axis]);
-    }
+    const std::vector<double>& places = job.knots;
+    const Motion::Line moving = job.motion.along(axis, command().used(command().positionOf(line)));
+    std::vector<double> sums(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        sums[i] = places[i] + moving.offset(job.knotPlaces[i]);
+    const KnotSearch search(sums);
     const bool goesOn = command().behaviour.outside == Outside::Extrapolate && !moved.wrap;
     std::vector<double> met;
     const auto add = [&](double knot) {
-        const auto after = std::ranges::upper_bound(sums, knot);
-        const auto i = static_cast<std::size_t>(after - sums.begin());
+        const std::size_t i = search.firstAbove(knot);
         double place = 0.0;
         const std::size_t cell = std::clamp<std::size_t>(i, 1, sums.size() - 1);
         if ((i == 0 || i == sums.size()) && goesOn)
@@ -378,21 +481,84 @@ AxisLists Comparison::positions(ConversionDifference& result, std::size_t most) 
     return axes;
 }
 
-Comparison::Places Comparison::placesOf(const Position& x, const Motion& motion) const
+void Comparison::Finding::take(const Look& look, const Position& x, std::size_t dimensions)
 {
-    Places places{x, m_b.positionOf(x), false};
-    places.isInside = m_a.contains(places.a) && m_b.contains(places.b);
-    if (!isMixed())
-        return places;
-    // the feedback table is looked up where the encoder is moved to
+    const auto end = x.begin() + static_cast<std::ptrdiff_t>(dimensions);
+    if (look.size > difference.largest) {
+        difference.largest = look.size;
+        difference.where.assign(x.begin(), end);
+    }
+    if (look.isInside && look.size > difference.largestInside) {
+        difference.largestInside = look.size;
+        difference.whereInside.assign(x.begin(), end);
+    }
+}
+
+void Comparison::Finding::append(const Finding& following)
+{
+    positions += following.positions;
+    const ColumnDifference& other = following.difference;
+    if (other.largest > difference.largest) {
+        difference.largest = other.largest;
+        difference.where = other.where;
+    }
+    if (other.largestInside > difference.largestInside) {
+        difference.largestInside = other.largestInside;
+        difference.whereInside = other.whereInside;
+    }
+}
+
+LineLooks Comparison::looksAlong(const Job& job, const Position& x) const
+{
     const bool isCommandA = &command() == &m_a;
-    const Position offset = motion.offset(command().used(isCommandA ? places.a : places.b));
+    const Position ofB = m_b.positionOf(x);
+    // Where the feedback table is looked up has been converted, whichever it is.
+    const Position ofA = isMixed() && !isCommandA ? m_a.positionOf(x) : x;
+    const bool othersInside = m_a.containsBut(job.along, x) && m_a.containsBut(job.along, ofA)
+        && m_b.containsBut(job.along, ofB);
+    LineLooks looks{job.a.along(job.along, m_a.used(ofA)), job.b.along(job.along, m_b.used(ofB)),
+        job.factor, othersInside, {}, command().factors[job.along], isCommandA, feedback(),
+        isCommandA ? job.b : job.a, job.along};
+    looks.a.workOut();
+    looks.b.workOut();
+    if (isMixed()) {
+        looks.motion = job.motion.along(job.along, command().used(isCommandA ? x : ofB));
+        looks.motion->workOut();
+    }
+    return looks;
+}
+
+Look Comparison::lookAcross(const Job& job, const Position& x) const
+{
+    const bool isCommandA = &command() == &m_a;
+    Position ofA = x;
+    Position ofB = m_b.positionOf(x);
+    const bool isInside = m_a.contains(ofA) && m_b.contains(ofB);
+    // the feedback table is looked up where the encoder is moved to
+    const Position offset = job.motion.offset(command().used(isCommandA ? ofA : ofB));
     Position moved = x;
     for (std::size_t n = 0; n < m_a.table.axes.size(); ++n)
         moved[n] += offset[n] / command().factors[n];
-    (isCommandA ? places.b : places.a) = feedback().positionOf(moved);
-    places.isInside = places.isInside && m_a.contains(places.a) && m_b.contains(places.b);
-    return places;
+    (isCommandA ? ofB : ofA) = feedback().positionOf(moved);
+    return {std::abs(job.a.at(m_a.used(ofA)) + job.factor * job.b.at(m_b.used(ofB))),
+        isInside && m_a.contains(ofA) && m_b.contains(ofB)};
+}
+
+void Comparison::compareLine(const Job& job, Position x, Finding& finding) const
+{
+    const LineLooks line = looksAlong(job, x);
+    const auto look = [&](const Unmoved& unmoved) {
+        x[job.along] = unmoved.x;
+        finding.take(job.movesAcross ? lookAcross(job, x) : line.at(unmoved), x, job.axes.size());
+        ++finding.positions;
+    };
+    std::vector<double> met;
+    if (job.movesAlong)
+        met = metKnots(job, x);
+    for (const Unmoved& unmoved : job.positions)
+        look(unmoved);
+    for (const double position : met)
+        look(unmovedAt(job, position));
 }
 
 Result<ColumnDifference> Comparison::compare(
@@ -402,38 +568,28 @@ Result<ColumnDifference> Comparison::compare(
         ? m_b.table.columns[pair.b].direction
         : m_a.table.columns[pair.a].direction;
     AXISCOMP_TRY(const auto motion, motionOf(command(), direction));
-    AXISCOMP_TRY(const auto moved, movedAxis(direction));
+    AXISCOMP_TRY(const auto moved, movedAxes(direction));
     const ControllerLookup a(m_a.table, pair.a, m_a.behaviour);
     const ControllerLookup b(m_b.table, pair.b, m_b.behaviour);
-    const double factor = isMixed() ? pair.factor : -pair.factor;
-    ColumnDifference result{pair.a, pair.b, 0.0, {}, 0.0, {}};
-    const auto look = [&](const Position& x) {
-        const Places places = placesOf(x, motion);
-        const double size = std::abs(a.at(m_a.used(places.a)) + factor * b.at(m_b.used(places.b)));
-        const auto end = x.begin() + static_cast<std::ptrdiff_t>(axes.size());
-        if (size > result.largest) {
-            result.largest = size;
-            result.where.assign(x.begin(), end);
-        }
-        if (places.isInside && size > result.largestInside) {
-            result.largestInside = size;
-            result.whereInside.assign(x.begin(), end);
-        }
-    };
-    const std::size_t along = moved.value_or(0);
-    positions = 0;
-    forEachLine(axes, along, [&](Position x) {
-        std::vector<double> met;
-        if (moved)
-            met = metKnots(x, along, motion);
-        for (const std::vector<double>* list : {&axes[along], &std::as_const(met)})
-            for (const double position : *list) {
-                x[along] = position;
-                look(x);
-                ++positions;
-            }
+    Job job{a, b, isMixed() ? pair.factor : -pair.factor, motion, moved.size() > 1,
+        moved.size() == 1, axes, moved.size() == 1 ? moved.front() : 0};
+    findPlaces(job);
+    constexpr std::size_t enough = 32'768; // positions for a thread to be worth its while
+    const std::size_t lines = lineCount(axes, job.along);
+    const std::size_t atOnce = std::max<std::size_t>(1, enough / axes[job.along].size());
+    std::vector<Finding> findings((lines + atOnce - 1) / atOnce);
+    shareWork(findings.size(), 0, [&](std::size_t part) {
+        const std::size_t end = std::min(lines, (part + 1) * atOnce);
+        for (std::size_t line = part * atOnce; line < end; ++line)
+            compareLine(job, lineAt(axes, job.along, line), findings[part]);
     });
-    return result;
+    Finding all;
+    all.difference.columnA = pair.a;
+    all.difference.columnB = pair.b;
+    for (const Finding& finding : findings)
+        all.append(finding);
+    positions = all.positions;
+    return std::move(all.difference);
 }
 
 Result<ConversionDifference> Comparison::run(std::size_t mostPositions)

@@ -28,15 +28,11 @@ struct CubicCurve {
 /// Repeats the first knot at the end of a curve with a period.
 void closeIfWrapped(CubicCurve& curve);
 
-/// Slopes of the natural cubic spline through values at knots: the second derivative is continuous,
-/// and 0 at both ends. isClosed: the last knot is the first one again, and the curve goes on there
-/// (first value = last value).
+/// Slopes of the natural cubic spline, as findSplineSlopes (curve_slopes.h) has them.
 [[nodiscard]] std::vector<double> splineSlopes(
     std::span<const double> knots, std::span<const double> values, bool isClosed);
 
-/// Slopes of the monotone cubic through values at knots: weighted harmonic means, so that the curve
-/// never overshoots the values (Fritsch and Carlson 1980; slopes of Fritsch and Butland 1984, as in
-/// SLATEC's PCHIM).
+/// Slopes of the monotone cubic, as findMonotoneSlopes has them.
 [[nodiscard]] std::vector<double> monotoneSlopes(
     std::span<const double> knots, std::span<const double> values, bool isClosed);
 

@@ -131,6 +131,19 @@ std::size_t strideOf(const NeutralTable& table, std::size_t axis)
     return stride;
 }
 
+TableLines::TableLines(const NeutralTable& table, std::size_t axis)
+    : stride(strideOf(table, axis))
+    , length(table.axes[axis].knots.size())
+    , count(table.pointCount() / length)
+{
+}
+
+std::size_t TableLines::perPart() const
+{
+    constexpr std::size_t enough = 32'768; // points
+    return std::max<std::size_t>(1, enough / length);
+}
+
 bool isFullTurn(const SourceAxis& axis)
 {
     if (!axis.wrap)
@@ -199,6 +212,15 @@ Position Motion::offset(std::span<const double> position) const
     for (const Part& part : m_parts)
         offset[part.axis] += part.factor * part.column.at(position);
     return offset;
+}
+
+Motion::Line Motion::along(std::size_t axis, std::span<const double> position) const
+{
+    Line line;
+    for (const Part& part : m_parts)
+        if (part.axis == axis)
+            line.m_parts.emplace_back(part.column.along(axis, position), part.factor);
+    return line;
 }
 
 } // namespace axiscomp

@@ -7,6 +7,8 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace axiscomp {
 
@@ -28,6 +30,23 @@ using Position = std::array<double, 3>;
 [[nodiscard]] Quantity quantityOf(double number, const std::string& unit);
 /// The stride of an axis in CompensationColumn::values.
 [[nodiscard]] std::size_t strideOf(const NeutralTable& table, std::size_t axis);
+
+/// The lines of points along one axis, by their number.
+struct TableLines {
+    std::size_t stride = 1; ///< from one point of a line to the next
+    std::size_t length = 0; ///< points of each
+    std::size_t count = 0;
+
+    TableLines(const NeutralTable& table, std::size_t axis);
+    /// The index of its first point, as in CompensationColumn::values.
+    [[nodiscard]] std::size_t first(std::size_t line) const
+    {
+        return line / stride * stride * length + line % stride;
+    }
+    /// How many of them make a part of work that is worth a thread's while.
+    [[nodiscard]] std::size_t perPart() const;
+    [[nodiscard]] std::size_t parts() const { return (count + perPart() - 1) / perPart(); }
+};
 
 /// Whether the knots of a modulo axis cover its whole period: the last is the first again.
 [[nodiscard]] bool isFullTurn(const SourceAxis& axis);
@@ -60,6 +79,30 @@ public:
 
     /// What the table adds to a position, in the units of the axes.
     [[nodiscard]] Position offset(std::span<const double> position) const;
+
+    /// What it adds along one axis, while the positions of the others stay. Refers to the motion,
+    /// which must outlive it.
+    class Line {
+    public:
+        [[nodiscard]] double offset(const ControllerLookup::Place& place) const
+        {
+            double offset = 0.0;
+            for (const auto& [column, factor] : m_parts)
+                offset += factor * column.at(place);
+            return offset;
+        }
+        void workOut()
+        {
+            for (auto& [column, factor] : m_parts)
+                column.workOut();
+        }
+
+    private:
+        friend class Motion;
+        std::vector<std::pair<ControllerLookup::Line, double>> m_parts; ///< with their factors
+    };
+    /// position: that of the axis itself does not matter.
+    [[nodiscard]] Line along(std::size_t axis, std::span<const double> position) const;
 
 private:
     struct Part {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/lookup.h"
 
+#include "core/base/parallel.h"
+#include "core/table/lookup_batch.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace axiscomp {
 
@@ -16,34 +15,11 @@ namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// Two neighbouring values of dimension 1, in one register where the processor has such.
-using Pair = double __attribute__((vector_size(16)));
-
-Pair pairAt(const float* values)
-{
-#ifdef __SSE2__
-    // one instruction; from the code below compilers make four
-    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadu_si64(values)));
-#else
-    return Pair{static_cast<double>(values[0]), static_cast<double>(values[1])};
-#endif
-}
-
-/// Exactly `from` at fraction 0, and exactly constant between equal values.
-template <typename Number> Number mixed(Number from, Number to, double fraction)
-{
-    return from + fraction * (to - from);
-}
-
-double mixed(Pair ends, double fraction)
-{
-    return mixed(ends[0], ends[1], fraction);
-}
-
 } // namespace
 
 Lookup::Lookup(const CompensationTable& table, Outside outside)
     : m_values(table.values.data())
+    , m_count(table.values.size())
     , m_dimensions(table.grid.dimensions())
     , m_outside(outside)
 {
@@ -58,32 +34,24 @@ Lookup::Lookup(const CompensationTable& table, Outside outside)
         const double largest = std::max(std::abs(axis.start), std::abs(axis.last()));
         const double roundingError = std::min(
             0.25, 4.0 * std::numeric_limits<double>::epsilon() * (largest * perUnit + axis.size));
-        m_axes[i] = {axis.start, axis.last(), axis.distance, perUnit,
-            axis.start - roundingError * axis.distance, static_cast<double>(axis.size - 1),
+        m_axes[i] = {
+            {axis.start, axis.last(), axis.distance, perUnit,
+                axis.start - roundingError * axis.distance, static_cast<double>(axis.size - 1)},
             axis.size - 1, stride};
         stride *= axis.size;
     }
-}
-
-/// The fraction is measured from the position of the point as GridAxis computes it, so that it is
-/// exactly 0 at every grid point; a position that is below one by no more than rounding belongs to
-/// it. The order of the comparisons lets the compiler use minimum and maximum instructions, and
-/// lets NaN pass to the fraction but not to the point.
-inline Lookup::Place Lookup::heldPlace(const Axis& axis, double position)
-{
-    const double above = axis.start > position ? axis.start : position;
-    const double within = axis.last < above ? axis.last : above;
-    const double index = (within - axis.cellStart) * axis.perUnit;
-    const auto point = static_cast<std::int64_t>(index < axis.lastIndex ? index : axis.lastIndex);
-    const double pointPosition = axis.start + static_cast<double>(point) * axis.distance;
-    return {static_cast<std::size_t>(point), (within - pointPosition) * axis.perUnit};
+    const auto& [x, y, z] = m_axes;
+    m_firstTwo = {Pair{x.start, y.start}, Pair{x.last, y.last}, Pair{x.distance, y.distance},
+        Pair{x.perUnit, y.perUnit}, Pair{x.cellStart, y.cellStart}, Pair{x.lastIndex, y.lastIndex}};
 }
 
 Lookup::Cell Lookup::heldCell(const Axis& axis, double position)
 {
-    const Place place = heldPlace(axis, position);
-    return {
-        place.point * axis.stride, place.point == axis.lastPoint ? 0 : axis.stride, place.fraction};
+    std::int64_t found = 0;
+    double fraction = 0.0;
+    findPlace<double>(axis, position, found, fraction);
+    const auto point = static_cast<std::size_t>(found);
+    return {point * axis.stride, point == axis.lastPoint ? 0 : axis.stride, fraction};
 }
 
 /// The first or the last cell goes on: the fraction is below 0 or above 1 outside.
@@ -110,70 +78,24 @@ double Lookup::blended(const std::array<Cell, 3>& cells) const
 {
     const auto& [x, y, z] = cells;
     const auto row = [&x = x](const float* values) {
-        return mixed(
-            static_cast<double>(values[0]), static_cast<double>(values[x.step]), x.fraction);
+        auto value = static_cast<double>(values[0]);
+        mixInto(value, static_cast<double>(values[x.step]), x.fraction);
+        return value;
     };
     const auto plane = [&row, &y = y](const float* values) {
-        return mixed(row(values), row(values + y.step), y.fraction);
+        double value = row(values);
+        mixInto(value, row(values + y.step), y.fraction);
+        return value;
     };
     const float* const corner = m_values + x.offset + y.offset + z.offset;
-    return mixed(plane(corner), plane(corner + z.step), z.fraction);
+    double value = plane(corner);
+    mixInto(value, plane(corner + z.step), z.fraction);
+    return value;
 }
 
 double Lookup::heldAt(double x, double y, double z) const
 {
     return blended({heldCell(m_axes[0], x), heldCell(m_axes[1], y), heldCell(m_axes[2], z)});
-}
-
-// In the three functions that follow, the last grid point of a dimension is left to heldAt: the
-// pair of values that begins with it is none.
-
-double Lookup::at(double x) const
-{
-    assert(m_dimensions == 1);
-    if (m_outside != Outside::Hold && !m_axes[0].contains(x)) [[unlikely]]
-        return atOutside(x, 0.0, 0.0);
-    const Place placeX = heldPlace(m_axes[0], x);
-    if (placeX.point == m_axes[0].lastPoint) [[unlikely]]
-        return heldAt(x, 0.0, 0.0);
-    return mixed(pairAt(m_values + placeX.point), placeX.fraction);
-}
-
-double Lookup::at(double x, double y) const
-{
-    assert(m_dimensions == 2);
-    if (m_outside != Outside::Hold && !(m_axes[0].contains(x) && m_axes[1].contains(y)))
-        [[unlikely]]
-        return atOutside(x, y, 0.0);
-    const Place placeX = heldPlace(m_axes[0], x);
-    const Place placeY = heldPlace(m_axes[1], y);
-    if (placeX.point == m_axes[0].lastPoint || placeY.point == m_axes[1].lastPoint) [[unlikely]]
-        return heldAt(x, y, 0.0);
-    const std::size_t stepY = m_axes[1].stride;
-    const float* const corner = m_values + placeX.point + placeY.point * stepY;
-    return mixed(mixed(pairAt(corner), pairAt(corner + stepY), placeY.fraction), placeX.fraction);
-}
-
-double Lookup::at(double x, double y, double z) const
-{
-    assert(m_dimensions == 3);
-    if (m_outside != Outside::Hold
-        && !(m_axes[0].contains(x) && m_axes[1].contains(y) && m_axes[2].contains(z))) [[unlikely]]
-        return atOutside(x, y, z);
-    const Place placeX = heldPlace(m_axes[0], x);
-    const Place placeY = heldPlace(m_axes[1], y);
-    const Place placeZ = heldPlace(m_axes[2], z);
-    if (placeX.point == m_axes[0].lastPoint || placeY.point == m_axes[1].lastPoint
-        || placeZ.point == m_axes[2].lastPoint) [[unlikely]]
-        return heldAt(x, y, z);
-    const std::size_t stepY = m_axes[1].stride;
-    const std::size_t stepZ = m_axes[2].stride;
-    const float* const corner =
-        m_values + placeX.point + placeY.point * stepY + placeZ.point * stepZ;
-    const auto row = [&](const float* values) {
-        return mixed(pairAt(values), pairAt(values + stepZ), placeZ.fraction);
-    };
-    return mixed(mixed(row(corner), row(corner + stepY), placeY.fraction), placeX.fraction);
 }
 
 double Lookup::at(std::span<const double> positions) const
@@ -219,8 +141,49 @@ double Lookup::index(int dimension, double position) const
         else
             return axis.lastIndex + (position - axis.last) * axis.perUnit;
     }
-    const Place place = heldPlace(axis, position);
-    return static_cast<double>(place.point) + place.fraction;
+    std::int64_t point = 0;
+    double fraction = 0.0;
+    findPlace<double>(axis, position, point, fraction);
+    return static_cast<double>(point) + fraction;
+}
+
+void Lookup::atEach(std::span<const double> positions, std::span<double> values) const
+{
+    constexpr std::size_t enough = 32'768; // positions for a thread to be worth its while
+    const auto dimensions = static_cast<std::size_t>(m_dimensions);
+    const InstructionSet best = bestInstructionSet();
+    shareWork((values.size() + enough - 1) / enough, 0, [&](std::size_t part) {
+        const std::size_t begin = part * enough;
+        const std::size_t count = std::min(enough, values.size() - begin);
+        atEach(positions.subspan(begin * dimensions, count * dimensions),
+            values.subspan(begin, count), best);
+    });
+}
+
+void Lookup::atEach(
+    std::span<const double> positions, std::span<double> values, InstructionSet instructions) const
+{
+    const auto dimensions = static_cast<std::size_t>(m_dimensions);
+    assert(positions.size() == values.size() * dimensions);
+    BatchTable table{{m_axes[0], m_axes[1], m_axes[2]},
+        {m_axes[0].stride, m_axes[1].stride, m_axes[2].stride}, m_values,
+        m_outside == Outside::Hold};
+    const auto single = [&](std::size_t i) {
+        values[i] = at(positions.subspan(i * dimensions, dimensions));
+    };
+    // Offsets are numbers of 32 bits.
+    const bool isVast = m_count > std::numeric_limits<std::int32_t>::max();
+    const BatchLookup batch = batchLookup(m_dimensions, instructions);
+    std::size_t begin = 0;
+    for (; !isVast && begin + batchSize <= values.size(); begin += batchSize) {
+        if (batch(table, &positions[begin * dimensions], &values[begin])) [[likely]]
+            continue;
+        for (std::size_t i = begin; i < begin + batchSize; ++i)
+            if (std::isnan(values[i]))
+                single(i);
+    }
+    for (; begin < values.size(); ++begin)
+        single(begin);
 }
 
 } // namespace axiscomp

@@ -26,6 +26,31 @@ std::vector<double> pointsOfBoth(const GridAxis& one, const GridAxis* other)
     return points;
 }
 
+/// The positions of a row along dimension 1, as Lookup::atEach takes them.
+class RowPositions {
+public:
+    RowPositions(const std::vector<double>& along, std::size_t dimensions)
+        : m_positions(along.size() * dimensions)
+        , m_dimensions(dimensions)
+    {
+        for (std::size_t i = 0; i < along.size(); ++i)
+            m_positions[i * dimensions] = along[i];
+    }
+    /// The position of the whole row in another dimension, 1 or 2; of one that the table lacks,
+    /// nothing happens.
+    void set(std::size_t dimension, double position)
+    {
+        for (std::size_t i = dimension; dimension < m_dimensions && i < m_positions.size();
+             i += m_dimensions)
+            m_positions[i] = position;
+    }
+    [[nodiscard]] std::span<const double> positions() const { return m_positions; }
+
+private:
+    std::vector<double> m_positions;
+    std::size_t m_dimensions;
+};
+
 } // namespace
 
 std::optional<CompensationTable> tableDifference(
@@ -35,16 +60,23 @@ std::optional<CompensationTable> tableDifference(
         return std::nullopt;
     const Lookup lookup(onDrive);
     CompensationTable difference = selected;
-    const std::size_t dimensions = selected.grid.axes.size();
-    std::array<std::size_t, 3> index{};
-    std::array<double, 3> position{};
-    for (float& value : difference.values) {
-        for (std::size_t n = 0; n < dimensions; ++n)
-            position[n] = selected.grid.axes[n].position(index[n]);
-        const double before = lookup.at(std::span<const double>(position.data(), dimensions));
-        value = static_cast<float>(static_cast<double>(value) - before);
-        for (std::size_t n = 0; n < dimensions && ++index[n] == selected.grid.axes[n].size; ++n)
-            index[n] = 0;
+    const std::vector<GridAxis>& axes = selected.grid.axes;
+    std::vector<double> along(axes[0].size);
+    for (std::size_t i = 0; i < along.size(); ++i)
+        along[i] = axes[0].position(i);
+    RowPositions row(along, axes.size());
+    std::vector<double> before(along.size());
+    for (std::size_t begin = 0; begin < difference.values.size(); begin += along.size()) {
+        std::size_t rest = begin / along.size();
+        for (std::size_t n = 1; n < axes.size(); ++n) {
+            row.set(n, axes[n].position(rest % axes[n].size));
+            rest /= axes[n].size;
+        }
+        lookup.atEach(row.positions(), before);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            float& value = difference.values[begin + i];
+            value = static_cast<float>(static_cast<double>(value) - before[i]);
+        }
     }
     return difference;
 }
@@ -98,16 +130,23 @@ LargestChange largestChange(const CompensationTable& newTable, const Compensatio
             pointsOfBoth(newTable.grid.axes[n], oldTable ? &oldTable->grid.axes[n] : nullptr);
     LargestChange largest;
     bool isFirst = true;
+    RowPositions row(places[0], dimensions);
+    std::vector<double> changes(places[0].size());
+    std::vector<double> old(places[0].size());
     for (const double z : places[2])
-        for (const double y : places[1])
-            for (const double x : places[0]) {
-                const std::array<double, 3> position{x, y, z};
-                const auto used = std::span(position).first(dimensions);
-                const double change = now.at(used) - (before ? before->at(used) : 0.0);
+        for (const double y : places[1]) {
+            row.set(1, y);
+            row.set(2, z);
+            now.atEach(row.positions(), changes);
+            if (before)
+                before->atEach(row.positions(), old);
+            for (std::size_t i = 0; i < changes.size(); ++i) {
+                const double change = changes[i] - old[i];
                 if (isFirst || std::abs(change) > std::abs(largest.change))
-                    largest = {change, position};
+                    largest = {change, {places[0][i], y, z}};
                 isFirst = false;
             }
+        }
     return largest;
 }
 

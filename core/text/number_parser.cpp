@@ -20,7 +20,7 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// text: a number as std::from_chars takes it.
+/// text: a number as std::from_chars takes it, perhaps with a '+' before it.
 Form formOf(std::string_view text)
 {
     constexpr int beyondAnyDouble = 100'000;
@@ -44,13 +44,31 @@ Form formOf(std::string_view text)
 
 } // namespace
 
-NumberFault parseNumber(std::string_view text, char decimal, Number& number)
+NumberFault parseValue(std::string_view text, double& value)
 {
     if (text.starts_with('+')) {
         text.remove_prefix(1);
         if (text.starts_with('-'))
             return NumberFault::NotANumber;
     }
+    double found = 0.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), found);
+    if (read.ec == std::errc::invalid_argument || read.ptr != text.data() + text.size())
+        return NumberFault::NotANumber;
+    if (read.ec == std::errc::result_out_of_range) {
+        const Form form = formOf(text);
+        return static_cast<double>(form.significantDigits) + form.lastDecimal > 0
+            ? NumberFault::NotFinite
+            : NumberFault::TooSmall;
+    }
+    if (!std::isfinite(found))
+        return NumberFault::NotFinite;
+    value = found;
+    return NumberFault::None;
+}
+
+NumberFault parseNumber(std::string_view text, char decimal, Number& number)
+{
     std::string withPoint;
     if (decimal != '.') {
         if (text.find('.') != std::string_view::npos)
@@ -59,19 +77,10 @@ NumberFault parseNumber(std::string_view text, char decimal, Number& number)
         std::ranges::replace(withPoint, decimal, '.');
         text = withPoint;
     }
-    double value = 0.0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (read.ec == std::errc::invalid_argument || read.ptr != text.data() + text.size())
-        return NumberFault::NotANumber;
-    if (read.ec == std::errc{} && !std::isfinite(value))
-        return NumberFault::NotFinite;
-    const Form form = formOf(text);
-    if (read.ec == std::errc::result_out_of_range)
-        return static_cast<double>(form.significantDigits) + form.lastDecimal > 0
-            ? NumberFault::NotFinite
-            : NumberFault::TooSmall;
-    number = {value, form.lastDecimal};
-    return NumberFault::None;
+    const NumberFault fault = parseValue(text, number.value);
+    if (fault == NumberFault::None)
+        number.lastDecimal = formOf(text).lastDecimal;
+    return fault;
 }
 
 } // namespace axiscomp

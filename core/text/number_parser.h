@@ -24,6 +24,8 @@ enum class NumberFault {
 /// Reads what std::from_chars reads in the whole of text, with decimal in place of the point, and a
 /// leading '+'. Exact: the nearest double.
 [[nodiscard]] NumberFault parseNumber(std::string_view text, char decimal, Number& number);
+/// The value alone, of a number with a decimal point: in half the time.
+[[nodiscard]] NumberFault parseValue(std::string_view text, double& value);
 
 /// The longest text that parseShortNumber looks at, with what it loads in advance.
 inline constexpr std::size_t shortNumberReach = 40;

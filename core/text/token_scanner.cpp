@@ -6,6 +6,7 @@
 #include "core/text/text_file.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <span>
@@ -15,12 +16,64 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t';
+}
 
 char lower(char c)
 {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+}
+
+[[gnu::noinline]] bool isAnyNumber(std::string_view text, double& value)
+{
+    const NumberFault fault = parseValue(text, value);
+    if (fault == NumberFault::TooSmall)
+        value = 0.0;
+    return fault == NumberFault::None || fault == NumberFault::TooSmall;
+}
+
+void reportNoNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
+{
+    diagnostics.error(
+        DiagnosticCode::NotANumber, token.line, token.column, quoted(token), std::move(expected));
+}
+
+/// Calls visit(characters, their offset in the line, their number) for one block after the other.
+template <typename Visit> void forEachBlock(const Token& line, Visit visit)
+{
+    for (std::size_t at = 0; at < line.text.size(); at += CharacterSet::blockSize)
+        visit(line.text.data() + at, at, std::min(CharacterSet::blockSize, line.text.size() - at));
+}
+
+/// In its place: a token that was made elsewhere and copied took as long again as to find it.
+inline void setToken(
+    Token& token, std::string_view text, std::size_t line, std::size_t column, const char* textEnd)
+{
+    token.text = text;
+    token.line = line;
+    token.column = column;
+    token.textEnd = textEnd;
+}
+
+inline void addPart(
+    const Token& line, std::size_t begin, std::size_t end, std::vector<Token>& parts)
+{
+    setToken(parts.emplace_back(), {line.text.data() + begin, end - begin}, line.line,
+        line.column + begin, line.textEnd);
+}
+
+inline void addTrimmed(
+    const Token& line, std::size_t begin, std::size_t end, std::vector<Token>& parts)
+{
+    while (begin < end && isBlank(line.text[begin]))
+        ++begin;
+    while (begin < end && isBlank(line.text[end - 1]))
+        --end;
+    addPart(line, begin, end, parts);
 }
 
 } // namespace
@@ -37,55 +90,81 @@ TextLines::TextLines(std::string_view text)
 
 std::optional<Token> TextLines::next()
 {
+    std::optional<Token> line;
     if (m_lines.atEnd())
-        return std::nullopt;
+        return line;
     const std::size_t number = m_lines.lineNumber();
-    return Token{m_lines.next(), number, 1};
+    setToken(line.emplace(), m_lines.next(), number, 1, m_lines.end());
+    return line;
 }
 
-void splitTokens(const Token& line, std::string_view separators, std::vector<Token>& tokens)
+void splitTokens(const Token& line, CharacterSet separators, std::vector<Token>& tokens)
 {
     tokens.clear();
-    std::size_t begin = line.text.find_first_not_of(separators);
-    while (begin != std::string_view::npos) {
-        const std::size_t end =
-            std::min(line.text.find_first_of(separators, begin), line.text.size());
-        tokens.push_back({line.text.substr(begin, end - begin), line.line, line.column + begin});
-        begin = line.text.find_first_not_of(separators, end);
-    }
+    std::size_t begin = 0;
+    bool isInToken = false;
+    forEachBlock(line, [&](const char* block, std::size_t offset, std::size_t count) {
+        const std::uint64_t inside =
+            ~separators.among(block, count, line.readableEnd()) & CharacterSet::lowestBits(count);
+        // Set where a token begins or has ended.
+        std::uint64_t edges = inside ^ (inside << 1U | std::uint64_t{isInToken});
+        for (edges &= CharacterSet::lowestBits(count); edges != 0; edges &= edges - 1) {
+            const std::size_t at = offset + static_cast<std::size_t>(std::countr_zero(edges));
+            if (isInToken)
+                addPart(line, begin, at, tokens);
+            begin = at;
+            isInToken = !isInToken;
+        }
+    });
+    if (isInToken)
+        addPart(line, begin, line.text.size(), tokens);
 }
 
 void splitCells(const Token& line, char separator, std::vector<Token>& cells)
 {
     cells.clear();
     std::size_t begin = 0;
-    while (begin <= line.text.size()) {
-        const std::size_t end = std::min(line.text.find(separator, begin), line.text.size());
-        cells.push_back(
-            trimmedToken({line.text.substr(begin, end - begin), line.line, line.column + begin}));
-        begin = end + 1;
-    }
+    const CharacterSet separators(separator);
+    forEachBlock(line, [&](const char* block, std::size_t offset, std::size_t count) {
+        std::uint64_t found = separators.among(block, count, line.readableEnd());
+        for (; found != 0; found &= found - 1) {
+            const std::size_t at = offset + static_cast<std::size_t>(std::countr_zero(found));
+            addTrimmed(line, begin, at, cells);
+            begin = at + 1;
+        }
+    });
+    addTrimmed(line, begin, line.text.size(), cells);
 }
 
 Token trimmedToken(const Token& token)
 {
-    const std::size_t first = std::min(token.text.find_first_not_of(blanks), token.text.size());
-    return {trimmed(token.text), token.line, token.column + first};
+    const std::string_view text = trimmed(token.text);
+    return token.part(static_cast<std::size_t>(text.data() - token.text.data()), text.size());
 }
 
-Token withoutComment(const Token& line, std::string_view commentCharacters)
+Token withoutComment(const Token& line, CharacterSet commentCharacters)
 {
-    const std::size_t end = std::min(line.text.find_first_of(commentCharacters), line.text.size());
-    return {line.text.substr(0, end), line.line, line.column};
+    return firstToken(line, commentCharacters);
 }
 
-std::optional<double> numberOf(std::string_view text)
+Token firstToken(const Token& line, CharacterSet separators)
 {
+    return line.part(0, separators.findIn(line.text, line.readableEnd()));
+}
+
+bool isNumber(const Token& token, double& value)
+{
+    const char* const begin = token.text.data();
+    const char* const end = begin + token.text.size();
+    constexpr std::size_t mostlyShort = 18; // of longer ones few are, and trying takes its time
+    const bool mayBeShort = token.text.size() <= mostlyShort && token.textEnd != nullptr
+        && token.textEnd - begin >= std::ptrdiff_t{shortNumberReach};
     Number number;
-    const NumberFault fault = parseNumber(text, '.', number);
-    if (fault == NumberFault::TooSmall)
-        return 0.0;
-    return fault == NumberFault::None ? std::optional(number.value) : std::nullopt;
+    if (mayBeShort && parseShortNumber(begin, '.', number) == end) {
+        value = number.value;
+        return true;
+    }
+    return isAnyNumber(token.text, value);
 }
 
 std::optional<long> wholeNumberOf(std::string_view text)
@@ -99,21 +178,36 @@ std::optional<long> wholeNumberOf(std::string_view text)
     return isWhole ? std::optional(number) : std::nullopt;
 }
 
+void reportNotANumber(const Token& token, const TextPattern& expected, DiagnosticList& diagnostics)
+{
+    reportNoNumber(token, expected, diagnostics);
+}
+
 std::optional<double> readNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
 {
-    const auto number = numberOf(token.text);
-    if (!number)
-        diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
-            std::move(expected));
-    return number;
+    double value = 0.0;
+    if (isNumber(token, value))
+        return value;
+    reportNoNumber(token, std::move(expected), diagnostics);
+    return std::nullopt;
+}
+
+void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
+    std::vector<double>& numbers, DiagnosticList& diagnostics)
+{
+    for (const Token& token : tokens) {
+        double value = 0.0;
+        if (!isNumber(token, value)) [[unlikely]]
+            reportNoNumber(token, expected, diagnostics);
+        numbers.push_back(value);
+    }
 }
 
 std::optional<long> readWholeNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
 {
     const auto number = wholeNumberOf(token.text);
     if (!number)
-        diagnostics.error(DiagnosticCode::NotANumber, token.line, token.column, quoted(token),
-            std::move(expected));
+        reportNoNumber(token, std::move(expected), diagnostics);
     return number;
 }
 

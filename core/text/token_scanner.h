@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/text.h"
+#include "core/text/character_set.h"
 #include "core/text/diagnostic.h"
 #include "core/text/line_reader.h"
 
@@ -19,8 +20,19 @@ struct Token {
     std::string_view text;
     std::size_t line = 0; ///< from 1
     std::size_t column = 0; ///< of its first character, from 1
+    /// The end of the text that it is a piece of, up to which memory may be read; null: not known.
+    const char* textEnd = nullptr;
 
     explicit operator bool() const { return !text.empty(); }
+    /// At most count of the characters from begin on; begin <= text.size().
+    [[nodiscard]] Token part(std::size_t begin, std::size_t count = std::string_view::npos) const
+    {
+        return {text.substr(begin, count), line, column + begin, textEnd};
+    }
+    [[nodiscard]] const char* readableEnd() const
+    {
+        return textEnd == nullptr ? text.data() + text.size() : textEnd;
+    }
 };
 
 /// A token as a diagnostic shows it: an excerpt, and never a sentence of ours.
@@ -38,20 +50,44 @@ private:
 };
 
 /// The pieces of a line between any of the separators; empty pieces are left out.
-void splitTokens(const Token& line, std::string_view separators, std::vector<Token>& tokens);
+void splitTokens(const Token& line, CharacterSet separators, std::vector<Token>& tokens);
 /// The pieces between single separators, blanks round them cut off; empty pieces stay.
 void splitCells(const Token& line, char separator, std::vector<Token>& cells);
 /// Without blanks (space, tab) at both ends; the column moves with the text.
 [[nodiscard]] Token trimmedToken(const Token& token);
 /// What is left of the line before the comment character.
-[[nodiscard]] Token withoutComment(const Token& line, std::string_view commentCharacters);
+[[nodiscard]] Token withoutComment(const Token& line, CharacterSet commentCharacters);
+/// What stands before the first of the separators.
+[[nodiscard]] Token firstToken(const Token& line, CharacterSet separators);
 
-/// The number that the whole token is, with a decimal point; nothing when it is none.
-[[nodiscard]] std::optional<double> numberOf(std::string_view text);
+/// Whether the whole token is a number, with a decimal point, and which; what is too small for a
+/// double is 0.
+[[nodiscard]] bool isNumber(const Token& token, double& value);
+/// The same for a text; nothing when it is none.
+[[nodiscard]] inline std::optional<double> numberOf(std::string_view text)
+{
+    double value = 0.0;
+    return isNumber({text, 0, 0}, value) ? std::optional(value) : std::nullopt;
+}
 [[nodiscard]] std::optional<long> wholeNumberOf(std::string_view text);
-/// The same; a token that is no finite number becomes an error that says what was expected.
+
+/// The error that says what was expected in place of the token.
+void reportNotANumber(const Token& token, const TextPattern& expected, DiagnosticList& diagnostics);
+/// The number; a token that is no finite number becomes an error that says what was expected.
+[[nodiscard]] inline std::optional<double> readNumber(
+    const Token& token, const TextPattern& expected, DiagnosticList& diagnostics)
+{
+    double value = 0.0;
+    if (isNumber(token, value)) [[likely]]
+        return value;
+    reportNotANumber(token, expected, diagnostics);
+    return std::nullopt;
+}
 [[nodiscard]] std::optional<double> readNumber(
     const Token& token, Text expected, DiagnosticList& diagnostics);
+/// Adds a number for each token, 0 for those that become errors.
+void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
+    std::vector<double>& numbers, DiagnosticList& diagnostics);
 [[nodiscard]] std::optional<long> readWholeNumber(
     const Token& token, Text expected, DiagnosticList& diagnostics);
 

@@ -69,12 +69,15 @@ QImage imageOf(MapSection section, const QSize& size)
     const Lookup lookup(*section.table);
     const double stepX = section.x.size() / size.width();
     const double stepY = section.y.size() / size.height();
-    std::vector<double> row(static_cast<std::size_t>(size.width()));
+    const auto width = static_cast<std::size_t>(size.width());
+    std::vector<double> positions(2 * width);
+    for (std::size_t i = 0; i < width; ++i)
+        positions[2 * i] = section.x.lower + (static_cast<double>(i) + 0.5) * stepX;
+    std::vector<double> row(width);
     for (int line = 0; line < size.height(); ++line) {
-        const double y = section.y.upper - (line + 0.5) * stepY;
-        double pixel = 0.5;
-        for (double& value : row)
-            value = lookup.at(section.x.lower + pixel++ * stepX, y);
+        for (std::size_t i = 0; i < width; ++i)
+            positions[2 * i + 1] = section.y.upper - (line + 0.5) * stepY;
+        lookup.atEach(positions, row);
         section.gradient.colorize(
             row.data(), section.range, reinterpret_cast<QRgb*>(image.scanLine(line)), size.width());
     }

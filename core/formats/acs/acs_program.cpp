@@ -55,7 +55,7 @@ public:
             depth -= m_rest.text[i] == ')' ? 1 : 0;
             if (depth > 0)
                 continue;
-            const Token inner{m_rest.text.substr(1, i - 1), m_rest.line, m_rest.column + 1};
+            const Token inner = m_rest.part(1, i - 1);
             take(i + 1);
             return trimmedToken(inner);
         }
@@ -65,8 +65,8 @@ public:
 private:
     Token take(std::size_t length)
     {
-        const Token taken{m_rest.text.substr(0, length), m_rest.line, m_rest.column};
-        m_rest = trimmedToken({m_rest.text.substr(length), m_rest.line, m_rest.column + length});
+        const Token taken = m_rest.part(0, length);
+        m_rest = trimmedToken(m_rest.part(length));
         return taken;
     }
 
@@ -85,8 +85,7 @@ std::vector<Token> argumentsOf(const Token& text)
         depth -= c == ')' && depth > 0 ? 1 : 0;
         if (c != ',' || (depth > 0 && i < text.text.size()))
             continue;
-        arguments.push_back(
-            trimmedToken({text.text.substr(begin, i - begin), text.line, text.column + begin}));
+        arguments.push_back(trimmedToken(text.part(begin, i - begin)));
         begin = i + 1;
     }
     return arguments;
@@ -120,8 +119,7 @@ std::vector<Token> statementsOf(const Token& line)
     bool isQuoted = false;
     const std::string_view text = line.text;
     const auto add = [&](std::size_t end) {
-        const Token piece =
-            trimmedToken({text.substr(begin, end - begin), line.line, line.column + begin});
+        const Token piece = trimmedToken(line.part(begin, end - begin));
         if (piece)
             statements.push_back(piece);
         begin = end + 1;

@@ -12,7 +12,7 @@ namespace axiscomp::aerotech {
 
 namespace {
 
-constexpr std::string_view blanks = " \t,";
+constexpr char blanks[] = " \t,";
 constexpr std::string_view endDirective = ":END";
 
 Verbatim quoted(std::string_view text)
@@ -25,7 +25,7 @@ void takeDirective(const Token& line, Block& block, DiagnosticList& diagnostics)
 {
     const std::string_view text = line.text;
     const auto piece = [&](std::size_t begin, std::size_t end) {
-        return Token{text.substr(begin, end - begin), line.line, line.column + begin};
+        return line.part(begin, end - begin);
     };
     const auto skip = [&](std::size_t at) {
         return std::min(text.find_first_not_of(blanks, at), text.size());
@@ -55,15 +55,10 @@ void takeDirective(const Token& line, Block& block, DiagnosticList& diagnostics)
     }
 }
 
-std::string_view firstWord(std::string_view text)
-{
-    return text.substr(0, text.find_first_of(blanks));
-}
-
 /// Vendors' tools put lines of asterisks and texts before a table, without the sign of a comment.
 bool isBanner(const Token& line)
 {
-    const std::string_view word = firstWord(line.text);
+    const std::string_view word = firstToken(line, blanks).text;
     return line.text.front() != ':' && !numberOf(word) && word.find_first_of("0123456789") != 0;
 }
 
@@ -136,10 +131,8 @@ void BlockReader::takeValues(const Token& line)
     }
     Block& block = m_blocks.back();
     splitTokens(line, blanks, m_tokens);
-    for (const Token& token : m_tokens)
-        block.values.push_back(
-            readNumber(token, AXISCOMP_TEXT("Error", "a correction"), m_reading.diagnostics)
-                .value_or(0.0));
+    readNumbers(
+        m_tokens, AXISCOMP_TEXT("Error", "a correction"), block.values, m_reading.diagnostics);
     block.lines.push_back({line.line, m_tokens.size()});
 }
 
@@ -155,7 +148,7 @@ std::vector<Block> BlockReader::read()
                 keepNote(m_notes, comment.text.substr(1));
             continue;
         }
-        const std::string_view word = firstWord(line.text);
+        const std::string_view word = firstToken(line, blanks).text;
         if (sameLetters(word, m_directive)) {
             takeStart(line);
         } else if (sameLetters(word, endDirective)) {
@@ -223,7 +216,7 @@ Recognition recogniseFile(std::string_view text, std::string_view directive)
         const Token line = trimmedToken(withoutComment(*whole, ";'"));
         if (!line || isBanner(line))
             continue;
-        const bool isStart = sameLetters(firstWord(line.text), directive);
+        const bool isStart = sameLetters(firstToken(line, blanks).text, directive);
         const bool hasMore =
             line.text.find_first_of("0123456789", directive.size()) != std::string_view::npos;
         return isStart && hasMore ? Recognition::Certain : Recognition::No;

@@ -34,9 +34,9 @@ std::optional<double> numberBehind(
     const Token& line, std::string_view word, DiagnosticList& diagnostics)
 {
     const std::size_t at = capitals(line.text).find(word) + word.size();
-    const Token rest = trimmedToken({line.text.substr(at), line.line, line.column + at});
+    const Token rest = trimmedToken(line.part(at));
     const std::size_t end = std::min(rest.text.find_first_of(" \t"), rest.text.size());
-    return readNumber({rest.text.substr(0, end), rest.line, rest.column},
+    return readNumber(rest.part(0, end),
         AXISCOMP_TEXT("Error", "a number in mm or degrees behind {word}").with("word", word),
         diagnostics);
 }

@@ -12,7 +12,8 @@ namespace {
 constexpr std::string_view axisKeys[] = {"kopf.achs_nr", "kopf.log_achs_nr"};
 constexpr std::string_view nameKey = "kopf.log_achs_name";
 constexpr std::string_view sections[] = {"crosscomp", "crosscomp2", "ssfk"};
-constexpr std::string_view blanks = " \t";
+constexpr char blanks[] = " \t";
+constexpr std::string_view bodyPrefix = "kw.";
 
 Verbatim quoted(std::string_view text)
 {
@@ -22,20 +23,23 @@ Verbatim quoted(std::string_view text)
 /// "crosscomp" of "kw.crosscomp.unit"; empty for other entries.
 std::string_view sectionOf(std::string_view path)
 {
-    constexpr std::string_view body = "kw.";
-    if (!path.starts_with(body))
+    if (!path.starts_with(bodyPrefix))
         return {};
-    path.remove_prefix(body.size());
+    path.remove_prefix(bodyPrefix.size());
     return path.substr(0, path.find('.'));
 }
 
-/// Of a value: what stands before the first blank.
-Token firstWord(const Token& value)
-{
-    return {value.text.substr(0, value.text.find_first_of(blanks)), value.line, value.column};
-}
+constexpr std::string_view table = "table";
 
 } // namespace
+
+/// Empty also where an index is part of the section.
+std::string_view List::Name::section() const
+{
+    const std::string_view found = sectionOf(base);
+    const bool isWhole = indices == 0 || base.find('.', bodyPrefix.size()) != base.npos;
+    return isWhole ? found : std::string_view();
+}
 
 std::string List::path(std::string_view key) const
 {
@@ -44,16 +48,17 @@ std::string List::path(std::string_view key) const
 
 bool List::readName(const Token& line, Name& name) const
 {
-    name.path.clear();
-    name.indices = 0;
-    name.index = {};
     const std::string_view text = line.text;
-    std::size_t i = 0;
-    while (i < text.size() && blanks.find(text[i]) == std::string_view::npos) {
-        if (text[i] != '[') {
-            name.path += text[i++];
-            continue;
-        }
+    name.indices = 0;
+    const auto plainEnd = [&](std::size_t begin) {
+        constexpr CharacterSet ends(" \t[");
+        return begin + ends.findIn(text.substr(begin), line.readableEnd());
+    };
+    std::size_t i = plainEnd(0);
+    name.base = text.substr(0, i);
+    std::size_t behindPoint = std::string_view::npos;
+    bool isAdjacent = true; // each index follows the base or another index
+    while (i < text.size() && text[i] == '[') {
         const std::size_t end = text.find(']', i);
         const auto inside = end == std::string_view::npos
             ? std::string_view()
@@ -66,16 +71,22 @@ bool List::readName(const Token& line, Name& name) const
             return false;
         }
         name.index[name.indices++] = *index;
-        name.path += "[]";
         i = end + 1;
+        if (isAdjacent && name.indices == m_section.indices)
+            behindPoint = i;
+        if (i < text.size() && text[i] == '[')
+            continue;
+        isAdjacent = false;
+        i = plainEnd(i);
     }
-    name.length = i;
+    name.whole = line.part(0, i);
+    name.behindPoint = name.whole.text.substr(std::min(behindPoint, i));
     return true;
 }
 
-void List::takeForeign(std::string_view path, const Token& name)
+void List::takeForeign(std::string_view sectionName, const Token& name)
 {
-    const std::string section(sectionOf(path));
+    const std::string section(sectionName);
     const bool isSection = std::ranges::find(sections, section) != std::end(sections);
     if (!isSection) {
         m_diagnostics.warning(
@@ -93,73 +104,81 @@ void List::takeForeign(std::string_view path, const Token& name)
             .with("format", "isg-" + section));
 }
 
-void List::takeCell(std::string_view field, const Name& name, const Entry& entry)
+void List::takeCell(std::string_view field, const Name& name, const Token& value)
 {
     if (field == "sollw") // the older name
         field = "setpoint";
     const auto found = std::ranges::find(m_section.fields, field);
     if (found == m_section.fields.end()) {
-        m_diagnostics.warning(DiagnosticCode::UnknownKey, entry.name.line, entry.name.column,
-            quoted(entry.name.text), {});
+        m_diagnostics.warning(DiagnosticCode::UnknownKey, name.whole.line, name.whole.column,
+            quoted(name.whole.text), {});
         return;
     }
-    Cell cell{
-        static_cast<std::size_t>(found - m_section.fields.begin()), {}, entry.name, entry.value};
+    Cell& cell = m_cells.emplace_back();
+    cell.field = static_cast<std::size_t>(found - m_section.fields.begin());
     cell.index = m_section.indices == 2 ? name.index : std::array<long, 2>{0, name.index[0]};
-    m_cells.push_back(cell);
+    cell.name = name.whole;
+    cell.value = value;
 }
 
 void List::takeLine(const Token& line, Name& name)
 {
     if (!readName(line, name))
         return;
-    const Entry entry{{line.text.substr(0, name.length), line.line, line.column},
-        trimmedToken({line.text.substr(name.length), line.line, line.column + name.length})};
+    const Token value = trimmedToken(line.part(name.whole.text.size()));
+    const auto syntaxError = [&](Text expected) {
+        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(name.whole.text),
+            std::move(expected));
+    };
+    const bool hasIndex = name.indices > 0;
     if (m_hasEnded) {
-        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
-            AXISCOMP_TEXT("Error", "nothing after End"));
+        syntaxError(AXISCOMP_TEXT("Error", "nothing after End"));
         m_hasEnded = false;
         return;
     }
-    if (sameLetters(name.path, "end")) {
+    if (!hasIndex && sameLetters(name.base, "end")) {
         m_hasEnded = true;
         return;
     }
-    const bool isHead =
-        name.path == nameKey || std::ranges::find(axisKeys, name.path) != std::end(axisKeys);
-    const bool isOwn = sectionOf(name.path) == m_section.name;
+    const bool isHead = !hasIndex
+        && (name.base == nameKey || std::ranges::find(axisKeys, name.base) != std::end(axisKeys));
+    const bool isOwn = name.section() == m_section.name;
     if (!isHead && !isOwn) {
-        takeForeign(name.path, entry.name);
+        takeForeign(name.section(), name.whole);
         return;
     }
-    if (!entry.value) {
-        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
-            AXISCOMP_TEXT("Error", "a value behind the name and a blank"));
+    if (!value) {
+        syntaxError(AXISCOMP_TEXT("Error", "a value behind the name and a blank"));
         return;
     }
-    std::string_view key = name.path;
+    std::string_view key = name.base;
     if (isOwn)
-        key.remove_prefix(std::min(key.size(), path("").size()));
-    const std::string_view point = m_section.indices == 2 ? "table[][]." : "table[].";
-    if (isOwn && key.starts_with(point)) {
-        takeCell(key.substr(point.size()), name, entry);
-        return;
-    }
-    if (isOwn && key.starts_with("table[")) {
-        m_diagnostics.error(DiagnosticCode::Syntax, line.line, line.column, quoted(entry.name.text),
+        key.remove_prefix(std::min(key.size(), bodyPrefix.size() + m_section.name.size() + 1));
+    if (!isOwn || !hasIndex)
+        takeEntry(key, {name.whole, value}, isHead);
+    else if (key != table)
+        takeForeign({}, name.whole);
+    else if (name.behindPoint.starts_with('.'))
+        takeCell(name.behindPoint.substr(1), name, value);
+    else
+        syntaxError(
             (m_section.indices == 2 ? AXISCOMP_TEXT("Error", "a point kw.{point} with two indices")
                                     : AXISCOMP_TEXT("Error", "a point kw.{point} with one index"))
-                .with("point", std::string(m_section.name) + '.' + std::string(point)));
-        return;
-    }
-    if (isOwn && std::ranges::find(m_section.keys, key) == m_section.keys.end()) {
-        takeForeign("", entry.name);
+                .with("point",
+                    std::string(m_section.name)
+                        + (m_section.indices == 2 ? ".table[][]." : ".table[].")));
+}
+
+void List::takeEntry(std::string_view key, const Entry& entry, bool isHead)
+{
+    if (!isHead && std::ranges::find(m_section.keys, key) == m_section.keys.end()) {
+        takeForeign({}, entry.name);
         return;
     }
     const auto [place, isNew] = m_entries.emplace(key, entry);
     if (!isNew)
-        m_diagnostics.error(DiagnosticCode::Contradiction, line.line, line.column,
-            AXISCOMP_TEXT("Error", "{what} a second time").with("what", name.path),
+        m_diagnostics.error(DiagnosticCode::Contradiction, entry.name.line, entry.name.column,
+            AXISCOMP_TEXT("Error", "{what} a second time").with("what", entry.name.text),
             AXISCOMP_TEXT("Error", "each entry once; the first is in line {line}")
                 .with("line", place->second.name.line));
 }
@@ -236,7 +255,7 @@ std::optional<long> List::whole(std::string_view key, long least, long most) con
     }
     const Text range =
         AXISCOMP_TEXT("Error", "{number} to {number2}").with("number", least).with("number2", most);
-    const Token word = firstWord(entry->value);
+    const Token word = firstToken(entry->value, blanks);
     const auto number = readWholeNumber(word,
         AXISCOMP_TEXT("Error", "a whole number, {range}").with("range", range), m_diagnostics);
     if (!number || (*number >= least && *number <= most))
@@ -250,7 +269,7 @@ std::optional<double> List::number(std::string_view key) const
 {
     const Entry* const entry = find(key);
     if (entry)
-        return readNumber(firstWord(entry->value),
+        return readNumber(firstToken(entry->value, blanks),
             AXISCOMP_TEXT("Error", "the number of {key}").with("key", path(key)), m_diagnostics);
     missing(key);
     return std::nullopt;
@@ -276,12 +295,12 @@ std::string List::axisNumber() const
     const Entry* const entry = first ? first : second;
     if (!entry)
         return {};
-    const Token word = firstWord(entry->value);
+    const Token word = firstToken(entry->value, blanks);
     const auto number = readWholeNumber(
         word, AXISCOMP_TEXT("Error", "the logical number of the axis, from 1"), m_diagnostics);
-    if (first && second && word.text != firstWord(second->value).text)
+    if (first && second && word.text != firstToken(second->value, blanks).text)
         m_diagnostics.error(DiagnosticCode::Contradiction, second->name.line, 0,
-            Verbatim{"kopf.log_achs_nr " + quoted(firstWord(second->value).text).text},
+            Verbatim{"kopf.log_achs_nr " + quoted(firstToken(second->value, blanks).text).text},
             AXISCOMP_TEXT("Error", "{value}, as {key} says")
                 .with("value", quoted(word.text))
                 .with("key", axisKeys[0]));
@@ -342,8 +361,8 @@ std::optional<Field> List::field(std::string_view name, std::array<std::size_t, 
                          : AXISCOMP_TEXT("Error", "each point once"));
             continue;
         }
-        const auto number =
-            readNumber(firstWord(cell.value), AXISCOMP_TEXT("Error", "a number"), m_diagnostics);
+        const auto number = readNumber(
+            firstToken(cell.value, blanks), AXISCOMP_TEXT("Error", "a number"), m_diagnostics);
         isGood = isGood && number;
         if (offset >= seenSize)
             continue;

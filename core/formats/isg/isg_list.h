@@ -74,16 +74,22 @@ private:
         Token name;
         Token value;
     };
+    /// "kw.ssfk.table[3].pos" in its parts.
     struct Name {
-        std::string path; ///< without the indices: "kw.ssfk.table[].pos"
+        Token whole;
+        std::string_view base; ///< before the first index: "kw.ssfk.table"
         std::array<long, 2> index{};
         std::size_t indices = 0;
-        std::size_t length = 0; ///< in the line
+        /// Behind as many indices as a point of the section has, if they follow the base: ".pos".
+        std::string_view behindPoint;
+
+        [[nodiscard]] std::string_view section() const; ///< "ssfk"
     };
     [[nodiscard]] bool readName(const Token& line, Name& name) const;
     void takeLine(const Token& line, Name& name);
-    void takeCell(std::string_view field, const Name& name, const Entry& entry);
-    void takeForeign(std::string_view path, const Token& name);
+    void takeCell(std::string_view field, const Name& name, const Token& value);
+    void takeEntry(std::string_view key, const Entry& entry, bool isHead);
+    void takeForeign(std::string_view section, const Token& name);
     [[nodiscard]] const Entry* find(std::string_view key) const;
     void missing(std::string_view key) const;
 

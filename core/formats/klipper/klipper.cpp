@@ -96,7 +96,7 @@ void Sections::begin(const Token& section)
 void Sections::takeEntry(const Token& line)
 {
     const std::size_t equals = line.text.find_first_of("=:");
-    const Token key = trimmedToken({line.text.substr(0, equals), line.line, line.column});
+    const Token key = trimmedToken(line.part(0, equals));
     m_isInPoints = key.text == "points";
     if (equals == std::string_view::npos) {
         m_source.diagnostics.error(
@@ -108,8 +108,7 @@ void Sections::takeEntry(const Token& line)
             DiagnosticCode::UnknownKey, key.line, key.column, quoted(key), {});
         return;
     }
-    const Token value =
-        trimmedToken({line.text.substr(equals + 1), line.line, line.column + equals + 1});
+    const Token value = trimmedToken(line.part(equals + 1));
     Profile& profile = m_profiles.back();
     if (!profile.entries.emplace(std::string(key.text), value).second)
         m_source.diagnostics.error(DiagnosticCode::Contradiction, key.line, key.column,
@@ -214,10 +213,7 @@ std::vector<double> ProfileReader::heights(long columns, long rows)
                 AXISCOMP_TEXT("Error", "{value}, as {key} says")
                     .with("value", columns)
                     .with("key", Verbatim{"x_count"}));
-        for (const Token& cell : cells)
-            values.push_back(
-                readNumber(cell, AXISCOMP_TEXT("Error", "a height in mm"), m_source.diagnostics)
-                    .value_or(0.0));
+        readNumbers(cells, AXISCOMP_TEXT("Error", "a height in mm"), values, m_source.diagnostics);
     }
     const auto found = static_cast<long>(m_profile.rows.size());
     if (found != rows)

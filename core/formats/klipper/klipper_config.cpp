@@ -25,7 +25,7 @@ Token configLine(const Token& line)
     if (!line.text.starts_with(autosavePrefix))
         return withoutComment(line, "#;");
     const std::size_t length = std::min<std::size_t>(autosavePrefix.size() + 1, line.text.size());
-    return {line.text.substr(length), line.line, line.column + length};
+    return line.part(length);
 }
 
 std::optional<Token> sectionOf(const Token& line)
@@ -34,7 +34,7 @@ std::optional<Token> sectionOf(const Token& line)
     const std::size_t end = content.text.find(']');
     if (!content.text.starts_with('[') || end == std::string_view::npos)
         return std::nullopt;
-    return trimmedToken({content.text.substr(1, end - 1), content.line, content.column + 1});
+    return trimmedToken(content.part(1, end - 1));
 }
 
 } // namespace axiscomp::klipper

@@ -91,8 +91,7 @@ Section sectionIn(TextReading& reading)
                 AXISCOMP_TEXT("Error", "an entry such as {example}")
                     .with("example", Verbatim{"calibrate_start_x = 20"}));
         } else {
-            const Token key =
-                trimmedToken({content.text.substr(0, equals), content.line, content.column});
+            const Token key = trimmedToken(content.part(0, equals));
             const auto [entry, isNew] = section.entries.try_emplace(std::string(key.text));
             if (!isNew)
                 reading.diagnostics.warning(DiagnosticCode::Assumption, key.line, key.column,
@@ -100,8 +99,7 @@ Section sectionIn(TextReading& reading)
                     AXISCOMP_TEXT("Error", "each entry once; the last one counts"));
             last = &entry->second;
             last->clear();
-            const Token value = trimmedToken(
-                {content.text.substr(equals + 1), content.line, content.column + equals + 1});
+            const Token value = trimmedToken(content.part(equals + 1));
             if (value)
                 last->push_back(value);
         }

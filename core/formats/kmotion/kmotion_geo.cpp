@@ -77,8 +77,8 @@ public:
             m_rest = trimmedToken(*line);
         }
         const std::size_t end = std::min(m_rest.text.find_first_of(", \t"), m_rest.text.size());
-        const Token number{m_rest.text.substr(0, end), m_rest.line, m_rest.column};
-        m_rest = {m_rest.text.substr(end), m_rest.line, m_rest.column + end};
+        const Token number = m_rest.part(0, end);
+        m_rest = m_rest.part(end);
         return number;
     }
     /// The comma directly behind the number.
@@ -86,7 +86,7 @@ public:
     {
         if (!m_rest.text.starts_with(','))
             return false;
-        m_rest = {m_rest.text.substr(1), m_rest.line, m_rest.column + 1};
+        m_rest = m_rest.part(1);
         return true;
     }
     [[nodiscard]] const Token& rest() const { return m_rest; }

@@ -36,7 +36,7 @@ std::optional<Token> behindWord(const Token& token, std::string_view word)
 {
     if (token.text.size() < word.size() || !sameLetters(token.text.substr(0, word.size()), word))
         return std::nullopt;
-    return trimmedToken({token.text.substr(word.size()), token.line, token.column + word.size()});
+    return trimmedToken(token.part(word.size()));
 }
 
 /// What follows DEFINE COMP or DEF COMP.
@@ -66,7 +66,7 @@ Token takeAddress(Token line, std::string& addressed)
     if (end < 2) // no number, and so no motor
         return line;
     addressed = line.text.substr(1, end - 1);
-    return trimmedToken({line.text.substr(end), line.line, line.column + end});
+    return trimmedToken(line.part(end));
 }
 
 /// One DEFINE COMP with its entries.
@@ -117,8 +117,8 @@ std::vector<Token> splitArguments(const Token& arguments)
         Token rest = trimmedToken(cell);
         std::size_t blank = rest.text.find_first_of(" \t");
         while (blank != std::string_view::npos) {
-            cells.push_back({rest.text.substr(0, blank), rest.line, rest.column});
-            rest = trimmedToken({rest.text.substr(blank), rest.line, rest.column + blank});
+            cells.push_back(rest.part(0, blank));
+            rest = trimmedToken(rest.part(blank));
             blank = rest.text.find_first_of(" \t");
         }
         cells.push_back(rest);
@@ -211,12 +211,9 @@ void Reader::begin(const Token& line, const Token& arguments)
     Definition definition;
     definition.place = line;
     const Token& size = cells.front();
-    const auto columns = readSize(
-        isPlane ? Token{size.text.substr(dot + 1), size.line, size.column + dot + 1} : size,
-        diagnostics);
-    const auto rows = isPlane
-        ? readSize({size.text.substr(0, dot), size.line, size.column}, diagnostics)
-        : std::optional<std::size_t>(0);
+    const auto columns = readSize(isPlane ? size.part(dot + 1) : size, diagnostics);
+    const auto rows =
+        isPlane ? readSize(size.part(0, dot), diagnostics) : std::optional<std::size_t>(0);
     m_isForeign = !columns || !rows || !readArguments(definition, cells);
     if (m_isForeign)
         return;

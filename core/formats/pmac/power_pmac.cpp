@@ -86,7 +86,7 @@ bool startsWith(std::string_view text, std::string_view begin)
 /// The statements of a line, without comments.
 std::vector<Token> statementsOf(const Token& line)
 {
-    const Token code{line.text.substr(0, line.text.find("//")), line.line, line.column};
+    const Token code = line.part(0, line.text.find("//"));
     std::vector<Token> statements;
     splitCells(code, ';', statements);
     return statements;
@@ -105,7 +105,7 @@ std::optional<Index> indexAt(const Token& token)
     const auto number = wholeNumberOf(trimmed(token.text.substr(0, end)));
     if (!number || *number < 0)
         return std::nullopt;
-    return Index{*number, {token.text.substr(end + 1), token.line, token.column + end + 1}};
+    return Index{*number, token.part(end + 1)};
 }
 
 class Reader {
@@ -178,8 +178,7 @@ void Reader::take(const Token& statement)
                     .with("example", Verbatim{"CompTable[0].Data[3] = 4,8"}));
         return;
     }
-    const Token behind{
-        statement.text.substr(prefix.size()), statement.line, statement.column + prefix.size()};
+    const Token behind = statement.part(prefix.size());
     const auto table = indexAt(behind);
     const std::size_t equals = table ? table->rest.text.find('=') : std::string_view::npos;
     if (!table || !table->rest.text.starts_with('.') || equals == std::string_view::npos

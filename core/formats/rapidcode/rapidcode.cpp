@@ -96,10 +96,8 @@ void takeComment(const Token& line, Header& header, TextReading& source)
     if (equals == std::string_view::npos)
         return;
     const std::size_t hash = line.text.find('#') + 1;
-    const Token key =
-        trimmedToken({line.text.substr(hash, equals - hash), line.line, line.column + hash});
-    const Token value =
-        trimmedToken({line.text.substr(equals + 1), line.line, line.column + equals + 1});
+    const Token key = trimmedToken(line.part(hash, equals - hash));
+    const Token value = trimmedToken(line.part(equals + 1));
     if (key.text == "note") {
         header.notes.push_back(oneLine(value.text));
     } else if (!isKnownKey(key.text)) {
@@ -233,6 +231,8 @@ std::vector<double> countsOf(
     const Contents& contents, std::size_t columns, std::size_t rows, TextReading& source)
 {
     std::vector<double> counts;
+    // No more than the text can have.
+    counts.reserve(std::min(columns * rows, source.text.size() / 2));
     std::vector<Token> cells;
     for (std::size_t row = 0; row < contents.rows.size() && row < rows; ++row) {
         if (source.isStopped())
@@ -246,10 +246,8 @@ std::vector<double> countsOf(
                     .with("number", columns));
             continue;
         }
-        for (const Token& cell : cells)
-            counts.push_back(
-                readNumber(cell, AXISCOMP_TEXT("Error", "a number of counts"), source.diagnostics)
-                    .value_or(0.0));
+        readNumbers(
+            cells, AXISCOMP_TEXT("Error", "a number of counts"), counts, source.diagnostics);
     }
     const Text found = AXISCOMP_COUNTED("Error", "{count} lines of counts", "1 line of counts")
                            .with("count", contents.rows.size());

@@ -140,11 +140,10 @@ std::optional<std::array<Axis, 2>> axesOf(
     return isRead && checkAxis(axes[1], line.line, source) ? std::optional(axes) : std::nullopt;
 }
 
-void takeRow(const Token& line, const std::array<Axis, 2>& axes, std::size_t row,
-    std::vector<double>& heights, TextReading& source)
+/// cells: of the line.
+void takeRow(const Token& line, const std::vector<Token>& cells, const std::array<Axis, 2>& axes,
+    std::size_t row, std::vector<double>& heights, TextReading& source)
 {
-    std::vector<Token> cells;
-    splitCells(line, ',', cells);
     if (static_cast<long>(cells.size()) != axes[0].points) {
         source.diagnostics.error(DiagnosticCode::ColumnCount, line.line, 0,
             AXISCOMP_COUNTED("Error", "{count} heights", "1 height").with("count", cells.size()),
@@ -180,6 +179,7 @@ std::vector<double> heightsOf(
     TextLines& lines, const std::array<Axis, 2>& axes, TextReading& source)
 {
     std::vector<double> heights;
+    std::vector<Token> cells;
     long rows = 0;
     while (const auto line = lines.next()) {
         if (source.isStopped())
@@ -194,7 +194,8 @@ std::vector<double> heightsOf(
                 AXISCOMP_TEXT("Error", "{number} lines of heights").with("number", axes[1].points));
             return heights;
         }
-        takeRow(*line, axes, static_cast<std::size_t>(rows), heights, source);
+        splitCells(*line, ',', cells);
+        takeRow(*line, cells, axes, static_cast<std::size_t>(rows), heights, source);
         ++rows;
     }
     if (rows < axes[1].points)

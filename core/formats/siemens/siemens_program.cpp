@@ -37,7 +37,7 @@ bool isNameCharacter(char c)
 Token rest(const Token& token, std::size_t from)
 {
     const std::size_t at = std::min(from, token.text.size());
-    return trimmedToken({token.text.substr(at), token.line, token.column + at});
+    return trimmedToken(token.part(at));
 }
 
 /// Without a block number "N10 " in front.
@@ -58,7 +58,7 @@ Token bare(Token value)
     for (const std::string_view pair : {"()", "\"\""}) {
         const std::string_view text = value.text;
         if (text.size() >= 2 && text.front() == pair[0] && text.back() == pair[1])
-            value = trimmedToken({text.substr(1, text.size() - 2), value.line, value.column + 1});
+            value = trimmedToken(value.part(1, text.size() - 2));
     }
     return value;
 }
@@ -71,8 +71,7 @@ void splitAtPoint(std::vector<Token>& arguments)
     if (point == std::string_view::npos || !wholeNumberOf(whole.text.substr(0, point))
         || !wholeNumberOf(whole.text.substr(point + 1)))
         return;
-    arguments = {{whole.text.substr(0, point), whole.line, whole.column},
-        {whole.text.substr(point + 1), whole.line, whole.column + point + 1}};
+    arguments = {whole.part(0, point), whole.part(point + 1)};
 }
 
 /// False: not of this form; the problem is reported.
@@ -87,15 +86,14 @@ bool readAssignment(const Token& line, Assignment& said, DiagnosticList& diagnos
     std::size_t i = 1;
     while (i < line.text.size() && isNameCharacter(line.text[i]))
         ++i;
-    said.name = {line.text.substr(0, i), line.line, line.column};
+    said.name = line.part(0, i);
     const Token behindName = rest(line, i);
     if (!behindName.text.starts_with('['))
         return refuse(i, AXISCOMP_TEXT("Error", "an index in [ ] behind the name"));
     const std::size_t close = behindName.text.find(']');
     if (close == std::string_view::npos)
         return refuse(i, AXISCOMP_TEXT("Error", "an index that ends in ]"));
-    splitCells({behindName.text.substr(1, close - 1), line.line, behindName.column + 1}, ',',
-        said.arguments);
+    splitCells(behindName.part(1, close - 1), ',', said.arguments);
     if (said.arguments.size() == 1)
         splitAtPoint(said.arguments);
     for (Token& argument : said.arguments)

@@ -5,6 +5,7 @@
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -96,9 +97,10 @@ Text numbersText(const std::vector<Token>& tokens)
 }
 
 /// False: the rest cannot be understood.
-bool takeRow(
-    const std::vector<Token>& tokens, std::size_t sources, Rows& rows, DiagnosticList& diagnostics)
+bool takeRow(const std::vector<Token>& tokens, const Shape& shape, Rows& rows, TextReading& reading)
 {
+    DiagnosticList& diagnostics = reading.diagnostics;
+    const std::size_t sources = shape.sizes.size();
     const std::size_t line = tokens.front().line;
     if (rows.width == 0 && tokens.size() <= sources) {
         diagnostics.error(DiagnosticCode::TooFewColumns, line, 0, numbersText(tokens),
@@ -107,22 +109,36 @@ bool takeRow(
                 .with("count", sources));
         return false;
     }
-    if (rows.width == 0)
+    if (rows.width == 0) {
         rows.width = tokens.size();
+        // No more than the text can have.
+        const std::size_t most = std::min(shape.rows, reading.text.size() / (2 * rows.width));
+        rows.numbers.reserve(most * rows.width);
+        rows.lines.reserve(most);
+    }
     if (tokens.size() != rows.width) {
         diagnostics.error(DiagnosticCode::ColumnCount, line, 0, numbersText(tokens),
             AXISCOMP_TEXT("Error", "{number}, as in the first row").with("number", rows.width));
         return false;
     }
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const auto number = readNumber(tokens[i],
-            i < sources ? AXISCOMP_TEXT("Error", "a source position")
-                        : AXISCOMP_TEXT("Error", "a correction"),
-            diagnostics);
-        rows.numbers.push_back(number.value_or(0.0));
-    }
+    const std::span<const Token> all(tokens);
+    readNumbers(
+        all.first(sources), AXISCOMP_TEXT("Error", "a source position"), rows.numbers, diagnostics);
+    readNumbers(
+        all.subspan(sources), AXISCOMP_TEXT("Error", "a correction"), rows.numbers, diagnostics);
     rows.lines.push_back(line);
     return true;
+}
+
+void reportOtherOrder(const Rows& rows, std::size_t row, std::size_t source, double expected,
+    DiagnosticList& diagnostics)
+{
+    diagnostics.error(DiagnosticCode::Contradiction, rows.lines[row], source + 1,
+        AXISCOMP_TEXT("Error", "{number} for source {number2}")
+            .with("number", Quantity{toText(rows.at(row, source))})
+            .with("number2", source + 1),
+        AXISCOMP_TEXT("Error", "{number}: the first source changes fastest")
+            .with("number", Quantity{toText(expected)}));
 }
 
 /// The positions of one source, which every row must repeat in the order of the rule.
@@ -136,18 +152,16 @@ std::vector<double> knotsOf(
     for (std::size_t i = 0; i < knots.size(); ++i)
         knots[i] = rows.at(i * stride, source);
     const double allowance = 1e-9 * (std::abs(knots.front()) + std::abs(knots.back()));
-    for (std::size_t row = 0; row < shape.rows; ++row) {
-        const double expected = knots[row / stride % knots.size()];
-        const double found = rows.at(row, source);
-        if (std::abs(found - expected) <= allowance)
-            continue;
-        diagnostics.error(DiagnosticCode::Contradiction, rows.lines[row], source + 1,
-            AXISCOMP_TEXT("Error", "{number} for source {number2}")
-                .with("number", Quantity{toText(found)})
-                .with("number2", source + 1),
-            AXISCOMP_TEXT("Error", "{number}: the first source changes fastest")
-                .with("number", Quantity{toText(expected)}));
-        break;
+    std::size_t row = 0;
+    while (row < shape.rows) {
+        for (std::size_t i = 0; i < knots.size(); ++i) {
+            for (const std::size_t next = row + stride; row < next; ++row) {
+                if (std::abs(rows.at(row, source) - knots[i]) <= allowance)
+                    continue;
+                reportOtherOrder(rows, row, source, knots[i], diagnostics);
+                return knots;
+            }
+        }
     }
     return knots;
 }
@@ -203,7 +217,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
         if (reading.isStopped())
             return {};
         if (shape) {
-            if (!takeRow(tokens, shape->sizes.size(), rows, diagnostics))
+            if (!takeRow(tokens, *shape, rows, reading))
                 return {};
             continue;
         }

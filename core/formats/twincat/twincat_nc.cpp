@@ -93,10 +93,7 @@ public:
     }
 
 private:
-    void drop(std::size_t count)
-    {
-        m_rest = {m_rest.text.substr(count), m_rest.line, m_rest.column + count};
-    }
+    void drop(std::size_t count) { m_rest = m_rest.part(count); }
     [[nodiscard]] Token take()
     {
         std::size_t size = 0;
@@ -104,7 +101,7 @@ private:
             ++size;
         if (size == 0)
             size = m_rest.text.starts_with(":=") ? 2 : 1;
-        const Token word{m_rest.text.substr(0, size), m_rest.line, m_rest.column};
+        const Token word = m_rest.part(0, size);
         drop(size);
         return word;
     }

@@ -69,7 +69,7 @@ std::optional<Token> unitOf(const Token& line)
     if (equals == std::string_view::npos
         || !sameLetters(trimmed(line.text.substr(0, equals)), "unit"))
         return std::nullopt;
-    return trimmedToken({line.text.substr(equals + 1), line.line, line.column + equals + 1});
+    return trimmedToken(line.part(equals + 1));
 }
 
 /// "[X]": the letter; nothing: no line of that form.
@@ -178,7 +178,7 @@ void FileReader::takeEntry(const Token& line)
 void FileReader::take(const Token& line)
 {
     if (line.text.starts_with(';'))
-        takeComment(trimmedToken({line.text.substr(1), line.line, line.column + 1}));
+        takeComment(trimmedToken(line.part(1)));
     else if (line.text.starts_with('['))
         takeHeader(line);
     else if (const auto unit = unitOf(line))

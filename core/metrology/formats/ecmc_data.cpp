@@ -102,8 +102,7 @@ void Reader::takeLine(const Token& line)
         refuseKey(content);
         return;
     }
-    const Token value =
-        trimmedToken({content.text.substr(equals + 1), content.line, content.column + equals + 1});
+    const Token value = trimmedToken(content.part(equals + 1));
     if (key->name == "TGT_DATA")
         takeTarget(*key, value);
     else if (key->name == "REF_DATA_FWD")

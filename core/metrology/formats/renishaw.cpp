@@ -100,8 +100,7 @@ std::optional<Entry> entryOf(const Token& line)
     const std::size_t colon = line.text.find(':');
     if (colon == std::string_view::npos)
         return std::nullopt;
-    return Entry{trimmed(line.text.substr(0, colon)),
-        trimmedToken({line.text.substr(colon + 1), line.line, line.column + colon + 1})};
+    return Entry{trimmed(line.text.substr(0, colon)), trimmedToken(line.part(colon + 1))};
 }
 
 /// A line of DEVIATIONS.

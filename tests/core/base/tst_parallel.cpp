@@ -64,12 +64,11 @@ private Q_SLOTS:
     {
         for (const std::size_t threads : {1, 3}) {
             std::atomic<int> begun = 0;
-            QVERIFY_EXCEPTION_THROWN(shareWork(100'000, threads,
-                                         [&](std::size_t) {
-                                             ++begun;
-                                             throw std::length_error("no room");
-                                         }),
-                std::length_error);
+            QVERIFY_THROWS_EXCEPTION(
+                std::length_error, shareWork(100'000, threads, [&](std::size_t) {
+                    ++begun;
+                    throw std::length_error("no room");
+                }));
             QVERIFY(begun >= 1 && begun <= static_cast<int>(threads));
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
 
+#include "core/conversion/axis_interpolant.h"
 #include "tests/core/conversion/numeric_tables.h"
 #include "tests/support/test_registry.h"
 
@@ -520,6 +521,49 @@ private Q_SLOTS:
         const auto huge = tableOver({axisX({0, 1, 10})}, "X",
             [](const Values& p) { return p[0] == 1 ? -1.7e308 : 1.7e308; });
         VERIFY_ERROR(resample(huge, request({byPoints(4)})), ErrorCode::ResamplingImpossible);
+    }
+
+    void eightLinesHaveTheBitsOfEachByItself_data()
+    {
+        QTest::addColumn<ResamplingMethod>("method");
+        QTest::addColumn<bool>("isModulo");
+        for (const auto method : {ResamplingMethod::Linear, ResamplingMethod::MonotoneCubic,
+                 ResamplingMethod::NaturalSpline, ResamplingMethod::SmoothingSpline})
+            for (const bool isModulo : {false, true})
+                QTest::addRow(
+                    "%s%s", resamplingMethodName(method).data(), isModulo ? ", modulo axis" : "")
+                    << method << isModulo;
+    }
+    void eightLinesHaveTheBitsOfEachByItself()
+    {
+        QFETCH(ResamplingMethod, method);
+        QFETCH(bool, isModulo);
+        constexpr std::size_t count = 12;
+        SourceAxis axis = unevenAxis("X", count);
+        if (isModulo)
+            axis.wrap = 1.25 * (axis.knots.back() - axis.knots.front());
+        const AxisInterpolant interpolant(axis, method);
+        Values values;
+        for (std::size_t i = 0; i < 8 * count; ++i)
+            values.push_back(i % 7 == 0 ? 0.0 : std::sin(static_cast<double>(i * i)));
+        // Beside each other, and one behind the other.
+        for (const std::size_t stride : {std::size_t{8}, std::size_t{1}}) {
+            std::array<std::size_t, 8> firsts{};
+            for (std::size_t n = 0; n < 8; ++n)
+                firsts[n] = stride == 8 ? n : n * count;
+            AxisInterpolant::EightLines eight;
+            interpolant.load(values.data(), EightPlaces(firsts), stride, eight);
+            for (std::size_t n = 0; n < 8; ++n) {
+                AxisInterpolant::Line line;
+                interpolant.load(&values[firsts[n]], stride, line);
+                for (double x = -5.0; x < 45.0; x += 0.125) {
+                    const auto place = interpolant.placeOf(x);
+                    Eight found;
+                    interpolant.at(eight, place, found);
+                    QVERIFY(areSameBits({found[n]}, {interpolant.at(line, place)}));
+                }
+            }
+        }
     }
 };
 

@@ -697,6 +697,30 @@ private Q_SLOTS:
             table.columns[0].values = {0, 0, 0};
         QCOMPARE(examplePoint(table).english(), text.toStdString());
     }
+
+    void ofSeveralPlacesThatAreTooSteepTheFirstIsNamed_data()
+    {
+        QTest::addColumn<bool>("isJoint");
+        QTest::addRow("one axis moves") << false;
+        QTest::addRow("both axes move") << true;
+    }
+    void ofSeveralPlacesThatAreTooSteepTheFirstIsNamed()
+    {
+        QFETCH(bool, isJoint);
+        // Large enough for several threads.
+        auto table = tableOver({evenAxis("X", "mm", 0, 1, 200), evenAxis("Y", "mm", 0, 1, 600)},
+            "X", [](const Values& p) {
+                return p[0] == 50 && (p[1] == 580 || p[1] == 90 || p[1] == 400) ? 1.5 : 0.0;
+            });
+        if (isJoint)
+            addColumn(table, "Y", [](const Values&) { return 0.001; });
+        for (int round = 0; round < 20; ++round) {
+            const auto result = convertSign(table, SignConvention::Command, held);
+            VERIFY_ERROR(result, ErrorCode::SignNotConvertible);
+            const std::string text = reasonOf(result);
+            QVERIFY2(text.find("Y = 90 mm") != std::string::npos, text.c_str());
+        }
+    }
 };
 
 AXISCOMP_TEST(TestSignConversion)

@@ -370,6 +370,43 @@ private Q_SLOTS:
         const std::string text = sentence(result.error());
         QVERIFY2(text.find(reason.toStdString()) != std::string::npos, text.c_str());
     }
+
+    void ofTwoDifferencesThatAreAsLargeTheFirstIsNamed()
+    {
+        // Large enough for several threads.
+        const auto a = tableOver({evenAxis("X", "mm", 0, 1, 300), evenAxis("Y", "mm", 0, 1, 500)},
+            "Z", [](const Values&) { return 0.25; });
+        NeutralTable b = a;
+        for (const std::size_t y : {480U, 70U, 300U})
+            b.columns[0].values[y * 300 + 11] = 0.5;
+        for (int round = 0; round < 20; ++round) {
+            const auto difference = conversionDifference(a, held, b, held);
+            VERIFY_RESULT(difference);
+            QCOMPARE(difference->columns[0].largest, 0.25);
+            QCOMPARE(difference->columns[0].where, (Values{11.0, 70.0}));
+            QCOMPARE(difference->columns[0].whereInside, (Values{11.0, 70.0}));
+        }
+    }
+
+    void aLargePlaneIsComparedTheSameEachTime()
+    {
+        const auto a =
+            tableOver({evenAxis("X", "mm", 0, 0.5, 400), evenAxis("Y", "mm", 0, 0.5, 400)}, "X",
+                [](const Values& p) { return 0.02 * std::sin(p[0] / 3.0) * std::cos(p[1] / 5.0); });
+        const NeutralTable b = converted(a);
+        const auto first = conversionDifference(a, held, b, held);
+        VERIFY_RESULT(first);
+        QVERIFY(first->columns[0].largest > 0.0 && first->columns[0].largest < 1e-4);
+        for (int round = 0; round < 5; ++round) {
+            QVERIFY(converted(a) == b);
+            const auto again = conversionDifference(a, held, b, held);
+            VERIFY_RESULT(again);
+            QVERIFY(again->columns[0].largest == first->columns[0].largest);
+            QVERIFY(again->columns[0].where == first->columns[0].where);
+            QVERIFY(again->columns[0].largestInside == first->columns[0].largestInside);
+            QCOMPARE(again->positions, first->positions);
+        }
+    }
 };
 
 AXISCOMP_TEST(TestConversionDifference)

@@ -359,6 +359,17 @@ private Q_SLOTS:
         QVERIFY(isTheSame(outcomeOf(text + "\n\r\n  \r\n\n"), plain));
     }
 
+    void aLineMayEndAnywhereInABlockOfCharacters_data() { addFormats(isReadAsText); }
+    void aLineMayEndAnywhereInABlockOfCharacters()
+    {
+        const auto plain = withTrimmedNotes(outcomeOf(sample().text).tables);
+        for (std::size_t blanks = 0; blanks < 2 * CharacterSet::blockSize + 2; ++blanks) {
+            const std::string end = std::string(blanks, ' ') + "\r\n";
+            QVERIFY2(isTheSame(outcomeOf(withLineEnds(sample().text, end)), plain),
+                std::to_string(blanks).c_str());
+        }
+    }
+
     void lettersOfOtherEncodingsAreKeptAsUtf8_data()
     {
         addFormats([](const FormatSample& sample) { return !sample.comment.empty(); });
