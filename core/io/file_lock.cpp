@@ -60,6 +60,13 @@ Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
     }
 }
 
+bool FileLock::isHeld(const std::filesystem::path& lockFile)
+{
+    const FileLock probe{::open(lockFile.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
+    return probe.m_descriptor >= 0 && ::flock(probe.m_descriptor, LOCK_SH | LOCK_NB) != 0
+        && errno == EWOULDBLOCK;
+}
+
 FileLock::FileLock(FileLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1))
 {
 }

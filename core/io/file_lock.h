@@ -23,6 +23,9 @@ public:
     [[nodiscard]] static Result<std::optional<FileLock>> tryAcquire(
         const std::filesystem::path& lockFile, const std::filesystem::path& what);
 
+    /// Whether somebody holds it now; nothing is made where there is no such file.
+    [[nodiscard]] static bool isHeld(const std::filesystem::path& lockFile);
+
     FileLock(FileLock&& other) noexcept;
     FileLock& operator=(FileLock&& other) noexcept;
     ~FileLock();

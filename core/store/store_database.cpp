@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/store_database.h"
 
+#include "core/io/file_system.h"
 #include "core/io/local_file.h"
 #include "core/store/json_import.h"
 #include "core/store/store_folder.h"
 #include "core/store/store_repair.h"
 #include "core/store/store_schema.h"
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <string>
@@ -16,7 +15,6 @@
 
 #include <sqlite3.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 
 namespace axiscomp {
 
@@ -27,16 +25,10 @@ using sqlite::Transaction;
 
 constexpr int mostReplacements = 3;
 
-/// File systems whose locks and shared memory do not reach other computers (linux/magic.h).
-constexpr std::array<std::uint32_t, 6> networkFileSystems{0x6969 /* NFS */, 0x517b /* SMB */,
-    0xfe534d42 /* SMB 2 */, 0xff534d42 /* CIFS */, 0x73757245 /* Coda */, 0x5346414f /* AFS */};
-
 bool isOnNetwork(const fs::path& folder)
 {
-    struct statfs system { };
-    return ::statfs(folder.c_str(), &system) == 0
-        && std::ranges::find(networkFileSystems, static_cast<std::uint32_t>(system.f_type))
-        != networkFileSystems.end();
+    const auto system = fileSystemOf(folder);
+    return system && system->kind == FileSystemFacts::Kind::Network;
 }
 
 /// Of quick_check: the disk or the memory failed, which does not damage anything.
