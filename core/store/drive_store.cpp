@@ -22,7 +22,6 @@ namespace {
 
 /// Bytes that a kept table may have: several times what the largest slot of a drive holds.
 constexpr std::uint64_t maximumKeptTableSize = 16 * 1024 * 1024;
-constexpr const char* writeLock = "write.lock";
 
 /// Whether the file holds the backup that was written as this text.
 Result<void> checkBackup(const std::filesystem::path& file, const std::string& text)
@@ -280,12 +279,12 @@ Result<void> DriveStore::recordCovered(
 
 Result<FileLock> DriveStore::lockWrites(std::int32_t serialNumber)
 {
-    return StoreFolder{m_root, serialNumber, m_lockWait}.lock(writeLock);
+    return StoreFolder{m_root, serialNumber, m_lockWait}.lock(StoreFolder::writeLock);
 }
 
 Result<std::optional<FileLock>> DriveStore::tryLockWrites(std::int32_t serialNumber)
 {
-    return StoreFolder{m_root, serialNumber, m_lockWait}.tryLock(writeLock);
+    return StoreFolder{m_root, serialNumber, m_lockWait}.tryLock(StoreFolder::writeLock);
 }
 
 } // namespace axiscomp

@@ -200,9 +200,9 @@ ParsedJson<StoreChange> parseOldFile(const OldFile& file)
     });
 }
 
-template <typename Integer> std::optional<Integer> numberFrom(std::string_view text)
+std::optional<int> numberFrom(std::string_view text)
 {
-    Integer number{};
+    int number = 0;
     const char* const end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
     return parsed.ec == std::errc{} && parsed.ptr == end && std::to_string(number) == text
@@ -217,7 +217,7 @@ std::optional<OldFile> asOldFile(const fs::path& path, std::int32_t serialNumber
         return OldFile{path, serialNumber};
     if (!name.starts_with(journalBeginning) || !name.ends_with(jsonEnding))
         return std::nullopt;
-    const auto axis = numberFrom<int>(std::string_view(name).substr(
+    const auto axis = numberFrom(std::string_view(name).substr(
         journalBeginning.size(), name.size() - journalBeginning.size() - jsonEnding.size()));
     return axis ? std::optional(OldFile{path, serialNumber, *axis}) : std::nullopt;
 }
@@ -227,11 +227,10 @@ std::vector<OldFile> oldFiles(const fs::path& root)
     std::vector<OldFile> files;
     if (const fs::path certificates = root / "certificates.json"; !isMissing(certificates))
         files.push_back({certificates});
-    for (const fs::path& folder : filesIn(root))
-        if (const auto serialNumber = numberFrom<std::int32_t>(folder.filename().string()))
-            for (const fs::path& path : filesIn(folder))
-                if (auto file = asOldFile(path, *serialNumber))
-                    files.push_back(*std::move(file));
+    for (const std::int32_t serialNumber : drivesIn(root))
+        for (const fs::path& path : filesIn(root / std::to_string(serialNumber)))
+            if (auto file = asOldFile(path, serialNumber))
+                files.push_back(*std::move(file));
     return files;
 }
 
@@ -332,6 +331,21 @@ Result<std::optional<JournalEntry>> journalOfOlderVersion(
                     "it was kept about a write that did not end, but is damaged ({reason}). Look "
                     "at what the drive holds, then delete the file")
                     .with("reason", entry.error())}});
+}
+
+std::vector<Result<JournalEntry>> journalsOfOlderVersion(const fs::path& root)
+{
+    std::vector<Result<JournalEntry>> journals;
+    for (const OldFile& file : oldFiles(root)) {
+        if (file.axis < 0)
+            continue;
+        auto journal = journalOfOlderVersion(root, file.serialNumber, file.axis);
+        if (!journal)
+            journals.push_back(fail(std::move(journal).error()));
+        else if (*journal)
+            journals.push_back(**std::move(journal));
+    }
+    return journals;
 }
 
 Result<void> dropJournalOfOlderVersion(const fs::path& root, std::int32_t serialNumber, int axis)

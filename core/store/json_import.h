@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 /// The JSON files in which older versions kept what is in the database now.
 namespace axiscomp {
@@ -26,6 +27,10 @@ namespace axiscomp {
 /// nullopt: there is none. Errors: FileNotReadable: it is damaged, with what to do about it.
 [[nodiscard]] Result<std::optional<JournalEntry>> journalOfOlderVersion(
     const std::filesystem::path& root, std::int32_t serialNumber, int axis);
+
+/// Those of all drives and axes; what is damaged is an error as above.
+[[nodiscard]] std::vector<Result<JournalEntry>> journalsOfOlderVersion(
+    const std::filesystem::path& root);
 
 /// Renames it, so that it counts no more.
 [[nodiscard]] Result<void> dropJournalOfOlderVersion(

@@ -4,7 +4,9 @@
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <system_error>
 
 #include <sys/stat.h>
@@ -45,6 +47,20 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder)
          i.increment(error))
         files.push_back(i->path());
     return files;
+}
+
+std::vector<std::int32_t> drivesIn(const std::filesystem::path& root)
+{
+    std::vector<std::int32_t> drives;
+    for (const std::filesystem::path& folder : filesIn(root)) {
+        const std::string name = folder.filename().string();
+        std::int32_t serialNumber = 0;
+        std::from_chars(name.data(), name.data() + name.size(), serialNumber);
+        if (std::to_string(serialNumber) == name)
+            drives.push_back(serialNumber);
+    }
+    std::ranges::sort(drives);
+    return drives;
 }
 
 Result<void> renameFile(const std::filesystem::path& from, const std::filesystem::path& to)

@@ -20,6 +20,9 @@ namespace axiscomp {
 /// Empty when there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> filesIn(const std::filesystem::path& folder);
 
+/// The drives that have a folder in the state folder: serial numbers, ascending.
+[[nodiscard]] std::vector<std::int32_t> drivesIn(const std::filesystem::path& root);
+
 /// What is not there any more is no error. Errors: FileNotWritable.
 [[nodiscard]] Result<void> renameFile(
     const std::filesystem::path& from, const std::filesystem::path& to);
@@ -32,6 +35,8 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
     [[nodiscard]] std::filesystem::path backups() const { return m_path / "backups"; }
+    /// Held by whoever writes to the drive.
+    static constexpr const char* writeLock = "write.lock";
     /// The table file of a write, kept for its journal; crc is that of the file.
     [[nodiscard]] std::filesystem::path keptTable(int axis, std::uint32_t crc) const;
     [[nodiscard]] std::vector<std::filesystem::path> keptTables(int axis) const;

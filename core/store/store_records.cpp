@@ -93,6 +93,21 @@ std::optional<JournalEntry> journal(
     return entry;
 }
 
+std::vector<JournalEntry> journals(Connection& database)
+{
+    std::vector<JournalEntry> entries;
+    for (Statement row(
+             database, "SELECT serial, axis, time, step FROM journal ORDER BY serial, axis");
+         row.next();) {
+        JournalEntry& entry = entries.emplace_back();
+        entry.serialNumber = row.as<std::int32_t>(0);
+        entry.axis = row.as<int>(1);
+        entry.time = timeOf(row.number(2));
+        entry.step = row.text(3);
+    }
+    return entries;
+}
+
 void removeJournal(Connection& database, std::int32_t serialNumber, int axis)
 {
     Statement(database, "DELETE FROM journal WHERE serial = ?1 AND axis = ?2", serialNumber, axis)
@@ -178,6 +193,18 @@ DriveStore::FlashHistory flashHistory(
         loss.next())
         history.damagedRecord = root / loss.text(0);
     return history;
+}
+
+std::vector<std::int32_t> drivesWithFlashLoss(Connection& database)
+{
+    std::vector<std::int32_t> drives;
+    for (Statement row(database,
+             "SELECT serial FROM drive WHERE EXISTS (SELECT * FROM flash_loss WHERE flash_loss.id "
+             "> accepted_loss AND (flash_loss.serial IS NULL OR flash_loss.serial = drive.serial)) "
+             "ORDER BY serial");
+         row.next();)
+        drives.push_back(row.as<std::int32_t>(0));
+    return drives;
 }
 
 void addOwnTable(

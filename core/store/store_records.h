@@ -20,6 +20,8 @@ void putJournal(
     sqlite::Connection& database, const JournalEntry& entry, const std::filesystem::path& folder);
 [[nodiscard]] std::optional<JournalEntry> journal(sqlite::Connection& database,
     std::int32_t serialNumber, int axis, const std::filesystem::path& folder);
+/// Of all drives: serial number, axis, time and step alone.
+[[nodiscard]] std::vector<JournalEntry> journals(sqlite::Connection& database);
 void removeJournal(sqlite::Connection& database, std::int32_t serialNumber, int axis);
 
 void addFlash(sqlite::Connection& database, std::int32_t serialNumber, WallTime time,
@@ -35,6 +37,10 @@ void addFlashLoss(sqlite::Connection& database, std::optional<std::int64_t> seri
 void acceptFlashLoss(sqlite::Connection& database, std::int32_t serialNumber);
 [[nodiscard]] DriveStore::FlashHistory flashHistory(
     sqlite::Connection& database, std::int32_t serialNumber, const std::filesystem::path& root);
+
+/// The drives whose flash operations count as used up (FlashHistory::damagedRecord), of those that
+/// are known.
+[[nodiscard]] std::vector<std::int32_t> drivesWithFlashLoss(sqlite::Connection& database);
 
 void addOwnTable(sqlite::Connection& database, std::int32_t serialNumber, int axis,
     const DriveStore::OwnTable& table);

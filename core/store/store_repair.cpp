@@ -132,6 +132,19 @@ Result<void> replaceDamagedStore(const fs::path& database)
     return built ? finishStoreReplacement(database) : built;
 }
 
+std::vector<fs::path> storesSetAside(const fs::path& database)
+{
+    std::vector<fs::path> stores = filesIn(database.parent_path());
+    std::erase_if(stores, [&](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return !name.starts_with(withEnding(database, damagedEnding).filename().string())
+            || std::ranges::any_of(databaseCompanions,
+                [&](std::string_view ending) { return name.ends_with(ending); });
+    });
+    std::ranges::sort(stores);
+    return stores;
+}
+
 Result<void> finishStoreReplacement(const fs::path& database)
 {
     const auto recovered = recoveredFile(database);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <vector>
 
 namespace axiscomp {
 
@@ -24,5 +25,9 @@ inline constexpr std::array<const char*, 3> databaseCompanions{"-shm", "-wal", "
 
 /// Ends a replacement that was interrupted.
 [[nodiscard]] Result<void> finishStoreReplacement(const std::filesystem::path& database);
+
+/// The damaged databases that were kept, the oldest first.
+[[nodiscard]] std::vector<std::filesystem::path> storesSetAside(
+    const std::filesystem::path& database);
 
 } // namespace axiscomp

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/store_condition.h"
+
+#include "core/io/file_lock.h"
+#include "core/io/local_file.h"
+#include "core/store/json_import.h"
+#include "core/store/store_folder.h"
+#include "core/store/store_records.h"
+#include "core/store/store_repair.h"
+#include "core/store/store_schema.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace axiscomp {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Database = StoreCondition::Database;
+
+constexpr std::string_view databaseName = "axiscomp.db";
+/// What belongs to a database beside it; the shared memory is made anew from the log.
+constexpr std::array copiedEndings{"", "-wal", "-journal"};
+/// A copy is taken again when a program has written meanwhile.
+constexpr int mostCopies = 5;
+/// Far more than what drives leave in years.
+constexpr std::uint64_t mostBytes = 256UL * 1024 * 1024;
+
+/// A file as it was at a moment; all 0: there was none.
+struct FileMoment {
+    ino_t inode = 0;
+    off_t size = 0;
+    time_t seconds = 0;
+    long nanoseconds = 0;
+
+    friend bool operator==(const FileMoment&, const FileMoment&) = default;
+};
+using DatabaseMoment = std::array<FileMoment, copiedEndings.size()>;
+
+DatabaseMoment momentOf(const fs::path& database)
+{
+    DatabaseMoment moment{};
+    for (std::size_t n = 0; n < copiedEndings.size(); ++n) {
+        struct stat status { };
+        const std::string file = database.string() + copiedEndings[n];
+        if (::lstat(file.c_str(), &status) == 0)
+            moment[n] = {
+                status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+    }
+    return moment;
+}
+
+Result<void> copyFile(const fs::path& from, const fs::path& to)
+{
+    if (isMissing(from))
+        return removeFile(to);
+    AXISCOMP_TRY(const auto bytes, loadOrdinaryFile(from, mostBytes));
+    return saveFile(to, bytes);
+}
+
+/// false: programs write to it all the time. Errors: FileNotReadable, FileTooLarge,
+/// FileNotWritable.
+Result<bool> copyDatabase(const fs::path& from, const fs::path& to)
+{
+    for (int attempt = 0; attempt < mostCopies; ++attempt) {
+        const DatabaseMoment before = momentOf(from);
+        for (const char* ending : copiedEndings)
+            AXISCOMP_CHECK(copyFile(from.string() + ending, to.string() + ending));
+        if (momentOf(from) == before)
+            return true;
+    }
+    return false;
+}
+
+Database databaseOf(StoreIdentity identity)
+{
+    switch (identity) {
+    case StoreIdentity::Ours:
+        return Database::Usable;
+    case StoreIdentity::Older:
+        return Database::Older;
+    case StoreIdentity::Newer:
+        return Database::Newer;
+    case StoreIdentity::Foreign:
+        break;
+    }
+    return Database::Foreign;
+}
+
+/// Throws what SQLite finds wrong.
+void checkCopy(const fs::path& copy, StoreCondition& condition)
+{
+    if (isMissing(copy))
+        throw sqlite::Failure::damage("its log is there, but not the database");
+    if (std::error_code error; fs::file_size(copy, error) == 0 && !error)
+        throw sqlite::Failure::damage("the file is empty");
+    sqlite::Connection connection(copy, std::chrono::milliseconds{0});
+    condition.database = databaseOf(storeIdentity(connection));
+    if (condition.database == Database::Newer || condition.database == Database::Foreign)
+        return;
+    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
+        throw sqlite::Failure::damage(found);
+    for (JournalEntry& entry : records::journals(connection))
+        condition.unfinished.push_back({std::move(entry)});
+    condition.flashLoss = records::drivesWithFlashLoss(connection);
+}
+
+void lookAtDatabase(const fs::path& root, const fs::path& scratch, StoreCondition& condition)
+{
+    const fs::path database = root / databaseName;
+    const fs::path copy = scratch / databaseName;
+    const DatabaseMoment moment = momentOf(database);
+    if (moment == DatabaseMoment{})
+        return;
+    time_t lastChange = 0;
+    for (const FileMoment& file : moment) {
+        condition.bytes += static_cast<std::uint64_t>(file.size);
+        lastChange = std::max(lastChange, file.seconds);
+    }
+    condition.lastChange = std::chrono::system_clock::from_time_t(lastChange);
+    condition.isWritable = isMissing(database)
+        || ::faccessat(AT_FDCWD, database.c_str(), R_OK | W_OK, AT_EACCESS) == 0;
+    const auto copied = copyDatabase(database, copy);
+    if (!copied || !*copied) {
+        condition.database = copied ? Database::Busy : Database::Unreadable;
+        condition.reason = copied ? Text() : textOf(copied.error());
+        return;
+    }
+    try {
+        checkCopy(copy, condition);
+    } catch (const sqlite::Failure& failure) {
+        condition.database = failure.isDamage() ? Database::Damaged : Database::Unreadable;
+        condition.reason =
+            failure.reason.isEmpty() ? Text(Verbatim{failure.message}) : failure.reason;
+    }
+}
+
+void lookAtBackups(const fs::path& folder, StoreCondition& condition)
+{
+    for (const fs::path& file : filesIn(folder)) {
+        std::error_code error;
+        const std::uint64_t size = fs::file_size(file, error);
+        if (error || file.extension() != ".json")
+            continue;
+        ++condition.backups;
+        condition.backupBytes += size;
+    }
+}
+
+} // namespace
+
+StoreCondition lookAtStore(const fs::path& root, const fs::path& scratch)
+{
+    StoreCondition condition;
+    lookAtDatabase(root, scratch, condition);
+    for (auto& journal : journalsOfOlderVersion(root)) {
+        if (journal)
+            condition.unfinished.push_back({*std::move(journal)});
+        else
+            condition.damagedJournals.push_back(std::move(journal).error());
+    }
+    const auto folderOf = [&](std::int32_t serialNumber) {
+        return StoreFolder{root, serialNumber, std::chrono::milliseconds{0}};
+    };
+    for (StoreCondition::Write& write : condition.unfinished)
+        write.isBeingDone =
+            FileLock::isHeld(folderOf(write.entry.serialNumber).path() / StoreFolder::writeLock);
+    for (const std::int32_t serialNumber : drivesIn(root)) {
+        ++condition.drives;
+        lookAtBackups(folderOf(serialNumber).backups(), condition);
+    }
+    condition.setAside = storesSetAside(root / databaseName);
+    return condition;
+}
+
+} // namespace axiscomp
