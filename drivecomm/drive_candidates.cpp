@@ -42,6 +42,16 @@ std::string realDevice(const std::string& device)
     return error ? device : real.string();
 }
 
+std::string usbIdOf(const QSerialPortInfo& info)
+{
+    if (!info.hasVendorIdentifier() || !info.hasProductIdentifier())
+        return {};
+    return QStringLiteral("%1:%2")
+        .arg(info.vendorIdentifier(), 4, 16, QLatin1Char('0'))
+        .arg(info.productIdentifier(), 4, 16, QLatin1Char('0'))
+        .toStdString();
+}
+
 } // namespace
 
 DriveCandidate candidateAt(const std::string& endpoint, BaudRates rates)
@@ -58,8 +68,8 @@ std::vector<SerialPort> serialPorts()
     for (const QSerialPortInfo& info : QSerialPortInfo::availablePorts()) {
         QStringList words{info.description(), info.manufacturer(), info.serialNumber()};
         words.removeAll(QString());
-        ports.push_back(
-            {info.systemLocation().toStdString(), words.join(QStringLiteral(", ")).toStdString()});
+        ports.push_back({info.systemLocation().toStdString(),
+            words.join(QStringLiteral(", ")).toStdString(), usbIdOf(info)});
     }
     std::ranges::sort(ports, {}, &SerialPort::device);
     return ports;

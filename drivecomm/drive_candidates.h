@@ -24,6 +24,7 @@ enum class BaudRates {
 struct SerialPort {
     std::string device; ///< "/dev/ttyUSB0"
     std::string description; ///< "FT232R USB UART, FTDI, serial number A50285BI"; may be empty
+    std::string usbId = {}; ///< vendor and product, "0403:6001"; empty: not on USB
 
     friend bool operator==(const SerialPort&, const SerialPort&) = default;
 };

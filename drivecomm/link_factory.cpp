@@ -5,6 +5,8 @@
 #include "drivecomm/virtualdrive/demo_link.h"
 #include "drivecomm/web/web_drive_link.h"
 
+#include <QSslSocket>
+
 namespace axiscomp::drivecomm {
 
 Result<std::unique_ptr<DriveLink>> makeLink(const DriveEndpoint& endpoint,
@@ -29,6 +31,12 @@ LinkFactory linkFactory(const DriveProfile& profile, CertificateCheck certificat
         AXISCOMP_TRY(const auto endpoint, parseEndpoint(text));
         return makeLink(endpoint, profile, certificateCheck);
     };
+}
+
+std::string tlsLibrary()
+{
+    return QSslSocket::supportsSsl() ? QSslSocket::sslLibraryVersionString().toStdString()
+                                     : std::string();
 }
 
 } // namespace axiscomp::drivecomm

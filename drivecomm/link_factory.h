@@ -7,6 +7,7 @@
 #include "drivecomm/link/drive_endpoint.h"
 
 #include <memory>
+#include <string>
 
 namespace axiscomp::drivecomm {
 
@@ -21,5 +22,9 @@ namespace axiscomp::drivecomm {
 /// is made.
 [[nodiscard]] LinkFactory linkFactory(
     const DriveProfile& profile, CertificateCheck certificateCheck = {});
+
+/// What https is spoken with, "OpenSSL 3.0.15 3 Sep 2024"; empty: https drives cannot be reached. A
+/// QCoreApplication must exist.
+[[nodiscard]] std::string tlsLibrary();
 
 } // namespace axiscomp::drivecomm
