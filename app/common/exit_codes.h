@@ -18,6 +18,7 @@ enum class ExitCode : int {
     FlashWear = 7,
     ToleranceNotMet = 8, ///< failed, undecided or not defined (judge)
     Differs = 9, ///< the drives have something else than the machine file says (plan)
+    ProblemsFound = 10, ///< on this computer, or with a drive (doctor)
     Stopped = 130,
 };
 

@@ -131,6 +131,8 @@ std::string_view exitCodeName(ExitCode code)
         return "ToleranceNotMet";
     case ExitCode::Differs:
         return "Differs";
+    case ExitCode::ProblemsFound:
+        return "ProblemsFound";
     case ExitCode::Stopped:
         return "Stopped";
     }

@@ -14,7 +14,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-Result<void> ask(const std::string& endpoint, const DriveQuestion& question, DriveAnswer& answer)
+Result<void> askWithin(
+    const std::string& endpoint, const DriveQuestion& question, DriveAnswer& answer)
 {
     AXISCOMP_TRY(auto made, question.linkFactory(endpoint));
     LookingLink link(std::move(made), question.timeLimit);
@@ -71,7 +72,7 @@ Finding identityFinding(const DriveAnswer& answer)
         wayOutOf(answer)};
 }
 
-Text stateOf(const AxisStatus& status)
+Text axisStateText(const AxisStatus& status)
 {
     const Text state = AXISCOMP_TEXT("Doctor", "{unit}, {homing}, compensation {state}")
                            .with("unit", status.axis.unit)
@@ -99,7 +100,7 @@ Finding axisFinding(const AxisSummary& row)
             AXISCOMP_TEXT("Doctor", "it has no compensation registers by this profile")};
     if (row.status->axis.state == CompensationState::Error)
         return {name, Grade::Problem, textOf(compensationError(*row.status))};
-    return {name, Grade::Ok, stateOf(*row.status)};
+    return {name, Grade::Ok, axisStateText(*row.status)};
 }
 
 void addDrive(const DriveAnswer& answer, std::vector<Finding>& findings)
@@ -122,7 +123,7 @@ DriveAnswer askDrive(
     const std::string& endpoint, const std::string& shown, const DriveQuestion& question)
 {
     DriveAnswer answer{shown, question.profile.name, {}, {}, {}, {}};
-    if (auto asked = ask(endpoint, question, answer); !asked)
+    if (auto asked = askWithin(endpoint, question, answer); !asked)
         answer.error = std::move(asked).error();
     return answer;
 }

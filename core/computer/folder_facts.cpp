@@ -15,7 +15,6 @@ namespace axiscomp {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = FolderFacts::Kind;
 
 std::string accountName(uid_t id)
 {
@@ -46,11 +45,11 @@ FolderFacts folderFacts(const fs::path& path)
     }
     const bool isFolder = S_ISDIR(status.st_mode);
     if (!isFolder)
-        facts.kind = Kind::Blocked;
+        facts.kind = FolderFacts::Kind::Blocked;
     else if (isHidden)
-        facts.kind = Kind::Hidden;
+        facts.kind = FolderFacts::Kind::Hidden;
     else if (facts.nearest == path)
-        facts.kind = Kind::Folder;
+        facts.kind = FolderFacts::Kind::Folder;
     facts.mayUse = isFolder
         && ::faccessat(AT_FDCWD, facts.nearest.c_str(), R_OK | W_OK | X_OK, AT_EACCESS) == 0;
     facts.isOwn = status.st_uid == ::geteuid();

@@ -34,7 +34,7 @@ std::string beginningOf(const char* file)
 }
 
 /// What follows "KEY" in the line that begins with it.
-std::string_view valueOf(std::string_view text, std::string_view key)
+std::string_view lineValue(std::string_view text, std::string_view key)
 {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -48,7 +48,7 @@ std::string_view valueOf(std::string_view text, std::string_view key)
 /// Of "MemTotal:       16316412 kB", in bytes; 0 where there is no number.
 std::uint64_t memoryOf(std::string_view text, std::string_view key)
 {
-    std::string_view value = valueOf(text, key);
+    std::string_view value = lineValue(text, key);
     value.remove_prefix(std::min(value.find_first_not_of(' '), value.size()));
     std::uint64_t number = 0;
     std::from_chars(value.data(), value.data() + value.size(), number);
@@ -65,7 +65,7 @@ std::string variable(const char* name)
 
 std::string distributionOf(std::string_view osRelease)
 {
-    std::string_view value = valueOf(osRelease, "PRETTY_NAME=");
+    std::string_view value = lineValue(osRelease, "PRETTY_NAME=");
     const bool isQuoted = value.size() >= 2 && (value.front() == '"' || value.front() == '\'')
         && value.back() == value.front();
     if (isQuoted)

@@ -43,11 +43,12 @@ _axiscomp_options()
         apply) echo "--help --json $connection --only --jobs --allow-missing --activate" ;;
         snapshot) echo "--help --json $drive --output --name" ;;
         metrics) echo "--help --json $drive --machine --prove --output" ;;
+        doctor) echo "--help --json --drive --profile --timeout" ;;
         config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
     esac
 }
 
-_axiscomp_commands="example inspect convert lookup formats targets capture runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
+_axiscomp_commands="example inspect convert lookup formats targets capture runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics doctor"
 
 _axiscomp_formats="csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong"
 

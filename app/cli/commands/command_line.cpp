@@ -36,7 +36,8 @@ constexpr std::array groups{CommandGroup{{"example"}, addExampleCommand},
     CommandGroup{{"backup", "restore"}, addBackupCommands},
     CommandGroup{{"recover"}, addRecoverCommand}, CommandGroup{{"config"}, addConfigCommand},
     CommandGroup{{"plan", "apply"}, addMachineCommands},
-    CommandGroup{{"snapshot"}, addSnapshotCommand}, CommandGroup{{"metrics"}, addMetricsCommand}};
+    CommandGroup{{"snapshot"}, addSnapshotCommand}, CommandGroup{{"metrics"}, addMetricsCommand},
+    CommandGroup{{"doctor"}, addDoctorCommand}};
 
 } // namespace
 

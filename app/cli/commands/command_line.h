@@ -46,6 +46,7 @@ private:
 
 inline constexpr const char* fileCommands = AXISCOMP_HELP("Help", "Files on this computer");
 inline constexpr const char* driveCommands = AXISCOMP_HELP("Help", "Drives");
+inline constexpr const char* computerCommands = AXISCOMP_HELP("Help", "This computer");
 
 void addExampleCommand(CommandLine& line);
 void addInspectCommand(CommandLine& line);
@@ -74,5 +75,6 @@ void addConfigCommand(CommandLine& line);
 void addMachineCommands(CommandLine& line);
 void addSnapshotCommand(CommandLine& line);
 void addMetricsCommand(CommandLine& line);
+void addDoctorCommand(CommandLine& line);
 
 } // namespace axiscomp::app

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QLibrary>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace axiscomp::app {
@@ -27,6 +28,14 @@ ReportDocument inLanguage(ReportDocument document, const std::string& language)
 {
     const ProgramTexts texts(language);
     return worded(std::move(document), texts.wording(), language);
+}
+
+bool drawsPdf()
+{
+    return std::ranges::any_of(moduleFolders(), [](const std::filesystem::path& folder) {
+        std::error_code error;
+        return std::filesystem::exists(folder / (std::string(reportModuleName) + ".so"), error);
+    });
 }
 
 Result<Bytes> drawnAsPdf(const ReportDocument& document)

@@ -12,6 +12,9 @@ namespace axiscomp::app {
 /// language: one of textLanguages().
 [[nodiscard]] ReportDocument inLanguage(ReportDocument document, const std::string& language);
 
+/// Whether the module that draws PDF is installed.
+[[nodiscard]] bool drawsPdf();
+
 /// The document as PDF, by the module that is loaded for it. Errors: FileNotReadable when the
 /// module is not installed; InvalidArgument where no font is.
 [[nodiscard]] Result<Bytes> drawnAsPdf(const ReportDocument& document);

@@ -31,7 +31,7 @@ std::string listAxes(const std::vector<AxisInfo>& axes)
 
 } // namespace
 
-void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
+void addDriveOption(CLI::App& command, DriveOptions& options, DriveCount count)
 {
     CLI::Option* drive = command.add_option("--drive", options.endpoints,
         count == DriveCount::Several
@@ -39,7 +39,19 @@ void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
                 "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given")
             : AXISCOMP_HELP("Help", "Address of the drive; $AXISCOMP_DRIVE unless given"));
     drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
+}
+
+void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
+{
+    addDriveOption(command, options, count);
     addConnectionOptions(command, options);
+}
+
+void addTimeoutOption(CLI::App& command, DriveOptions& options, const std::string& description)
+{
+    command.add_option("--timeout", options.timeoutSeconds, description)
+        ->option_text("SECONDS")
+        ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
 }
 
 void addConnectionOptions(CLI::App& command, DriveOptions& options)
@@ -57,11 +69,8 @@ void addConnectionOptions(CLI::App& command, DriveOptions& options)
                                                : text + " is not 64 hexadecimal digits";
             },
             ""));
-    command
-        .add_option("--timeout", options.timeoutSeconds,
-            AXISCOMP_HELP("Help", "Time limit for one exchange with the drive (5 unless given)"))
-        ->option_text("SECONDS")
-        ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
+    addTimeoutOption(command, options,
+        AXISCOMP_HELP("Help", "Time limit for one exchange with the drive (5 unless given)"));
 }
 
 drivecomm::CertificateCheck certificateCheck(const DriveOptions& options)

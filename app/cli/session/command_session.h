@@ -33,8 +33,12 @@ struct DriveOptions {
 
 enum class DriveCount { One, Several };
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count = DriveCount::One);
+/// --drive alone.
+void addDriveOption(CLI::App& command, DriveOptions& options, DriveCount count);
 /// The same without --drive, for commands whose file names the drives.
 void addConnectionOptions(CLI::App& command, DriveOptions& options);
+/// --timeout alone.
+void addTimeoutOption(CLI::App& command, DriveOptions& options, const std::string& description);
 CLI::Option* addAxisOption(CLI::App& command, DriveOptions& options);
 
 /// What Qt needs to exist while drives are talked to. Made by drive commands only: it costs more

@@ -6,6 +6,7 @@
 #include "drivecomm/link/drive_endpoint.h"
 #include "drivecomm/link_factory.h"
 
+#include <QFileInfo>
 #include <QSettings>
 
 #include <algorithm>
@@ -95,17 +96,28 @@ Result<std::vector<DriveSighting>> lookForDrives(
     return sightings;
 }
 
-std::vector<std::string> rememberedDrives()
+WindowSettings windowSettings()
 {
     // As the window writes them (tests/app compares).
     const QSettings settings(
         QStringLiteral("axiscomp"), QStringLiteral("axis-compensation-wizard"));
-    std::vector<std::string> endpoints;
+    WindowSettings window{settings.fileName().toStdString(), WindowSettings::State::Missing};
     for (const QString& endpoint :
         settings.value(QStringLiteral("compensationWizard/endpoints")).toStringList())
-        if (endpoint.size() <= longestEndpoint && endpoints.size() < mostEndpoints)
-            endpoints.push_back(endpoint.toStdString());
-    return endpoints;
+        if (endpoint.size() <= longestEndpoint && window.drives.size() < mostEndpoints)
+            window.drives.push_back(endpoint.toStdString());
+    const QFileInfo file(settings.fileName());
+    if (!file.exists())
+        return window;
+    window.state = !file.isFile() || !file.isReadable() ? WindowSettings::State::Unreadable
+        : settings.status() == QSettings::FormatError   ? WindowSettings::State::Malformed
+                                                        : WindowSettings::State::Readable;
+    return window;
+}
+
+std::vector<std::string> rememberedDrives()
+{
+    return windowSettings().drives;
 }
 
 } // namespace axiscomp::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/session/command_session.h"
+#include "core/computer/configuration_facts.h"
 #include "drivecomm/drive_candidates.h"
 
 #include <optional>
@@ -27,6 +28,8 @@ struct SearchedPlaces {
 [[nodiscard]] Result<std::vector<DriveSighting>> lookForDrives(
     Environment& environment, const DriveOptions& options, const SearchedPlaces& places);
 
+/// The settings of the window with the addresses of its connections.
+[[nodiscard]] WindowSettings windowSettings();
 /// The addresses of the window's connections, without users and passwords; none when there has been
 /// no window yet.
 [[nodiscard]] std::vector<std::string> rememberedDrives();

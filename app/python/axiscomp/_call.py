@@ -19,7 +19,8 @@ Echo = Callable[[str], None]
 class Document(dict):
     """What a command says: the document of --json (docs/cli.md), and what a person reads.
 
-    outcome  "Done", or a result that is no error: "ToleranceNotMet" (judge, fit, compare), "Differs" (plan)
+    outcome  "Done", or a result that is no error: "ToleranceNotMet" (judge, fit, compare), "Differs" (plan),
+             "ProblemsFound" (doctor)
     text     what the command prints for people
     notes    warnings and notes, one line each
     tables   of fit, where it writes no file
@@ -34,7 +35,7 @@ class Document(dict):
 
     @property
     def ok(self) -> bool:
-        """Nothing is against it: no tolerance that is not met, no drive that differs."""
+        """Nothing is against it: no tolerance that is not met, no drive that differs, no problem."""
         return self.outcome == "Done"
 
     def __str__(self) -> str:

@@ -21,7 +21,7 @@ const QStringList commands{"example", "inspect", "convert", "lookup", "formats",
     "capture", "runs", "judge", "fit", "compare", "report", "axes", "status", "write", "persist",
     "unpersist", "delete", "evaluate", "activate", "deactivate", "read", "files", "upload",
     "download", "monitor", "backup", "restore", "recover", "config", "plan", "apply", "snapshot",
-    "metrics"};
+    "metrics", "doctor"};
 
 QString sourceFile(const QString& name)
 {
