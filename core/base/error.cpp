@@ -351,6 +351,12 @@ Text textOf(const Error& error)
                     "the format of {file} is not known; name one of: {known}; of any other CSV "
                     "file, say which column is what"),
             error.context};
+    if (error.code == ErrorCode::UnknownFormat && error.context.contains("opened"))
+        return {AXISCOMP_TEXT("Error",
+                    "{file} is no record (.axcal), no machine file (.toml), no TAM configuration "
+                    "(.TAMcfg), and no table or measurement of a known format; a table whose "
+                    "format you can name is opened on the tab Write"),
+            error.context};
     return {errorPattern(error.code), error.context};
 }
 
