@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# What packaging/ makes Debian packages of: "programs" and "development".
+# packaging/ makes a Debian package of each component; this is the one of the command line.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME programs)
 
 set(AXISCOMP_SANITIZERS "")
@@ -133,6 +133,9 @@ function(axiscomp_add_tests part)
       ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LC_ALL=C.UTF-8")
   endforeach()
 endfunction()
+
+# Newer formats note when each file was changed last, and the same sources would give other programs.
+set(AXISCOMP_RESOURCE_OPTIONS OPTIONS --format-version 1)
 
 # axiscomp_translate(TRANSLATIONS MESSAGES ENTRIES) sets the variables of these names: the .ts files, a
 # language each; what lrelease makes of them in this folder's build; and the entries of a .qrc file.

@@ -14,11 +14,13 @@ configure() {
     if [ "$folder/build.ninja" -nt CMakePresets.json ]; then
         return
     fi
-    local flags="-pie -Wl,-z,relro,-z,now"
+    local flags="-Wl,-z,relro,-z,now"
     if command -v mold >/dev/null; then
         flags+=" -fuse-ld=mold"
     fi
-    cmake --preset run -DCMAKE_EXE_LINKER_FLAGS="$flags"
+    # Libraries are installed where Debian has those of this kind of computer.
+    cmake --preset run -DCMAKE_EXE_LINKER_FLAGS="-pie $flags" -DCMAKE_MODULE_LINKER_FLAGS="$flags" \
+        -DCMAKE_INSTALL_LIBDIR="lib/$(c++ -print-multiarch)"
 }
 if ! { configure && cmake --build --preset run --target "$@"; } >"$log" 2>&1 </dev/null; then
     tail -n 40 "$log" >&2

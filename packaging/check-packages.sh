@@ -12,63 +12,117 @@ fail() {
 
 build=build/run # of ./run: the same programs
 packaging/build-programs.sh axiscomp
-# What is built for the packages alone; ./run does not need it.
-cmake -DAXISCOMP_PYTHON=ON "$build" >"$build/python.log" 2>&1 || {
+# What is built for the packages alone; ./run does not need it. The site of all documents is in its package where
+# there is what makes it (packages-develop.txt).
+site=OFF
+if command -v doxygen >/dev/null && command -v sphinx-build >/dev/null; then
+    site=ON
+fi
+cmake -DAXISCOMP_PYTHON=ON -DAXISCOMP_DOCUMENTATION=$site "$build" >"$build/python.log" 2>&1 || {
     cat "$build/python.log" >&2
     exit 1
 }
 packaging/build-programs.sh all
 
 output=$PWD/build/packages
-rm -rf "$output"
-cpack --config "$build/CPackConfig.cmake" -G DEB -B "$output" >"$build/cpack.log" 2>&1 || {
-    cat "$build/cpack.log" >&2
-    exit 1
+packaging/make-packages.sh "$build" "$output"
+names=(axis-compensation-wizard axiscomp axiscomp-doc axiscomp-report-pdf libaxiscomp-dev python3-axiscomp)
+mapfile -t made < <(cd "$output" && printf '%s\n' *.deb | sed 's/_.*//' | sort)
+[ "${made[*]}" = "${names[*]}" ] || fail "other packages than ${names[*]} are in $output: ${made[*]}"
+
+# It takes some bytes of machine code for misspelled words.
+lintian --pedantic --display-info --fail-on error,warning,info,pedantic --tag-display-limit 0 --allow-root \
+    --suppress-tags spelling-error-in-binary "$output"/*.deb
+
+# package NAME: its file
+package() {
+    local files=("$output/$1"_*.deb)
+    echo "${files[0]}"
 }
-shopt -s nullglob
-programs=("$output"/axis-compensation-wizard_*.deb)
-development=("$output"/axis-compensation-wizard-dev_*.deb)
-python=("$output"/python3-axiscomp_*.deb)
-if [ ${#programs[@]} -ne 1 ] || [ ${#development[@]} -ne 1 ] || [ ${#python[@]} -ne 1 ]; then
-    fail "three packages are expected in $output: $(ls "$output")"
-fi
 
-lintian --fail-on error --tag-display-limit 0 --allow-root \
-    "${programs[@]}" "${development[@]}" "${python[@]}"
+# expect_depends NAME ALTERNATIVE-OR-PART ...
+expect_depends() {
+    local name=$1 depends part
+    depends=$(dpkg-deb --field "$(package "$name")" Depends)
+    shift
+    for part in "$@"; do
+        [[ $depends == *"$part"* ]] || fail "$name does not depend on $part, but on: $depends"
+    done
+}
 
-depends=$(dpkg-deb --field "${programs[0]}" Depends)
-for library in libc6 libstdc++6 libqt6core6 libqt6widgets6 libqcustomplot2.1-qt6 libcpp-httplib0.11 \
-    libsqlite3-0 qt6-translations-l10n; do
-    [[ $depends == *"$library"* ]] || fail "the programs do not depend on $library, but on: $depends"
+# expect_files NAME FILE-BELOW-USR ...
+expect_files() {
+    local name=$1 files file
+    files=$(dpkg-deb --contents "$(package "$name")" | awk '{print $6}')
+    shift
+    for file in "$@" "share/doc/$name/copyright" "share/doc/$name/changelog.gz"; do
+        grep -qx "./usr/$file" <<<"$files" || fail "$name has no /usr/$file"
+    done
+}
+
+version=$(dpkg-deb --field "$(package axiscomp)" Version)
+expect_depends axiscomp libc6 libstdc++6 libqt6core6 libqt6network6 libqt6serialport6 libcpp-httplib0.11 \
+    libsqlite3-0
+expect_depends axis-compensation-wizard "axiscomp (= $version)" libqt6widgets6 libqcustomplot2.1-qt6 \
+    qt6-translations-l10n
+expect_depends axiscomp-report-pdf "axiscomp (= $version)" libqt6gui6
+expect_depends python3-axiscomp "python3 (<< 3.12)" python3-numpy libqt6core6 libsqlite3-0
+expect_depends libaxiscomp-dev qt6-base-dev libsqlite3-dev
+for name in axiscomp python3-axiscomp; do
+    if dpkg-deb --field "$(package $name)" Depends Recommends | grep -E 'qt6(gui|widgets)'; then
+        fail "$name needs no desktop"
+    fi
 done
 
-files=$(dpkg-deb --contents "${programs[0]}" | awk '{print $6}')
-for file in bin/axiscomp bin/axiscomp-virtualdrive bin/axis-compensation-wizard \
+expect_files axiscomp bin/axiscomp bin/axiscomp-virtualdrive \
     share/man/man1/axiscomp.1.gz share/man/man1/axiscomp-virtualdrive.1.gz \
-    share/man/man1/axis-compensation-wizard.1.gz share/bash-completion/completions/axiscomp \
+    share/man/de/man1/axiscomp.1.gz share/man/de/man1/axiscomp-virtualdrive.1.gz \
+    share/bash-completion/completions/axiscomp share/bash-completion/completions/axiscomp-virtualdrive \
+    share/fish/vendor_completions.d/axiscomp.fish share/zsh/vendor-completions/_axiscomp \
+    share/axiscomp/profiles/generic.json share/axiscomp/schemas/axcal.schema.json \
+    share/axiscomp/machines/screw.json share/axiscomp/examples/calibration-2d.csv \
+    share/axiscomp/examples/machine.toml share/axiscomp/examples/tour.sh
+expect_files axis-compensation-wizard bin/axis-compensation-wizard \
+    share/man/man1/axis-compensation-wizard.1.gz share/man/de/man1/axis-compensation-wizard.1.gz \
+    share/bash-completion/completions/axis-compensation-wizard \
     share/applications/axis-compensation-wizard.desktop \
-    share/axiscomp/profiles/generic.json share/axiscomp/examples/calibration-2d.csv \
-    share/axiscomp/schemas/axcal.schema.json share/axiscomp/machines/screw.json \
-    share/doc/axis-compensation-wizard/copyright share/doc/axis-compensation-wizard/changelog.gz; do
-    grep -qx "./usr/$file" <<<"$files" || fail "the package has no /usr/$file"
-done
-if grep -qE '/include/|\.a$|/cmake/' <<<"$files"; then
-    fail "development files are in the package of the programs"
+    share/metainfo/org.axiscomp.wizard.metainfo.xml \
+    share/mime/packages/org.axiscomp.wizard.xml \
+    share/icons/hicolor/{16x16,512x512}/apps/axis-compensation-wizard.png \
+    share/icons/hicolor/scalable/apps/axis-compensation-wizard.svg
+expect_files axiscomp-report-pdf "lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/axiscomp/axiscomp-report-pdf.so"
+expect_files axiscomp-doc share/doc/axiscomp-doc/user-guide.md share/doc/axiscomp-doc/pictures/active.png
+if [ $site = ON ]; then
+    expect_files axiscomp-doc share/doc/axiscomp-doc/html/index.html share/doc-base/axiscomp-doc.axiscomp
 fi
+expect_files libaxiscomp-dev "lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/libaxiscomp_core.a" \
+    include/axiscomp/core/base/result.h
+expect_files python3-axiscomp lib/python3/dist-packages/axiscomp/__init__.py
+for name in axiscomp axis-compensation-wizard axiscomp-report-pdf axiscomp-doc python3-axiscomp; do
+    if dpkg-deb --contents "$(package $name)" | grep -E '/include/|\.a$|/cmake/'; then
+        fail "development files are in $name"
+    fi
+done
+for first in "${names[@]}"; do
+    dpkg-deb --contents "$(package "$first")" | awk '!/\/$/ {print $6}'
+done | sort | uniq -d | { ! grep . || fail "these files are in two packages"; }
 
 unpacked=$(mktemp -d)
 trap 'rm -rf "$unpacked"' EXIT
-dpkg-deb --extract "${programs[0]}" "$unpacked"
+for name in axiscomp axis-compensation-wizard axiscomp-report-pdf; do
+    dpkg-deb --extract "$(package $name)" "$unpacked"
+done
 for program in axiscomp axiscomp-virtualdrive axis-compensation-wizard; do
     "$unpacked/usr/bin/$program" --version
 done
+desktop-file-validate "$unpacked/usr/share/applications/axis-compensation-wizard.desktop"
+grep -q "<release version=\"${version%-*}\"" "$unpacked"/usr/share/metainfo/*.xml ||
+    fail "the metainfo has no release ${version%-*}"
+appstreamcli validate --no-net --pedantic --explain "$unpacked"/usr/share/metainfo/*.xml
+update-mime-database "$unpacked/usr/share/mime"
 
 # The module as it is packed, and as a wheel of the same build; both are imported in 60 ms.
-depends=$(dpkg-deb --field "${python[0]}" Depends)
-for package in "python3 (<< 3.12)" python3-numpy libqt6core6 libsqlite3-0; do
-    [[ $depends == *"$package"* ]] || fail "the Python module does not depend on $package, but on: $depends"
-done
-dpkg-deb --extract "${python[0]}" "$unpacked/module"
+dpkg-deb --extract "$(package python3-axiscomp)" "$unpacked/module"
 AXISCOMP_BUILD=$PWD/$build /usr/bin/python3 -m pip --quiet --disable-pip-version-check wheel \
     --no-index --no-deps --no-build-isolation --wheel-dir "$unpacked" .
 /usr/bin/python3 -m pip --quiet --disable-pip-version-check install --no-index --no-deps \
@@ -80,7 +134,7 @@ import axiscomp
 table = axiscomp.Table([0, 0.002], [(0, 10, 'mm')], unit='mm')
 assert float(table.lookup(5)) - 0.001 < 1e-9 and axiscomp.resample(table, points=3).values.size == 3"
 done
-sha256sum -- "${programs[@]}" "${development[@]}" "${python[@]}" | sed "s|$output/||"
+(cd "$output" && sha256sum -- *.deb)
 
 # Projects of their own build on what is installed.
 version=$(sed -n 's/^project(AxisCompensationWizard VERSION \([^ ]*\) .*/\1/p' CMakeLists.txt)

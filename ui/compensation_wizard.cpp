@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/compensation_wizard.h"
 
+#include "core/compensator/file_kind.h"
 #include "core/drive/drive_profile.h"
+#include "ui/async/background_job.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/controller/setup_history.h"
 #include "ui/controller/wizard_settings.h"
@@ -38,6 +40,7 @@
 #include "ui/tabs/record_actions.h"
 #include "ui/tabs/record_bar.h"
 #include "ui/text/language.h"
+#include "ui/text/message_text.h"
 
 #include <QApplication>
 #include <QBoxLayout>
@@ -51,12 +54,15 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace axiscomp::ui {
 
 namespace {
 
 const QLatin1StringView demoEndpoint("demo:");
+const QLatin1StringView waitingId("waitingFileMessage");
 
 /// The files that are dragged; none when there is a folder among them, or something else.
 QStringList draggedFiles(const QMimeData& data)
@@ -105,6 +111,10 @@ struct CompensationWizard::Private {
     void proceedToWrite();
     [[nodiscard]] bool isWelcome(const QStringList& dragged) const;
     void open(const QStringList& files);
+    void openFile(const QString& path);
+    void openAs(FileKind kind, const QString& path);
+    void whenPossible(Action action, const QString& path, std::function<void()> open);
+    void openWaiting();
     void saveMeasurement();
     void showMarkOfMeasure();
     void connectFit();
@@ -135,6 +145,13 @@ struct CompensationWizard::Private {
     QPointer<ConnectionsDialog> connections;
     QPointer<GuideWindow> guide;
     QPointer<OverviewDialog> overview;
+    struct WaitingFile { ///< the drive is still being asked, or cannot be reached
+        Action action;
+        QString name;
+        std::function<void()> open;
+        bool isSaid = false;
+    };
+    std::optional<WaitingFile> waiting;
     bool isStarted = false;
 };
 
@@ -201,6 +218,9 @@ void CompensationWizard::Private::connectParts()
     offerExport();
     connect(menu, &PageMenu::actionRequested, &q, [this](Action action) { begin(action); });
     connect(&controller, &WizardController::actionsChanged, &q, [this] { offerActions(); });
+    connect(
+        &controller, &WizardController::actionsChanged, &q, [this] { openWaiting(); },
+        Qt::QueuedConnection);
     offerActions();
     connect(menu, &PageMenu::undoRequested, &q, [this] { undo(); });
     connect(menu, &PageMenu::redoRequested, &q, [this] { redo(); });
@@ -630,6 +650,75 @@ void CompensationWizard::Private::open(const QStringList& dropped)
         measurementShown().addFiles(dropped);
 }
 
+/// Of any kind: the beginning of the file says which.
+void CompensationWizard::Private::openFile(const QString& path)
+{
+    const auto kind = inBackground<Result<FileKind>>(
+        [file = QFileInfo(path).filesystemAbsoluteFilePath()] { return kindOfFile(file); });
+    whenDone(kind, &q, [this, path](const Result<FileKind>& found) {
+        if (found)
+            openAs(*found, path);
+        else
+            messages.showFailure(errorText(found.error()));
+    });
+}
+
+void CompensationWizard::Private::openAs(FileKind kind, const QString& path)
+{
+    switch (kind) {
+    case FileKind::Record:
+        recordActions.open(path);
+        break;
+    case FileKind::MachineFile:
+        machine.open(path);
+        break;
+    case FileKind::Configuration:
+        page->tabs->setCurrentIndex(PageTabs::Write);
+        whenPossible(
+            Action::ImportConfiguration, path, [this, path] { files.importConfigurationOf(path); });
+        break;
+    case FileKind::Table:
+        page->tabs->setCurrentIndex(PageTabs::Write);
+        whenPossible(Action::OpenData, path, [this, path] { files.open(path); });
+        break;
+    case FileKind::Measurement:
+        page->tabs->setCurrentIndex(PageTabs::Measure);
+        record.addFiles({path});
+        break;
+    }
+}
+
+/// open: called as soon as the action is possible. Only the last file waits.
+void CompensationWizard::Private::whenPossible(
+    Action action, const QString& path, std::function<void()> open)
+{
+    page->messages->remove(waitingId);
+    waiting = {action, QFileInfo(path).fileName(), std::move(open)};
+    openWaiting();
+}
+
+void CompensationWizard::Private::openWaiting()
+{
+    if (!waiting)
+        return;
+    const ActionState state = controller.action(waiting->action);
+    const bool isPutAway = waiting->isSaid && !page->messages->contains(waitingId);
+    if (isPutAway || state.isEnabled) {
+        page->messages->remove(waitingId);
+        const auto open = std::exchange(waiting, {})->open;
+        if (!isPutAway)
+            open();
+        return;
+    }
+    Message message;
+    message.id = waitingId;
+    message.text = CompensationWizard::tr("%1 is opened as soon as that is possible. %2")
+                       .arg(waiting->name, state.reason);
+    waiting->isSaid = true;
+    if (page->messages->text(waitingId) != message.text)
+        page->messages->show(message);
+}
+
 void CompensationWizard::Private::saveMeasurement()
 {
     QStringList sources;
@@ -708,6 +797,11 @@ void CompensationWizard::openRecord(const QString& path)
     d->recordActions.open(path);
 }
 
+void CompensationWizard::openFile(const QString& path)
+{
+    d->openFile(path);
+}
+
 bool CompensationWizard::mayClose()
 {
     return d->guard.mayClose();
@@ -735,6 +829,7 @@ void CompensationWizard::changeEvent(QEvent* event)
         d->recordActions.retranslate();
         d->fit->retranslate();
         d->messages.retranslate();
+        d->openWaiting();
         d->guard.retranslate();
         d->announceTitle();
     }

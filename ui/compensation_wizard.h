@@ -29,6 +29,10 @@ public:
     void openData(const QString& path);
     /// A record, whatever the file is called.
     void openRecord(const QString& path);
+    /// A file of any kind that the program has something to do with, by its name or its content: a
+    /// record, a machine file, a TAM configuration, a table, a measurement. What is wrong with it
+    /// is said on the page.
+    void openFile(const QString& path);
     /// Asks when a write is running or changes are unwritten; false: stay open.
     [[nodiscard]] bool mayClose();
     /// Without questions; closeRequested follows at once. A running write is stopped and put back

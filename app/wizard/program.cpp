@@ -26,7 +26,7 @@ struct WizardArguments {
     std::vector<std::string> drives;
     std::string profile;
     std::string data;
-    std::string record;
+    std::string file;
     double timeoutSeconds = 5.0;
 };
 
@@ -46,9 +46,11 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
     app.add_option(
            "--data", arguments.data, AXISCOMP_HELP("Help", "Open this file of compensation data"))
         ->option_text("FILE");
-    app.add_option("RECORD", arguments.record,
-           AXISCOMP_HELP("Help", "Open this record of a compensation (.axcal)"))
-        ->option_text("[RECORD]");
+    app.add_option("FILE", arguments.file,
+           AXISCOMP_HELP("Help",
+               "Open this file: a record (.axcal), a machine file (.toml), a TAM configuration "
+               "(.TAMcfg), a table or a measurement"))
+        ->option_text("[FILE]");
     app.add_option("--timeout", arguments.timeoutSeconds,
            AXISCOMP_HELP("Help", "How long one exchange with a drive may take (5 unless given)"))
         ->option_text("SECONDS")
@@ -126,8 +128,8 @@ Result<int> showWindow(
         window.wizard().controller().setEndpoints(endpoints);
     if (!arguments.data.empty())
         window.wizard().openData(QString::fromStdString(arguments.data));
-    if (!arguments.record.empty())
-        window.wizard().openRecord(QString::fromStdString(arguments.record));
+    if (!arguments.file.empty())
+        window.wizard().openFile(QString::fromStdString(arguments.file));
     paint.watch(window, console);
     window.show();
     const int result = QApplication::exec();

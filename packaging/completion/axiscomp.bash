@@ -1,250 +1,206 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion of axiscomp, axiscomp-virtualdrive and axis-compensation-wizard for bash.
+# Completion of axiscomp, axiscomp-virtualdrive for bash.
+# Written by make_completion.py of what the programs say with --help.
 
-# The options of each command. tests/app compares them with --help.
-_axiscomp_options()
-{
-    local drive="--drive --profile --trust-certificate --timeout"
-    local conversion="--target --sign --direction --no-wrap --scale --offset --zero"
-    local connection="--profile --trust-certificate --timeout"
-    local incomplete="--fill --crop --snap"
-    local grid="--points --distance --within --method --speed --hold"
-    local measurement="--from --exclude --swap-directions --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun"
-    local correction="--temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected --dead-path"
-    case $1 in
-        "") echo "--help --version" ;;
-        example) echo "--help --json --dims --tables --output" ;;
-        inspect) echo "--help --json --dims --from --set-in --profile $incomplete" ;;
-        convert) echo "--help --json --value-unit --accept-large --dims --table --from --set-in --to --set-out --persistent --volatile --name --profile --to-sign $incomplete $conversion $grid" ;;
-        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --set-out --profile --to-sign $incomplete $conversion" ;;
-        formats) echo "--help --json --markdown --measurements" ;;
-        targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
-        runs) echo "--help --json --output $measurement" ;;
-        judge) echo "--help --json --tolerance --uncertainty --outliers --period --vdi $correction $measurement" ;;
-        fit) echo "--help --json $drive --axis --output --record --to --table --accept-large --target --to-sign --set-out $grid --by --smoothness --period --harmonics --turn --direction --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --tolerance --uncertainty $correction $measurement" ;;
-        compare) echo "--help --json --record --measured-with --keep --tolerance --uncertainty ${measurement/--exclude /}" ;;
-        report) echo "--help --json --output --language --lists" ;;
-        axes) echo "--help --json --find --any-baud --network $drive" ;;
-        files) echo "--help --json $drive" ;;
-        status) echo "--help --json $drive --axis --reset-flash-count" ;;
-        persist | unpersist | evaluate | deactivate) echo "--help --json $drive --axis" ;;
-        activate) echo "--help --json $drive --axis --record" ;;
-        write) echo "--help --json $drive --axis --data --record --dims --table --from --set-in --map --source1 --source2 --source3 --own-position --persistent --volatile --slot --accept-large --dry-run --value-unit --position-unit $incomplete $conversion $grid" ;;
-        delete) echo "--help --json $drive --axis --slot --dry-run" ;;
-        read) echo "--help --json $drive --axis --output --to --target --to-sign --set-out $grid" ;;
-        upload) echo "--help --json $drive --to" ;;
-        download) echo "--help --json $drive --output" ;;
-        capture) echo "--help --json $drive --axis --plan --output --reference --unit --invert-reference --zero-at --pattern --request --encoder --window --dwell --average --rate" ;;
-        monitor) echo "--help --json $drive --axis --rate --count" ;;
-        backup) echo "--help --json $drive --output" ;;
-        restore) echo "--help --json $drive --force --dry-run" ;;
-        recover) echo "--help --json $drive --axis --finish --undo" ;;
-        plan) echo "--help --json $connection --only --jobs --allow-missing" ;;
-        apply) echo "--help --json $connection --only --jobs --allow-missing --activate" ;;
-        snapshot) echo "--help --json $drive --output --name" ;;
-        metrics) echo "--help --json $drive --machine --prove --output" ;;
-        doctor) echo "--help --json --drive --profile --timeout" ;;
-        config) echo "--help --json $drive --from --output --station --force --dry-run" ;;
-    esac
-}
-
-_axiscomp_commands="example inspect convert lookup formats targets capture runs judge fit compare report axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics doctor"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report capture axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
 
 _axiscomp_formats="csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong"
 
 _axiscomp_measurements="runs wide track points renishaw api-pos ecmc ecmc-report"
 
-_axiscomp_slots="small1 small2 small3 small4 small5 small6 small7 small8 large1 large2"
-
-_axiscomp_paths()
+# The options of a command; without one, those of the program.
+_axiscomp_options()
 {
-    local slot
-    for slot in $_axiscomp_slots; do
-        echo "tables/$slot.TAMtbl"
-    done
-}
-
-_axiscomp()
-{
-    local cur prev words cword
-    _init_completion -n : || return
-
-    local command="" i
-    for ((i = 1; i < cword; i++)); do
-        if [[ " $_axiscomp_commands " == *" ${words[i]} "* ]]; then
-            command=${words[i]}
-            break
-        fi
-    done
-
-    if [[ $command == targets ]]; then
-        case $prev in
-            --unit) COMPREPLY=($(compgen -W "mm deg" -- "$cur")); return ;;
-            --dialect) COMPREPLY=($(compgen -W "linuxcnc fanuc siemens" -- "$cur")); return ;;
-            --from | --to | --count | --spacing | --cycles | --seed | --feed | --dwell) return ;;
-        esac
-    fi
-    if [[ $command == capture ]]; then
-        case $prev in
-            --plan) _filedir csv; return ;;
-            --reference)
-                COMPREPLY=($(compgen -W "- typed serial:/dev/" -- "$cur"))
-                [[ ${COMPREPLY-} == serial:* ]] && compopt -o nospace
-                __ltrim_colon_completions "$cur"
-                return ;;
-            --unit) COMPREPLY=($(compgen -W "mm um m inch deg arcsec" -- "$cur")); return ;;
-            --zero-at | --pattern | --request | --encoder | --window | --dwell | --average) return ;;
-        esac
-    fi
-    case $prev in
-        --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$cur")); return ;;
-        --from | --as)
-            if [[ $command == config ]]; then
-                _filedir TAMcfg
-                return
-            fi
-            if [[ $command == runs || $command == judge || $command == fit || $command == compare ]]; then
-                COMPREPLY=($(compgen -W "$_axiscomp_measurements" -- "$cur"))
-                return
-            fi
-            COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
-            return ;;
-        --sign | --to-sign) COMPREPLY=($(compgen -W "feedback command" -- "$cur")); return ;;
-        --by) COMPREPLY=($(compgen -W "temperature" -- "$cur")); return ;;
-        --direction)
-            if [[ $command == fit ]]; then
-                COMPREPLY=($(compgen -W "mean positive negative both" -- "$cur"))
-            else
-                COMPREPLY=($(compgen -W "mean positive negative" -- "$cur"))
-            fi
-            return ;;
-        --outliers) COMPREPLY=($(compgen -W "mad grubbs none" -- "$cur")); return ;;
-        --values) COMPREPLY=($(compgen -W "deviation reference" -- "$cur")); return ;;
-        --direction-from) COMPREPLY=($(compgen -W "order" -- "$cur")); return ;;
-        --fill)
-            if [[ $command == fit ]]; then
-                COMPREPLY=($(compgen -W "nearest smooth" -- "$cur"))
-            else
-                COMPREPLY=($(compgen -W "nearest plane smooth" -- "$cur"))
-            fi
-            return ;;
-        --method)
-            if [[ $command == fit ]]; then
-                COMPREPLY=($(compgen -W "linear cubic spline smooth harmonic" -- "$cur"))
-            else
-                COMPREPLY=($(compgen -W "linear cubic spline smooth" -- "$cur"))
-            fi
-            return ;;
-        --remove) COMPREPLY=($(compgen -W "rigid rigid:X scale" -- "$cur")); return ;;
-        --remove-slope) COMPREPLY=($(compgen -W "lsq ends" -- "$cur")); return ;;
-        --remove-drift) COMPREPLY=($(compgen -W "offset trend" -- "$cur")); return ;;
-        --lookup-at) COMPREPLY=($(compgen -W "encoder set" -- "$cur")); return ;;
-        --zero)
-            [[ $command == fit ]] && COMPREPLY=($(compgen -W "home first mean keep" -- "$cur"))
-            return ;;
-        --measured-with)
-            if [[ $command == compare ]]; then
-                COMPREPLY=($(compgen -W "on" -- "$cur"))
-            else
-                COMPREPLY=($(compgen -W "off on" -- "$cur"))
-                _filedir
-            fi
-            return ;;
-        --record) _filedir axcal; return ;;
-        --onto) COMPREPLY=($(compgen -W "drive" -- "$cur")); _filedir; return ;;
-        --to)
-            if [[ $command == upload ]]; then
-                COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
-            else
-                COMPREPLY=($(compgen -W "$_axiscomp_formats" -- "$cur"))
-            fi
-            return ;;
-        --language) COMPREPLY=($(compgen -W "en de" -- "$cur")); return ;;
-        --outside) COMPREPLY=($(compgen -W "hold zero wrap extrapolate error" -- "$cur")); return ;;
-        --slot) COMPREPLY=($(compgen -W "$_axiscomp_slots" -- "$cur")); return ;;
-        --drive)
-            COMPREPLY=($(compgen -W "http:// https:// demo:" -- "$cur"))
-            [[ ${COMPREPLY-} == *// ]] && compopt -o nospace
-            __ltrim_colon_completions "$cur"
-            return ;;
-        --profile) _filedir json; return ;;
-        --machine) _filedir toml; return ;;
-        --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
-        --points)
-            [[ $command == lookup ]] && _filedir
-            return ;;
-        -o | --output | --uncertainty | --dead-path) _filedir; return ;;
-        --axis | --only | --jobs | --station | --table | --target | --value-unit | --position-unit | --tables | --timeout | --trust-certificate | --name | --rate | --count | --source[123] | --exclude | --columns | --skip-lines | --unit | --overrun | --tolerance | --period | --temperature | --expansion | --reference-temperature | --reference-expansion | --datum | --smoothness | --harmonics | --turn | --speed | --home | --gain) return ;;
+    case $1 in
+        "") echo "--help --version" ;;
+        example) echo "--help --json --dims --tables --output" ;;
+        inspect) echo "--help --json --dims --from --set-in --profile --fill --crop --snap" ;;
+        convert) echo "--help --json --dims --table --from --set-in --to --accept-large --persistent --volatile --name --profile --fill --crop --snap --value-unit --target --sign --direction --scale --offset --zero --no-wrap --points --distance --within --method --speed --hold --to-sign --set-out" ;;
+        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --profile --fill --crop --snap --target --sign --direction --scale --offset --zero --no-wrap --to-sign --set-out" ;;
+        formats) echo "--help --json --markdown --measurements" ;;
+        targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
+        runs) echo "--help --json --from --exclude --swap-directions --output --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun" ;;
+        judge) echo "--help --json --from --exclude --swap-directions --tolerance --uncertainty --outliers --period --vdi --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected --dead-path" ;;
+        fit) echo "--help --json --from --exclude --swap-directions --output --record --to --table --accept-large --tolerance --uncertainty --drive --profile --trust-certificate --timeout --axis --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun --target --to-sign --set-out --method --smoothness --period --harmonics --turn --direction --by --points --distance --within --hold --speed --zero --home --remove-slope --remove-drift --lookup-at --measured-with --onto --gain --remove --fill --robust --temperature --expansion --reference-temperature --reference-expansion --datum --not-corrected --dead-path" ;;
+        compare) echo "--help --json --from --swap-directions --record --measured-with --keep --tolerance --uncertainty --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun" ;;
+        report) echo "--help --json --output --language --lists" ;;
+        capture) echo "--help --json --drive --profile --trust-certificate --timeout --axis --plan --output --reference --unit --invert-reference --zero-at --pattern --request --encoder --window --dwell --average --rate" ;;
+        axes) echo "--help --json --drive --profile --trust-certificate --timeout --find --any-baud --network" ;;
+        status) echo "--help --json --drive --profile --trust-certificate --timeout --axis --reset-flash-count" ;;
+        write) echo "--help --json --drive --profile --trust-certificate --timeout --axis --data --record --dims --table --from --set-in --source1 --source2 --source3 --own-position --persistent --volatile --slot --map --accept-large --dry-run --fill --crop --snap --target --sign --direction --scale --offset --zero --no-wrap --points --distance --within --method --speed --hold --value-unit --position-unit" ;;
+        persist) echo "--help --json --drive --profile --trust-certificate --timeout --axis" ;;
+        unpersist) echo "--help --json --drive --profile --trust-certificate --timeout --axis" ;;
+        delete) echo "--help --json --drive --profile --trust-certificate --timeout --axis --slot --dry-run" ;;
+        evaluate) echo "--help --json --drive --profile --trust-certificate --timeout --axis" ;;
+        activate) echo "--help --json --drive --profile --trust-certificate --timeout --axis --record" ;;
+        deactivate) echo "--help --json --drive --profile --trust-certificate --timeout --axis" ;;
+        read) echo "--help --json --drive --profile --trust-certificate --timeout --axis --output --to --target --points --distance --within --method --speed --hold --to-sign --set-out" ;;
+        files) echo "--help --json --drive --profile --trust-certificate --timeout" ;;
+        upload) echo "--help --json --to --drive --profile --trust-certificate --timeout" ;;
+        download) echo "--help --json --output --drive --profile --trust-certificate --timeout" ;;
+        monitor) echo "--help --json --drive --profile --trust-certificate --timeout --axis --rate --count" ;;
+        backup) echo "--help --json --drive --profile --trust-certificate --timeout --output" ;;
+        restore) echo "--help --json --drive --profile --trust-certificate --timeout --force --dry-run" ;;
+        recover) echo "--help --json --drive --profile --trust-certificate --timeout --axis --finish --undo" ;;
+        config) echo "--help --json --drive --profile --trust-certificate --timeout --from --output --station --force --dry-run" ;;
+        plan) echo "--help --json --profile --trust-certificate --timeout --only --jobs --allow-missing" ;;
+        apply) echo "--help --json --profile --trust-certificate --timeout --only --jobs --allow-missing --activate" ;;
+        snapshot) echo "--help --json --drive --profile --trust-certificate --timeout --output --name" ;;
+        metrics) echo "--help --json --drive --profile --trust-certificate --timeout --machine --prove --output" ;;
     esac
-
-    if [[ -z $command ]]; then
-        COMPREPLY=($(compgen -W "$_axiscomp_commands $(_axiscomp_options "")" -- "$cur"))
-    elif [[ $cur == -* ]]; then
-        COMPREPLY=($(compgen -W "$(_axiscomp_options "$command")" -- "$cur"))
-    elif [[ $command == download ]]; then
-        COMPREPLY=($(compgen -W "$(_axiscomp_paths)" -- "$cur"))
-    else
-        case $command in
-            inspect | convert | lookup | runs | judge | fit | compare | upload | restore) _filedir ;;
-            report) _filedir axcal ;;
-            plan | apply) _filedir toml ;;
-            config)
-                _filedir TAMcfg
-                [[ $prev == config ]] && COMPREPLY=($(compgen -W "show export import" -- "$cur"))
-                ;;
-        esac
-    fi
 }
 
 _axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --program-after --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
 
-_axiscomp_virtualdrive()
+_axiscomp_commands_of()
+{
+    [[ $1 == axiscomp ]] && echo "$_axiscomp_commands"
+}
+
+_axiscomp_options_of()
+{
+    case $1 in
+        axiscomp) _axiscomp_options "$2" ;;
+        axiscomp-virtualdrive) echo "$_axiscomp_virtualdrive_options" ;;
+    esac
+}
+
+# _axiscomp_value PROGRAM COMMAND OPTION: fails for what takes no value.
+_axiscomp_value()
+{
+    case "$1 $2 $3" in
+        "axiscomp report -o" | "axiscomp report --output") echo "@files:pdf:html" ;;
+        "axiscomp snapshot -o" | "axiscomp snapshot --output") echo "@folders" ;;
+        "axiscomp targets --from" | "axiscomp targets --to") echo "" ;;
+        "axiscomp runs --from" | "axiscomp judge --from" | "axiscomp fit --from" | "axiscomp compare --from") echo "runs wide track points renishaw api-pos ecmc ecmc-report" ;;
+        "axiscomp config --from") echo "@files:TAMcfg" ;;
+        "axiscomp fit --fill") echo "nearest smooth" ;;
+        "axiscomp upload --to") echo "tables/small1.TAMtbl tables/small2.TAMtbl tables/small3.TAMtbl tables/small4.TAMtbl tables/small5.TAMtbl tables/small6.TAMtbl tables/small7.TAMtbl tables/small8.TAMtbl tables/large1.TAMtbl tables/large2.TAMtbl" ;;
+        "axiscomp fit --direction") echo "mean positive negative both" ;;
+        "axiscomp fit --zero") echo "home first mean keep" ;;
+        "axiscomp lookup --points") echo "@files" ;;
+        "axiscomp fit --method") echo "linear cubic spline smooth harmonic" ;;
+        "axiscomp targets --unit") echo "mm deg" ;;
+        "axiscomp capture --unit") echo "mm um m inch deg arcsec" ;;
+        "axiscomp compare --measured-with") echo "on" ;;
+        "axiscomp-virtualdrive  --machine") echo "@files:json" ;;
+        *" --dims") echo "1 2 3" ;;
+        *" --tables" | *" --set-in" | *" --snap" | *" --table" | *" --name" | *" --value-unit" | *" --target" | *" --scale" | *" --offset" | *" --zero" | *" --points" | *" --distance" | *" --within" | *" --speed" | *" --set-out" | *" --count" | *" --spacing" | *" --period" | *" --cycles" | *" --seed" | *" --overrun" | *" --feed" | *" --dwell" | *" --axis" | *" --unit" | *" --exclude" | *" --columns" | *" --skip-lines" | *" --tolerance" | *" --temperature" | *" --expansion" | *" --reference-temperature" | *" --reference-expansion" | *" --datum" | *" --trust-certificate" | *" --timeout" | *" --smoothness" | *" --harmonics" | *" --turn" | *" --home" | *" --gain" | *" --zero-at" | *" --pattern" | *" --request" | *" --encoder" | *" --window" | *" --average" | *" --rate" | *" --source1" | *" --source2" | *" --source3" | *" --map" | *" --position-unit" | *" --station" | *" --only" | *" --jobs" | *" --serial" | *" --baud" | *" --axes" | *" --program-after" | *" --instrument" | *" --user") echo "" ;;
+        *" -o" | *" --output" | *" --uncertainty" | *" --dead-path" | *" --password-file") echo "@files" ;;
+        *" --from" | *" --to" | *" --as") echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
+        *" --profile") echo "@files:json" ;;
+        *" --fill") echo "nearest plane smooth" ;;
+        *" --sign" | *" --to-sign") echo "feedback command" ;;
+        *" --direction") echo "mean positive negative" ;;
+        *" --method") echo "linear cubic spline smooth" ;;
+        *" --outside") echo "hold zero wrap extrapolate error" ;;
+        *" --dialect") echo "linuxcnc fanuc siemens" ;;
+        *" --values") echo "deviation reference" ;;
+        *" --direction-from") echo "order" ;;
+        *" --outliers") echo "mad grubbs none" ;;
+        *" --record") echo "@files:axcal" ;;
+        *" --drive") echo "http:// https:// serial:/dev/ demo:" ;;
+        *" --by") echo "temperature" ;;
+        *" --remove-slope") echo "lsq ends" ;;
+        *" --remove-drift") echo "offset trend" ;;
+        *" --lookup-at") echo "encoder set" ;;
+        *" --measured-with") echo "off on @files" ;;
+        *" --onto") echo "drive @files" ;;
+        *" --remove") echo "rigid rigid:X scale" ;;
+        *" --language") echo "en de" ;;
+        *" --plan" | *" --program") echo "@files:csv" ;;
+        *" --reference") echo "- typed serial:/dev/" ;;
+        *" --data") echo "@files:csv:TAMtbl" ;;
+        *" --slot") echo "small1 small2 small3 small4 small5 small6 small7 small8 large1 large2" ;;
+        *" --machine") echo "@files:toml" ;;
+        *" --http") echo "127.0.0.1:0 127.0.0.1:8080" ;;
+        *" --config") echo "@files:TAMcfg" ;;
+        *" --state") echo "@folders" ;;
+        *" --fault") echo "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" ;;
+        *" --certificate" | *" --key") echo "@files:pem" ;;
+        *) return 1 ;;
+    esac
+}
+
+# _axiscomp_argument COMMAND NUMBER-FROM-0
+_axiscomp_argument()
+{
+    case "$1 $2" in
+        "inspect "*) echo "@files" ;;
+        "convert "0) echo "@files" ;;
+        "convert "*) echo "@files" ;;
+        "lookup "0) echo "@files" ;;
+        "lookup "*) echo "" ;;
+        "formats "*) echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
+        "runs "*) echo "@files" ;;
+        "judge "*) echo "@files" ;;
+        "fit "*) echo "@files" ;;
+        "compare "*) echo "@files" ;;
+        "report "*) echo "@files:axcal" ;;
+        "upload "*) echo "@files" ;;
+        "download "*) echo "tables/small1.TAMtbl tables/small2.TAMtbl tables/small3.TAMtbl tables/small4.TAMtbl tables/small5.TAMtbl tables/small6.TAMtbl tables/small7.TAMtbl tables/small8.TAMtbl tables/large1.TAMtbl tables/large2.TAMtbl" ;;
+        "restore "*) echo "@files" ;;
+        "config "0) echo "show export import" ;;
+        "config "*) echo "@files:TAMcfg" ;;
+        "plan "*) echo "@files:toml" ;;
+        "apply "*) echo "@files:toml" ;;
+    esac
+}
+
+# _axiscomp_propose VALUE: words, and files where a mark says so.
+_axiscomp_propose()
+{
+    local words="" mark endings
+    for mark in $1; do
+        case $mark in
+            @folders) _filedir -d ;;
+            @files) _filedir ;;
+            @files:*)
+                endings=${mark#@files:}
+                _filedir "@(${endings//:/|})"
+                ;;
+            *) words+=" $mark" ;;
+        esac
+    done
+    COMPREPLY+=($(compgen -W "$words" -- "$cur"))
+    [[ ${COMPREPLY-} == *[/=] ]] && compopt -o nospace
+    __ltrim_colon_completions "$cur"
+}
+
+# _axiscomp_complete PROGRAM: with its functions for commands, options, values and arguments.
+_axiscomp_complete()
 {
     local cur prev words cword
     _init_completion -n := || return
-
-    case $prev in
-        --http) COMPREPLY=($(compgen -W "127.0.0.1:0 127.0.0.1:8080" -- "$cur")); __ltrim_colon_completions "$cur"; return ;;
-        --config) _filedir TAMcfg; return ;;
-        --machine) _filedir json; return ;;
-        --program) _filedir csv; return ;;
-        --state) _filedir -d; return ;;
-        --certificate | --key) _filedir pem; return ;;
-        --password-file) _filedir; return ;;
-        --profile) _filedir json; return ;;
-        --fault)
-            COMPREPLY=($(compgen -W "drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=" -- "$cur"))
-            compopt -o nospace
-            return ;;
-        --serial | --instrument | --baud | --name | --axes | --speed | --user) return ;;
-    esac
-    COMPREPLY=($(compgen -W "$_axiscomp_virtualdrive_options" -- "$cur"))
-}
-
-_axis_compensation_wizard_options="--help --version --drive --profile --data --timeout"
-
-_axis_compensation_wizard()
-{
-    local cur prev words cword
-    _init_completion -n : || return
-
-    case $prev in
-        --drive)
-            COMPREPLY=($(compgen -W "http:// https:// demo:" -- "$cur"))
-            [[ ${COMPREPLY-} == *// ]] && compopt -o nospace
-            __ltrim_colon_completions "$cur"
-            return ;;
-        --profile) _filedir json; return ;;
-        --data) _filedir '@(csv|CSV|TAMtbl)'; return ;;
-        --timeout) return ;;
-    esac
-    if [[ $cur == -* ]]; then
-        COMPREPLY=($(compgen -W "$_axis_compensation_wizard_options" -- "$cur"))
+    local program=$1 command="" arguments=0 i
+    local commands=" $(_axiscomp_commands_of "$program") "
+    for ((i = 1; i < cword; i++)); do
+        if [[ -z $command && $commands == *" ${words[i]} "* ]]; then
+            command=${words[i]}
+        elif [[ ${words[i]} != -* ]] && ! _axiscomp_value "$program" "$command" "${words[i - 1]}" >/dev/null; then
+            arguments=$((arguments + 1))
+        fi
+    done
+    local value
+    if value=$(_axiscomp_value "$program" "$command" "$prev"); then
+        _axiscomp_propose "$value"
+    elif [[ $cur == -* ]]; then
+        COMPREPLY=($(compgen -W "$(_axiscomp_options_of "$program" "$command")" -- "$cur"))
+    elif [[ -n ${commands// /} && -z $command ]]; then
+        COMPREPLY=($(compgen -W "$commands $(_axiscomp_options_of "$program" "")" -- "$cur"))
     else
-        _filedir axcal
+        _axiscomp_propose "$(_axiscomp_argument "${command:-$program}" "$arguments")"
     fi
 }
 
+_axiscomp()
+{
+    _axiscomp_complete axiscomp
+}
 complete -F _axiscomp axiscomp
-complete -F _axis_compensation_wizard axis-compensation-wizard
+
+_axiscomp_virtualdrive()
+{
+    _axiscomp_complete axiscomp-virtualdrive
+}
 complete -F _axiscomp_virtualdrive axiscomp-virtualdrive

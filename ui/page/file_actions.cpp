@@ -284,9 +284,13 @@ void FileActions::saveExport(const QString& path,
 
 void FileActions::importConfiguration()
 {
-    askForConfiguration(Action::ImportConfiguration, [this](const QString& path) {
-        return new ImportConfigurationDialog(m_controller, path, &m_window);
-    });
+    askForConfiguration(
+        Action::ImportConfiguration, [this](const QString& path) { importConfigurationOf(path); });
+}
+
+void FileActions::importConfigurationOf(const QString& path)
+{
+    (new ImportConfigurationDialog(m_controller, path, &m_window))->open();
 }
 
 void FileActions::exportConfiguration()
@@ -295,12 +299,12 @@ void FileActions::exportConfiguration()
         auto* dialog = new ExportConfigurationDialog(m_controller, m_profile, path, &m_window);
         connect(dialog, &ExportConfigurationDialog::chosen, this,
             [this, path](const auto& from, const auto& text) { askWhereToSave(path, from, text); });
-        return dialog;
+        dialog->open();
     });
 }
 
 void FileActions::askForConfiguration(
-    Action action, const std::function<QDialog*(const QString& path)>& dialog)
+    Action action, const std::function<void(const QString& path)>& open)
 {
     FileQuestion question;
     question.purpose = FileQuestion::Purpose::OpenConfiguration;
@@ -308,12 +312,12 @@ void FileActions::askForConfiguration(
                                                            : tr("Export to TAM Configuration");
     question.filter = tr("TAM configurations (*.TAMcfg)");
     question.start = m_settings.folder();
-    m_picker(m_window, question, [this, action, dialog](const QString& path) {
+    m_picker(m_window, question, [this, action, open](const QString& path) {
         const ActionState state = m_controller.action(action);
         if (path.isEmpty())
             return;
         if (state.isEnabled)
-            dialog(path)->open();
+            open(path);
         else
             Q_EMIT failed(state.reason);
     });

@@ -13,8 +13,6 @@
 #include <memory>
 #include <string>
 
-class QDialog;
-
 namespace axiscomp {
 struct CompensationTable;
 struct Measurement;
@@ -62,6 +60,8 @@ public:
     void exportTable();
     /// The parameters of a TAM configuration to the current drive, which there must be.
     void importConfiguration();
+    /// Of a file that is known; the action must be possible.
+    void importConfigurationOf(const QString& path);
     /// Those of the current drive to a TAM configuration.
     void exportConfiguration();
     /// All axes of the current drive, which there must be, to a file.
@@ -84,9 +84,8 @@ private:
         const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices);
     void saveExport(const QString& path, const std::shared_ptr<const CompensationTable>& table,
         const ImportChoices& choices);
-    /// dialog: gets what is picked, when the action is still possible then.
-    void askForConfiguration(
-        Action action, const std::function<QDialog*(const QString& path)>& dialog);
+    /// open: gets what is picked, when the action is still possible then.
+    void askForConfiguration(Action action, const std::function<void(const QString& path)>& open);
     void askWhereToSave(const QString& proposed,
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void saveConfiguration(const QString& path, const QString& original,

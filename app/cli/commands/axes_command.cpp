@@ -179,7 +179,7 @@ void addAxesCommand(CommandLine& line)
                 "Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one "
                 "address, "
                 "at most 1024, with :PORT for another port than 80"))
-        ->type_name("RANGE")
+        ->option_text("RANGE")
         ->needs(find);
 }
 

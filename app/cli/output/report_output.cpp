@@ -60,8 +60,9 @@ Result<Bytes> drawnAsPdf(const ReportDocument& document)
         return fail(ErrorCode::FileNotReadable,
             {{"file", std::string(reportModuleName) + ".so"},
                 {"reason",
-                    std::string("what draws PDF is not installed; write the report as HTML and "
-                                "print that")}},
+                    std::string("what draws PDF is not installed; install the package "
+                                "axiscomp-report-pdf, or write the report as HTML and print "
+                                "that")}},
             module.errorString().toStdString());
     Result<Bytes> pdf;
     reinterpret_cast<ReportModuleFunction>(function)(document, pdf);

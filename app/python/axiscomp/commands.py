@@ -912,8 +912,8 @@ def axes(
     timeout: SECONDS. Time limit for one exchange with the drive (5 unless given)
     find: Also try all serial ports of this computer; without --drive, the connections of the window too
     any_baud: Try the usual baud rates at every serial port
-    network: Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at most 1024,
-        with :PORT for another port than 80
+    network: RANGE. Also ask these addresses over http: 192.168.1.0/24, 192.168.1.10-40 or one address, at
+        most 1024, with :PORT for another port than 80
     """
     return call(
         "axes",

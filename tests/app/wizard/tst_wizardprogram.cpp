@@ -4,10 +4,12 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "tests/app/program_run.h"
 #include "tests/support/end_watch.h"
+#include "tests/support/file_content.h"
 #include "tests/support/raw_responder.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/window_test.h"
 
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTest>
 
@@ -65,6 +67,24 @@ private Q_SLOTS:
         QVERIFY(window->close());
         window.reset();
         QVERIFY(end.ended());
+    }
+
+    /// make_completion.py and tst_usage look after the options of the other programs.
+    void theManPageHasTheOptionsOfTheHelp()
+    {
+        const Sandbox box;
+        const test::ProgramRun run = box.runProgram(AXISCOMP_WIZARD_PROGRAM, {"--help"});
+        VERIFY_CODE(run, 0);
+        QByteArray page = QByteArray::fromStdString(
+            test::contentOf(AXISCOMP_SOURCE_FOLDER "/packaging/man/axis-compensation-wizard.1"));
+        page.replace("\\-", "-");
+        static const QRegularExpression option(QStringLiteral("(?<![a-z])--[a-z]+"));
+        QStringList named;
+        for (auto each = option.globalMatch(QString::fromUtf8(run.out)); each.hasNext();)
+            named += each.next().captured();
+        QVERIFY(named.contains("--drive"));
+        for (const QString& name : named)
+            QVERIFY2(page.contains(name.toUtf8()), qPrintable(name));
     }
 
     void aMistakeOnTheCommandLineIsToldWithoutAWindow()

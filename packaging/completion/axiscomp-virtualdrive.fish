@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Written by make_completion.py of what the programs say with --help.
+
+complete -c axiscomp-virtualdrive -f
+complete -c axiscomp-virtualdrive -s h -l help -d 'Show this help'
+complete -c axiscomp-virtualdrive -l version -d 'Show the version'
+complete -c axiscomp-virtualdrive -l http -x -a '127.0.0.1:0 127.0.0.1:8080' -d 'Serve the drive\'s web pages here'
+complete -c axiscomp-virtualdrive -l serial -x -d 'Serve the serial link on a pseudo-terminal, and make LINK a symbolic link to it'
+complete -c axiscomp-virtualdrive -l baud -x -d 'Make the serial link as slow as a line of this speed'
+complete -c axiscomp-virtualdrive -l name -x -d 'Name of the drive'
+complete -c axiscomp-virtualdrive -l axes -x -d 'Number of axes, 1 to 16'
+complete -c axiscomp-virtualdrive -l config -x -a '(__fish_complete_suffix .TAMcfg)' -d 'Take names, axes and parameters from a TAM configuration'
+complete -c axiscomp-virtualdrive -l machine -x -a '(__fish_complete_suffix .json)' -d 'Move the machine of this file'
+complete -c axiscomp-virtualdrive -l program -x -a '(__fish_complete_suffix .csv)' -d 'Play this measuring plan'
+complete -c axiscomp-virtualdrive -l program-after -x -d 'Begin the program so many seconds after the start, whatever --speed is'
+complete -c axiscomp-virtualdrive -l instrument -x -d 'Serve the instrument\'s lines on a pseudo-terminal, and make LINK a symbolic link to it'
+complete -c axiscomp-virtualdrive -l state -x -a '(__fish_complete_directories)' -d 'Keep flash and saved parameters here across runs, a folder per drive'
+complete -c axiscomp-virtualdrive -l fault -x -a 'drop-after= no-reply= garble= stores-wrong= slow= reboot-after= reject=' -d 'Misbehave'
+complete -c axiscomp-virtualdrive -l speed -x -d 'Simulated seconds per second'
+complete -c axiscomp-virtualdrive -l unhomed -d 'Start with axes that are not homed'
+complete -c axiscomp-virtualdrive -l user -x -d 'Ask for this user name'
+complete -c axiscomp-virtualdrive -l password-file -r -F -d 'File whose first line is the password of --user'
+complete -c axiscomp-virtualdrive -l certificate -x -a '(__fish_complete_suffix .pem)' -d 'Serve https with this certificate'
+complete -c axiscomp-virtualdrive -l key -x -a '(__fish_complete_suffix .pem)' -d 'Private key of --certificate'
+complete -c axiscomp-virtualdrive -l profile -x -a '(__fish_complete_suffix .json)' -d 'Drive profile'

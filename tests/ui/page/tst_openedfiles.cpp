@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/tam_table.h"
+#include "tests/ui/support/page_states.h"
+#include "tests/ui/support/table_samples.h"
+#include "tests/ui/support/window_test.h"
+#include "ui/controller/machine_controller.h"
+
+#include <QLabel>
+#include <QTest>
+
+namespace tst_openedfiles {
+
+using namespace axiscomp;
+using namespace axiscomp::ui;
+using test::PageFixture;
+
+namespace {
+
+int tabOf(PageFixture& bench)
+{
+    return bench.user.the<PageTabs>("pageTabs").currentIndex();
+}
+
+QString configuration(PageFixture& bench)
+{
+    return bench.file(
+        QStringLiteral("two.TAMcfg"), test::tamConfiguration({{"Stage-7", 1559, {{}, {}}}}));
+}
+
+} // namespace
+
+/// A file that a desktop hands over, by double click: it is shown where it belongs.
+class TestOpenedFiles : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWindowWarnings(); }
+
+    void aRecordIsOpened()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.wizard.openFile(bench.file(
+            QStringLiteral("x.axcal"), QByteArray::fromStdString(recordText(test::recordOfFit()))));
+        QTRY_COMPARE(bench.user.the<QLabel>("recordName").text(), QStringLiteral("x.axcal"));
+    }
+
+    void aMachineFileIsComparedInTheListOfAllAxes()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        const QString file = bench.file(QStringLiteral("machine.toml"),
+            "version = 1\n[[drive]]\nendpoint = \"" + bench.served.url().toUtf8()
+                + "\"\nserial = 1559\n[[drive.axis]]\naxis = \"X\"\nno-table = true\n"
+                  "sources = [\"\"]\n");
+        bench.wizard.openFile(file);
+        QTRY_VERIFY(bench.user.sees("machineSummary"));
+        QCOMPARE(bench.controller().machine().path(), file);
+    }
+
+    void aTableOfTheDriveIsOpenedOnWrite()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Measure);
+        const auto bytes =
+            encodeTamTable(test::namedTable({4, 3}), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(bytes);
+        const QString file = bench.file(QStringLiteral("SMALL1.tamtbl"),
+            QByteArray(reinterpret_cast<const char*>(bytes->data()),
+                static_cast<qsizetype>(bytes->size())));
+        bench.wizard.openFile(file);
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().dataFile().path, file);
+        QCOMPARE(tabOf(bench), static_cast<int>(PageTabs::Write));
+    }
+
+    void aMeasurementIsOpenedOnMeasure()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Write);
+        bench.wizard.openFile(test::publicMeasurement("ess_mcu1025"));
+        QTRY_COMPARE(tabOf(bench), static_cast<int>(PageTabs::Measure));
+        QVERIFY(bench.controller().dataFile().path.isEmpty());
+    }
+
+    void parametersOfAConfigurationAreImportedAsSoonAsThereIsADrive()
+    {
+        PageFixture bench;
+        bench.served.stop();
+        bench.controller().setEndpoints({bench.served.url()});
+        QVERIFY(bench.user.isThere());
+        bench.wizard.openFile(configuration(bench));
+        QTRY_VERIFY(bench.user.message("waitingFileMessage")
+                        .startsWith(QStringLiteral("two.TAMcfg is opened as soon as ")));
+        QVERIFY(!bench.user.find("importConfigurationDialog"));
+        bench.served.start();
+        QTRY_VERIFY(bench.user.sees("importConfigurationDialog"));
+        QVERIFY(!bench.user.sees("waitingFileMessage"));
+    }
+
+    void aFileWhoseMessageIsPutAwayIsNotOpenedLater()
+    {
+        PageFixture bench;
+        bench.served.stop();
+        bench.controller().setEndpoints({bench.served.url()});
+        QVERIFY(bench.user.isThere());
+        bench.wizard.openFile(configuration(bench));
+        QTRY_VERIFY(bench.user.sees("waitingFileMessage"));
+        auto* close = bench.user.the("waitingFileMessage")
+                          .findChild<QWidget*>(QStringLiteral("closeMessage"));
+        QVERIFY(close);
+        QTest::mouseClick(close, Qt::LeftButton);
+        QTRY_VERIFY(!bench.user.sees("waitingFileMessage"));
+        bench.served.start();
+        QTRY_VERIFY(bench.controller().action(Action::ImportConfiguration).isEnabled);
+        QCoreApplication::processEvents();
+        QVERIFY(!bench.user.find("importConfigurationDialog"));
+        QVERIFY(!bench.user.sees("waitingFileMessage"));
+    }
+
+    void whatTheProgramHasNothingToDoWithIsSaid()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.wizard.openFile(
+            bench.file(QStringLiteral("letter.txt"), "Dear customer,\nthank you.\n"));
+        QTRY_VERIFY(bench.user.message("failureMessage")
+                        .startsWith(QStringLiteral("letter.txt is no record (.axcal), no machine "
+                                                   "file (.toml)")));
+        bench.wizard.openFile(bench.path(QStringLiteral("missing.axcal")));
+        QTRY_VERIFY(bench.user.message("failureMessage")
+                        .contains(QStringLiteral("missing.axcal cannot be read")));
+    }
+};
+
+AXISCOMP_WINDOW_TEST(TestOpenedFiles)
+
+} // namespace tst_openedfiles
+
+#include "tst_openedfiles.moc"
