@@ -410,6 +410,14 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
         ->check(CLI::Range(10.0, 50.0));
 }
 
+/// One below the other, as they are typed.
+constexpr const char* captureExamples =
+    "\n  axiscomp capture --axis X --plan plan.csv -o runs.csv \\"
+    "\n      --reference 'Machine/Axes[0]/ReferencePosition'"
+    "\n  axiscomp capture --axis X --plan plan.csv -o runs.csv \\"
+    "\n      --reference 'serial:/dev/ttyUSB1?baud=9600'"
+    "\n  laser-reader | axiscomp capture --axis X --plan plan.csv -o runs.csv --reference -";
+
 } // namespace
 
 void addCaptureCommand(CommandLine& line)
@@ -439,101 +447,9 @@ void addCaptureCommand(CommandLine& line)
         ->required();
     addInstrumentOptions(*command, *options);
     addRuleOptions(*command, *options);
-    command->footer(AXISCOMP_HELP("Help",
-        "axiscomp never moves an axis: the machine's control or a person does.") "\n"
-                                                                                 "\n" AXISCOMP_HELP(
-                                                                                     "Help",
-                                                                                     "Examples"
-                                                                                     ":") "\n  "
-                                                                                          "axis"
-                                                                                          "comp"
-                                                                                          " cap"
-                                                                                          "ture"
-                                                                                          " --"
-                                                                                          "axis"
-                                                                                          " X "
-                                                                                          "--"
-                                                                                          "plan"
-                                                                                          " pla"
-                                                                                          "n."
-                                                                                          "csv "
-                                                                                          "-o "
-                                                                                          "runs"
-                                                                                          ".csv"
-                                                                                          " \\"
-                                                                                          "\n  "
-                                                                                          "    "
-                                                                                          "--"
-                                                                                          "refe"
-                                                                                          "renc"
-                                                                                          "e "
-                                                                                          "'Mac"
-                                                                                          "hine"
-                                                                                          "/Axe"
-                                                                                          "s[0]"
-                                                                                          "/Ref"
-                                                                                          "eren"
-                                                                                          "cePo"
-                                                                                          "siti"
-                                                                                          "on'"
-                                                                                          "\n  "
-                                                                                          "axis"
-                                                                                          "comp"
-                                                                                          " cap"
-                                                                                          "ture"
-                                                                                          " --"
-                                                                                          "axis"
-                                                                                          " X "
-                                                                                          "--"
-                                                                                          "plan"
-                                                                                          " pla"
-                                                                                          "n."
-                                                                                          "csv "
-                                                                                          "-o "
-                                                                                          "runs"
-                                                                                          ".csv"
-                                                                                          " \\"
-                                                                                          "\n  "
-                                                                                          "    "
-                                                                                          "--"
-                                                                                          "refe"
-                                                                                          "renc"
-                                                                                          "e "
-                                                                                          "'ser"
-                                                                                          "ial:"
-                                                                                          "/dev"
-                                                                                          "/tty"
-                                                                                          "USB1"
-                                                                                          "?bau"
-                                                                                          "d="
-                                                                                          "9600"
-                                                                                          "'"
-                                                                                          "\n  "
-                                                                                          "lase"
-                                                                                          "r-"
-                                                                                          "read"
-                                                                                          "er "
-                                                                                          "| "
-                                                                                          "axis"
-                                                                                          "comp"
-                                                                                          " cap"
-                                                                                          "ture"
-                                                                                          " --"
-                                                                                          "axis"
-                                                                                          " X "
-                                                                                          "--"
-                                                                                          "plan"
-                                                                                          " pla"
-                                                                                          "n."
-                                                                                          "csv "
-                                                                                          "-o "
-                                                                                          "runs"
-                                                                                          ".csv"
-                                                                                          " --"
-                                                                                          "refe"
-                                                                                          "renc"
-                                                                                          "e "
-                                                                                          "-");
+    command->footer(std::string(AXISCOMP_HELP("Help",
+                        "axiscomp never moves an axis: the machine's control or a person does."))
+        + "\n\n" + AXISCOMP_HELP("Help", "Examples:") + captureExamples);
 }
 
 } // namespace axiscomp::app

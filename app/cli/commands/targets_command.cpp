@@ -105,6 +105,11 @@ void addTargetOptions(CLI::App& command, MeasuringPlanRequest& request)
         ->option_text("S");
 }
 
+/// One below the other, as they are typed.
+constexpr const char* targetsExamples =
+    "\n  axiscomp targets --from 0 --to 500 --count 51 --period 10 -o plan.csv"
+    "\n  axiscomp targets --from 0 --to 500 --count 51 --period 10 --dialect siemens -o plan.mpf";
+
 } // namespace
 
 void addTargetsCommand(CommandLine& line)
@@ -134,61 +139,9 @@ void addTargetsCommand(CommandLine& line)
         ->add_option("-o,--output", options->output,
             AXISCOMP_HELP("Help", "File to write; standard output without it, or with -"))
         ->option_text("FILE");
-    command->footer(AXISCOMP_HELP("Help",
-        "axiscomp never moves an axis: the machine's control or a person does.") "\n"
-                                                                                 "\n" AXISCOMP_HELP(
-                                                                                     "Help",
-                                                                                     "Examples"
-                                                                                     ":") "\n  "
-                                                                                          "axis"
-                                                                                          "comp"
-                                                                                          " tar"
-                                                                                          "gets"
-                                                                                          " --"
-                                                                                          "from"
-                                                                                          " 0 "
-                                                                                          "--"
-                                                                                          "to "
-                                                                                          "500 "
-                                                                                          "--"
-                                                                                          "coun"
-                                                                                          "t "
-                                                                                          "51 "
-                                                                                          "--"
-                                                                                          "peri"
-                                                                                          "od "
-                                                                                          "10 "
-                                                                                          "-o "
-                                                                                          "plan"
-                                                                                          ".csv"
-                                                                                          "\n  "
-                                                                                          "axis"
-                                                                                          "comp"
-                                                                                          " tar"
-                                                                                          "gets"
-                                                                                          " --"
-                                                                                          "from"
-                                                                                          " 0 "
-                                                                                          "--"
-                                                                                          "to "
-                                                                                          "500 "
-                                                                                          "--"
-                                                                                          "coun"
-                                                                                          "t "
-                                                                                          "51 "
-                                                                                          "--"
-                                                                                          "peri"
-                                                                                          "od "
-                                                                                          "10 "
-                                                                                          "--"
-                                                                                          "dial"
-                                                                                          "ect "
-                                                                                          "siem"
-                                                                                          "ens "
-                                                                                          "-o "
-                                                                                          "plan"
-                                                                                          ".mp"
-                                                                                          "f");
+    command->footer(std::string(AXISCOMP_HELP("Help",
+                        "axiscomp never moves an axis: the machine's control or a person does."))
+        + "\n\n" + AXISCOMP_HELP("Help", "Examples:") + targetsExamples);
 }
 
 } // namespace axiscomp::app
