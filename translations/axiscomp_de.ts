@@ -45,6 +45,545 @@
     </message>
 </context>
 <context>
+    <name>Doctor</name>
+    <message>
+        <source>clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>{now} is before the program was made, {made}</source>
+        <translation>{now} liegt vor der Zeit, zu der das Programm gebaut wurde, {made}</translation>
+    </message>
+    <message>
+        <source>set the clock (timedatectl says what it follows): flash operations are counted by it</source>
+        <translation>Uhr stellen (timedatectl sagt, wonach sie geht): Flash-Vorgänge werden nach ihr gezählt</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>unset it if the window does not appear</source>
+        <translation>die Variable löschen, wenn das Fenster nicht erscheint</translation>
+    </message>
+    <message>
+        <source>none; the window needs one</source>
+        <translation>keine; das Fenster braucht eine</translation>
+    </message>
+    <message>
+        <source>start the window on the desktop, or over ssh -X; the command line does without</source>
+        <translation>das Fenster am Desktop oder über ssh -X starten; die Befehlszeile kommt ohne aus</translation>
+    </message>
+    <message>
+        <source>temporary folder</source>
+        <translation>temporärer Ordner</translation>
+    </message>
+    <message>
+        <source>{folder} is not there</source>
+        <translation>{folder} gibt es nicht</translation>
+    </message>
+    <message>
+        <source>make it, or set {variable} to another folder</source>
+        <translation>den Ordner anlegen, oder {variable} auf einen anderen setzen</translation>
+    </message>
+    <message>
+        <source>{folder}, {free} free</source>
+        <translation>{folder}, {free} frei</translation>
+    </message>
+    <message>
+        <source>runtime folder</source>
+        <translation>Laufzeitordner</translation>
+    </message>
+    <message>
+        <source>log in at the desktop or over ssh, and not by su or sudo, if the window does not appear</source>
+        <translation>sich am Desktop oder über ssh anmelden, nicht mit su oder sudo, wenn das Fenster nicht erscheint</translation>
+    </message>
+    <message>
+        <source>XDG_RUNTIME_DIR is not set</source>
+        <translation>XDG_RUNTIME_DIR ist nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}</source>
+        <translation>{folder} gehört {owner}</translation>
+    </message>
+    <message>
+        <source>proxies</source>
+        <translation>Proxys</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>{variables}: drives are reached without a proxy all the same</source>
+        <translation>{variables}: Antriebe werden trotzdem ohne Proxy angesprochen</translation>
+    </message>
+    <message>
+        <source>no variable is set</source>
+        <translation>keine Variable ist gesetzt</translation>
+    </message>
+    <message>
+        <source>locale</source>
+        <translation>Gebietsschema</translation>
+    </message>
+    <message>
+        <source>{variables}: this locale is not installed</source>
+        <translation>{variables}: dieses Gebietsschema ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation>sudo dpkg-reconfigure locales, oder export LC_ALL=C.UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
+        <translation>{variables}: die Kodierung {encoding} ist nicht UTF-8; Buchstaben außerhalb von ASCII können falsch aussehen</translation>
+    </message>
+    <message>
+        <source>export LC_ALL=C.UTF-8, or the locale of your language with UTF-8</source>
+        <translation>export LC_ALL=C.UTF-8, oder das Gebietsschema Ihrer Sprache mit UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: {encoding}</source>
+        <translation>{variables}: {encoding}</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder of your own</source>
+        <translation>{variable} auf einen eigenen Ordner setzen</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} is no folder</source>
+        <translation>{folder} ist nicht benutzbar: {nearest} ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: you have no permission to look into {nearest}</source>
+        <translation>{folder} ist nicht benutzbar: Sie dürfen nicht in {nearest} sehen</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that is read-only</source>
+        <translation>{folder} liegt auf einem Dateisystem, das nur gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} belongs to {owner}, and you have no permission to change it</source>
+        <translation>{folder} ist nicht benutzbar: {nearest} gehört {owner}, und Sie dürfen es nicht ändern</translation>
+    </message>
+    <message>
+        <source>{folder} has only {free} free</source>
+        <translation>{folder} hat nur noch {free} frei</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that takes no more files, with {free} free</source>
+        <translation>{folder} liegt auf einem Dateisystem, das keine Dateien mehr aufnimmt, bei {free} frei</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to a folder of another disk</source>
+        <translation>dort Platz schaffen, oder {variable} auf einen Ordner eines anderen Datenträgers setzen</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>System</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>Kernel</translation>
+    </message>
+    <message>
+        <source>processor cores</source>
+        <translation>Prozessorkerne</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>{all}, {free} free</source>
+        <translation>{all}, {free} frei</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>&quot;{sign}&quot;; the command line writes and reads a point</source>
+        <translation>&quot;{sign}&quot;; die Befehlszeile schreibt und liest einen Punkt</translation>
+    </message>
+    <message>
+        <source>translations</source>
+        <translation>Übersetzungen</translation>
+    </message>
+    <message>
+        <source>window settings</source>
+        <translation>Einstellungen des Fensters</translation>
+    </message>
+    <message>
+        <source>none; the window was not used yet</source>
+        <translation>keine; das Fenster wurde noch nicht benutzt</translation>
+    </message>
+    <message>
+        <source>{file} is not a file that you may read</source>
+        <translation>{file} ist keine Datei, die Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>move it away; the window begins a new one</source>
+        <translation>sie wegschieben; das Fenster beginnt eine neue</translation>
+    </message>
+    <message>
+        <source>{file} is damaged</source>
+        <translation>{file} ist beschädigt</translation>
+    </message>
+    <message>
+        <source>{file}, connections: {number}</source>
+        <translation>{file}, Verbindungen: {number}</translation>
+    </message>
+    <message>
+        <source>drive profile</source>
+        <translation>Antriebsprofil</translation>
+    </message>
+    <message>
+        <source>{profile}, built in</source>
+        <translation>{profile}, eingebaut</translation>
+    </message>
+    <message>
+        <source>trusted certificates</source>
+        <translation>vertraute Zertifikate</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>open {drive} in a browser of this computer; if it does not answer there either, look at power, cable and network</source>
+        <translation>{drive} in einem Browser dieses Rechners öffnen; wenn er auch dort nicht antwortet, nach Strom, Kabel und Netz sehen</translation>
+    </message>
+    <message>
+        <source>look at power and cable; `axiscomp axes --find --any-baud` tries other speeds</source>
+        <translation>nach Strom und Kabel sehen; `axiscomp axes --find --any-baud` probiert andere Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>{drive}, serial number {serial}, axes: {axes}, profile {profile}; answered after {milliseconds}</source>
+        <translation>{drive}, Seriennummer {serial}, Achsen: {axes}, Profil {profile}; hat nach {milliseconds} geantwortet</translation>
+    </message>
+    <message>
+        <source>{drive}; then: {error}</source>
+        <translation>{drive}; dann: {error}</translation>
+    </message>
+    <message>
+        <source>{unit}, {homing}, compensation {state}</source>
+        <translation>{unit}, {homing}, Kompensation {state}</translation>
+    </message>
+    <message>
+        <source>{state}, no table</source>
+        <translation>{state}, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>{state}, table {slot} with CRC {crc}</source>
+        <translation>{state}, Tabelle {slot} mit CRC {crc}</translation>
+    </message>
+    <message>
+        <source>axis {axis}</source>
+        <translation>Achse {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis} ({name})</source>
+        <translation>Achse {axis} ({name})</translation>
+    </message>
+    <message>
+        <source>it has no compensation registers by this profile</source>
+        <translation>sie hat nach diesem Profil keine Kompensationsregister</translation>
+    </message>
+    <message>
+        <source>drive error</source>
+        <translation>Fehler des Antriebs</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>Antriebe</translation>
+    </message>
+    <message>
+        <source>none is known</source>
+        <translation>keiner ist bekannt</translation>
+    </message>
+    <message>
+        <source>add a connection in the window, or give --drive ADDRESS</source>
+        <translation>im Fenster eine Verbindung hinzufügen, oder --drive ADRESSE angeben</translation>
+    </message>
+    <message>
+        <source>{version}, built with {other}</source>
+        <translation>{version}, gebaut mit {other}</translation>
+    </message>
+    <message>
+        <source>there is no TLS library: https drives cannot be reached</source>
+        <translation>es gibt keine TLS-Bibliothek: Antriebe mit https sind nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>install OpenSSL (sudo apt install libssl3)</source>
+        <translation>OpenSSL installieren (sudo apt install libssl3)</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>not installed; the command line does without</source>
+        <translation>nicht installiert; die Befehlszeile kommt ohne aus</translation>
+    </message>
+    <message>
+        <source>reports</source>
+        <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>what draws PDF is not installed</source>
+        <translation>was PDF zeichnet, ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>write the report as HTML and print that</source>
+        <translation>den Bericht als HTML schreiben und dieses drucken</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>a port without a name</source>
+        <translation>ein Anschluss ohne Namen</translation>
+    </message>
+    <message>
+        <source>{hardware}, built in</source>
+        <translation>{hardware}, eingebaut</translation>
+    </message>
+    <message>
+        <source>{hardware}, USB {id}</source>
+        <translation>{hardware}, USB {id}</translation>
+    </message>
+    <message>
+        <source>{hardware}: {problem}</source>
+        <translation>{hardware}: {problem}</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>Serielle Anschlüsse</translation>
+    </message>
+    <message>
+        <source>ports</source>
+        <translation>Anschlüsse</translation>
+    </message>
+    <message>
+        <source>this computer has none</source>
+        <translation>dieser Rechner hat keine</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>sudo chown -R $USER {folder}; run this program without sudo</source>
+        <translation>sudo chown -R $USER {folder}; dieses Programm ohne sudo starten</translation>
+    </message>
+    <message>
+        <source>{folder} is yours, but its permissions keep you out</source>
+        <translation>{folder} gehört Ihnen, aber seine Rechte sperren Sie aus</translation>
+    </message>
+    <message>
+        <source>{folder} is not there yet; the first write makes it</source>
+        <translation>{folder} gibt es noch nicht; das erste Schreiben legt ihn an</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}, and you are root: what is made there now belongs to root</source>
+        <translation>{folder} gehört {owner}, und Sie sind root: was jetzt dort entsteht, gehört root</translation>
+    </message>
+    <message>
+        <source>run this program without sudo</source>
+        <translation>dieses Programm ohne sudo starten</translation>
+    </message>
+    <message>
+        <source>{folder} can be changed by other users</source>
+        <translation>{folder} kann von anderen Benutzern geändert werden</translation>
+    </message>
+    <message>
+        <source>file system</source>
+        <translation>Dateisystem</translation>
+    </message>
+    <message>
+        <source>on the network, where a database can be damaged: nothing is kept there, and no write begins</source>
+        <translation>im Netz, wo eine Datenbank beschädigt werden kann: dort wird nichts aufgehoben, und kein Schreiben beginnt</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on this computer</source>
+        <translation>{variable} auf einen Ordner auf diesem Rechner setzen</translation>
+    </message>
+    <message>
+        <source>in memory: backups and journal are gone after a restart</source>
+        <translation>im Arbeitsspeicher: Sicherungen und Journal sind nach einem Neustart weg</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on a disk</source>
+        <translation>{variable} auf einen Ordner auf einem Datenträger setzen</translation>
+    </message>
+    <message>
+        <source>of this computer</source>
+        <translation>von diesem Rechner</translation>
+    </message>
+    <message>
+        <source>database</source>
+        <translation>Datenbank</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>sie wegschieben</translation>
+    </message>
+    <message>
+        <source>none yet; the first write makes it</source>
+        <translation>noch keine; das erste Schreiben legt sie an</translation>
+    </message>
+    <message>
+        <source>of an older version, {size}; the next command that needs it brings it up to date</source>
+        <translation>von einer älteren Version, {size}; der nächste Befehl, der sie braucht, bringt sie auf den neuen Stand</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it</source>
+        <translation>eine neuere Version dieses Programms hat sie geschrieben</translation>
+    </message>
+    <message>
+        <source>use that version</source>
+        <translation>diese Version verwenden</translation>
+    </message>
+    <message>
+        <source>it is the database of another program</source>
+        <translation>sie ist die Datenbank eines anderen Programms</translation>
+    </message>
+    <message>
+        <source>it is damaged ({reason})</source>
+        <translation>sie ist beschädigt ({reason})</translation>
+    </message>
+    <message>
+        <source>the next command that needs it sets it aside and keeps what can be read; look what the drives hold, then `axiscomp status --reset-flash-count` for each</source>
+        <translation>der nächste Befehl, der sie braucht, legt sie beiseite und behält, was lesbar ist; nachsehen, was die Antriebe haben, dann für jeden `axiscomp status --reset-flash-count`</translation>
+    </message>
+    <message>
+        <source>not checked, because programs write to it all the time</source>
+        <translation>nicht geprüft, weil Programme ständig in sie schreiben</translation>
+    </message>
+    <message>
+        <source>try again when they have finished</source>
+        <translation>noch einmal versuchen, wenn sie fertig sind</translation>
+    </message>
+    <message>
+        <source>you have no permission to change it</source>
+        <translation>Sie dürfen sie nicht ändern</translation>
+    </message>
+    <message>
+        <source>let the user have it to whom the folder belongs (chown, chmod u+rw)</source>
+        <translation>sie dem Benutzer geben, dem der Ordner gehört (chown, chmod u+rw)</translation>
+    </message>
+    <message>
+        <source>whole, {size}</source>
+        <translation>unversehrt, {size}</translation>
+    </message>
+    <message>
+        <source>interrupted write</source>
+        <translation>unterbrochener Schreibvorgang</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>Schreibvorgang</translation>
+    </message>
+    <message>
+        <source>a program is writing to axis {axis} of the drive with serial number {drive} now, since {time} ({step})</source>
+        <translation>ein Programm schreibt gerade auf Achse {axis} des Antriebs mit der Seriennummer {drive}, seit {time} ({step})</translation>
+    </message>
+    <message>
+        <source>a write to axis {axis} of the drive with serial number {drive} began at {time} and did not end (step {step})</source>
+        <translation>ein Schreibvorgang auf Achse {axis} des Antriebs mit der Seriennummer {drive} begann um {time} und endete nicht (Schritt {step})</translation>
+    </message>
+    <message>
+        <source>`axiscomp recover --axis {axis}` with that drive says what it holds, and finishes the write or undoes it</source>
+        <translation>`axiscomp recover --axis {axis}` mit diesem Antrieb sagt, was er hat, und vollendet den Schreibvorgang oder macht ihn rückgängig</translation>
+    </message>
+    <message>
+        <source>interrupted writes</source>
+        <translation>unterbrochene Schreibvorgänge</translation>
+    </message>
+    <message>
+        <source>flash record</source>
+        <translation>Flash-Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>that of the drive with serial number {drive} was damaged: its flash operations count as used up</source>
+        <translation>die des Antriebs mit der Seriennummer {drive} war beschädigt: seine Flash-Vorgänge gelten als aufgebraucht</translation>
+    </message>
+    <message>
+        <source>wait as long as the drive counts them, then `axiscomp status --reset-flash-count`</source>
+        <translation>so lange warten, wie der Antrieb sie zählt, dann `axiscomp status --reset-flash-count`</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>beiseitegelegt</translation>
+    </message>
+    <message>
+        <source>{file} is an earlier database that was damaged</source>
+        <translation>{file} ist eine frühere Datenbank, die beschädigt war</translation>
+    </message>
+    <message>
+        <source>delete it when nothing is missed</source>
+        <translation>sie löschen, wenn nichts vermisst wird</translation>
+    </message>
+    <message>
+        <source>last change</source>
+        <translation>letzte Änderung</translation>
+    </message>
+    <message>
+        <source>{time} is still to come: the clock was set back since</source>
+        <translation>{time} liegt in der Zukunft: die Uhr wurde seither zurückgestellt</translation>
+    </message>
+    <message>
+        <source>look at the clock: flash operations are counted by it</source>
+        <translation>nach der Uhr sehen: Flash-Vorgänge werden nach ihr gezählt</translation>
+    </message>
+    <message>
+        <source>backups</source>
+        <translation>Sicherungen</translation>
+    </message>
+    <message>
+        <source>files: {backups}, drives: {drives}, {size}</source>
+        <translation>Dateien: {backups}, Antriebe: {drives}, {size}</translation>
+    </message>
+    <message>
+        <source>State folder</source>
+        <translation>Zustandsordner</translation>
+    </message>
+    <message>
+        <source>not checked, because the temporary folder has no room for a copy</source>
+        <translation>nicht geprüft, weil der temporäre Ordner keinen Platz für eine Kopie hat</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>{size} bytes</source>
@@ -779,20 +1318,8 @@
         <translation>die einzige Option ist baud wie in serial:/dev/ttyUSB0?baud=115200</translation>
     </message>
     <message>
-        <source>you have no permission to use the port, and no group has it; ask the administrator</source>
-        <translation>keine Berechtigung für den Anschluss, und keine Gruppe hat sie; den Administrator fragen</translation>
-    </message>
-    <message>
-        <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
-        <translation>keine Berechtigung für den Anschluss; der Gruppe {group} beitreten (sudo usermod -aG {name} $USER) und neu anmelden</translation>
-    </message>
-    <message>
         <source>you have no permission to look into its folder</source>
         <translation>keine Berechtigung für den Ordner</translation>
-    </message>
-    <message>
-        <source>there is no such port; is the cable or the adapter plugged in?</source>
-        <translation>einen solchen Anschluss gibt es nicht; ist das Kabel oder der Adapter eingesteckt?</translation>
     </message>
     <message>
         <source>the port cannot be used</source>
@@ -7078,6 +7605,54 @@
         <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
         <translation>es gibt keine Schrift mit den Zeichen dieser Sprache, um ein PDF zu zeichnen: eine installieren, etwa fonts-noto-cjk, oder den Bericht als HTML schreiben</translation>
     </message>
+    <message>
+        <source>{file} is no record (.axcal), no machine file (.toml), no TAM configuration (.TAMcfg), and no table or measurement of a known format; a table whose format you can name is opened on the tab Write</source>
+        <translation>{file} ist kein Protokoll (.axcal), keine Maschinendatei (.toml), keine TAM-Konfiguration (.TAMcfg) und keine Tabelle oder Messung in einem bekannten Format; eine Tabelle, deren Format Sie nennen können, wird im Reiter Schreiben geöffnet</translation>
+    </message>
+    <message>
+        <source>the drive is only looked at</source>
+        <translation>der Antrieb wird nur angesehen</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, and no group has it</source>
+        <translation>keine Berechtigung für den Anschluss, und keine Gruppe hat sie</translation>
+    </message>
+    <message>
+        <source>ask the administrator</source>
+        <translation>den Administrator fragen</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, although you are in its group {group}</source>
+        <translation>keine Berechtigung für den Anschluss, obwohl Sie in seiner Gruppe {group} sind</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port: you are in the group {group}, but this session is older than that</source>
+        <translation>keine Berechtigung für den Anschluss: Sie sind in der Gruppe {group}, aber diese Sitzung ist älter</translation>
+    </message>
+    <message>
+        <source>log out and in again</source>
+        <translation>ab- und wieder anmelden</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port</source>
+        <translation>keine Berechtigung für den Anschluss</translation>
+    </message>
+    <message>
+        <source>join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
+        <translation>der Gruppe {group} beitreten (sudo usermod -aG {name} $USER) und neu anmelden</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>einen solchen Anschluss gibt es nicht</translation>
+    </message>
+    <message>
+        <source>is the cable or the adapter plugged in?</source>
+        <translation>ist das Kabel oder der Adapter eingesteckt?</translation>
+    </message>
+    <message>
+        <source>{found}; {wayOut}</source>
+        <translation>{found}; {wayOut}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8125,10 +8700,6 @@
         <translation>Diese Datei mit Kompensationsdaten öffnen</translation>
     </message>
     <message>
-        <source>Open this record of a compensation (.axcal)</source>
-        <translation>Dieses Protokoll einer Kompensation (.axcal) öffnen</translation>
-    </message>
-    <message>
         <source>How long one exchange with a drive may take (5 unless given)</source>
         <translation>Wie lange ein Austausch mit einem Antrieb dauern darf (Standard: 5)</translation>
     </message>
@@ -8163,6 +8734,26 @@
     <message>
         <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
         <translation>Die Tabelle der Achse flüchtig machen, sodass sie beim nächsten Neustart verloren geht</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Dieser Rechner</translation>
+    </message>
+    <message>
+        <source>Show what this computer has and lacks, and what each known drive answers</source>
+        <translation>Zeigen, was dieser Rechner hat und was ihm fehlt, und was jeder bekannte Antrieb antwortet</translation>
+    </message>
+    <message>
+        <source>Time limit for all that a drive is asked (5 unless given)</source>
+        <translation>Zeitlimit für alles, was ein Antrieb gefragt wird (Standard: 5)</translation>
+    </message>
+    <message>
+        <source>The connections of the window are asked too. Nothing is changed, on this computer or on a drive. What is printed has no passwords in it and is meant to be sent to whoever helps.</source>
+        <translation>Die Verbindungen des Fensters werden auch gefragt. Weder auf diesem Rechner noch auf einem Antrieb wird etwas geändert. Was ausgegeben wird, enthält keine Passwörter und ist für den bestimmt, der hilft.</translation>
+    </message>
+    <message>
+        <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
+        <translation>Diese Datei öffnen: ein Protokoll (.axcal), eine Maschinendatei (.toml), eine TAM-Konfiguration (.TAMcfg), eine Tabelle oder eine Messung</translation>
     </message>
 </context>
 <context>
@@ -11365,6 +11956,10 @@
     <message>
         <source>Axis Compensation Wizard</source>
         <translation>Assistent für Achskompensation</translation>
+    </message>
+    <message>
+        <source>%1 is opened as soon as that is possible. %2</source>
+        <translation>%1 wird geöffnet, sobald es möglich ist. %2</translation>
     </message>
 </context>
 <context>

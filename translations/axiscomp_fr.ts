@@ -45,6 +45,545 @@
     </message>
 </context>
 <context>
+    <name>Doctor</name>
+    <message>
+        <source>clock</source>
+        <translation>horloge</translation>
+    </message>
+    <message>
+        <source>{now} is before the program was made, {made}</source>
+        <translation>{now} est antérieur à la compilation du programme, {made}</translation>
+    </message>
+    <message>
+        <source>set the clock (timedatectl says what it follows): flash operations are counted by it</source>
+        <translation>régler l&apos;horloge (timedatectl indique sa source) : les opérations flash sont comptées d&apos;après elle</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>affichage</translation>
+    </message>
+    <message>
+        <source>unset it if the window does not appear</source>
+        <translation>supprimer cette variable si la fenêtre n&apos;apparaît pas</translation>
+    </message>
+    <message>
+        <source>none; the window needs one</source>
+        <translation>aucun ; la fenêtre en exige un</translation>
+    </message>
+    <message>
+        <source>start the window on the desktop, or over ssh -X; the command line does without</source>
+        <translation>lancer la fenêtre depuis le bureau ou par ssh -X ; la ligne de commande s&apos;en passe</translation>
+    </message>
+    <message>
+        <source>temporary folder</source>
+        <translation>dossier temporaire</translation>
+    </message>
+    <message>
+        <source>{folder} is not there</source>
+        <translation>{folder} n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>make it, or set {variable} to another folder</source>
+        <translation>le créer, ou régler {variable} sur un autre dossier</translation>
+    </message>
+    <message>
+        <source>{folder}, {free} free</source>
+        <translation>{folder}, {free} libres</translation>
+    </message>
+    <message>
+        <source>runtime folder</source>
+        <translation>dossier d&apos;exécution</translation>
+    </message>
+    <message>
+        <source>log in at the desktop or over ssh, and not by su or sudo, if the window does not appear</source>
+        <translation>si la fenêtre n&apos;apparaît pas, ouvrir la session sur le bureau ou par ssh, et non par su ou sudo</translation>
+    </message>
+    <message>
+        <source>XDG_RUNTIME_DIR is not set</source>
+        <translation>XDG_RUNTIME_DIR n&apos;est pas définie</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}</source>
+        <translation>{folder} appartient à {owner}</translation>
+    </message>
+    <message>
+        <source>proxies</source>
+        <translation>serveurs proxy</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>néant</translation>
+    </message>
+    <message>
+        <source>{variables}: drives are reached without a proxy all the same</source>
+        <translation>{variables} : les variateurs sont malgré tout joints sans proxy</translation>
+    </message>
+    <message>
+        <source>no variable is set</source>
+        <translation>aucune variable définie</translation>
+    </message>
+    <message>
+        <source>locale</source>
+        <translation>paramètres régionaux</translation>
+    </message>
+    <message>
+        <source>{variables}: this locale is not installed</source>
+        <translation>{variables} : ces paramètres régionaux ne sont pas installés</translation>
+    </message>
+    <message>
+        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation>sudo dpkg-reconfigure locales, ou export LC_ALL=C.UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
+        <translation>{variables} : le codage {encoding} n&apos;est pas UTF-8 ; les lettres hors ASCII peuvent s&apos;afficher mal</translation>
+    </message>
+    <message>
+        <source>export LC_ALL=C.UTF-8, or the locale of your language with UTF-8</source>
+        <translation>export LC_ALL=C.UTF-8, ou les paramètres régionaux de la langue voulue en UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: {encoding}</source>
+        <translation>{variables} : {encoding}</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder of your own</source>
+        <translation>régler {variable} sur un dossier personnel</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} is no folder</source>
+        <translation>{folder} n&apos;est pas utilisable : {nearest} n&apos;est pas un dossier</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: you have no permission to look into {nearest}</source>
+        <translation>{folder} n&apos;est pas utilisable : droits insuffisants pour accéder à {nearest}</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that is read-only</source>
+        <translation>{folder} se trouve sur un système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} belongs to {owner}, and you have no permission to change it</source>
+        <translation>{folder} n&apos;est pas utilisable : {nearest} appartient à {owner}, droits insuffisants pour le modifier</translation>
+    </message>
+    <message>
+        <source>{folder} has only {free} free</source>
+        <translation>{folder} n&apos;a plus que {free} libres</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that takes no more files, with {free} free</source>
+        <translation>{folder} se trouve sur un système de fichiers qui n&apos;accepte plus de fichiers, avec {free} libres</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to a folder of another disk</source>
+        <translation>y libérer de la place, ou régler {variable} sur un dossier d&apos;un autre disque</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>information non disponible</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>Système</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>système</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>noyau</translation>
+    </message>
+    <message>
+        <source>processor cores</source>
+        <translation>cœurs du processeur</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>mémoire</translation>
+    </message>
+    <message>
+        <source>{all}, {free} free</source>
+        <translation>{all}, {free} libres</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>signe décimal</translation>
+    </message>
+    <message>
+        <source>&quot;{sign}&quot;; the command line writes and reads a point</source>
+        <translation>« {sign} » ; la ligne de commande écrit et lit un point</translation>
+    </message>
+    <message>
+        <source>translations</source>
+        <translation>traductions</translation>
+    </message>
+    <message>
+        <source>window settings</source>
+        <translation>réglages de la fenêtre</translation>
+    </message>
+    <message>
+        <source>none; the window was not used yet</source>
+        <translation>aucun ; la fenêtre n&apos;a pas encore été utilisée</translation>
+    </message>
+    <message>
+        <source>{file} is not a file that you may read</source>
+        <translation>{file} n&apos;est pas un fichier accessible en lecture</translation>
+    </message>
+    <message>
+        <source>move it away; the window begins a new one</source>
+        <translation>le déplacer ailleurs ; la fenêtre en crée un nouveau</translation>
+    </message>
+    <message>
+        <source>{file} is damaged</source>
+        <translation>{file} est endommagé</translation>
+    </message>
+    <message>
+        <source>{file}, connections: {number}</source>
+        <translation>{file}, connexions : {number}</translation>
+    </message>
+    <message>
+        <source>drive profile</source>
+        <translation>profil de variateur</translation>
+    </message>
+    <message>
+        <source>{profile}, built in</source>
+        <translation>{profile}, intégré</translation>
+    </message>
+    <message>
+        <source>trusted certificates</source>
+        <translation>certificats acceptés</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>Configuration</translation>
+    </message>
+    <message>
+        <source>open {drive} in a browser of this computer; if it does not answer there either, look at power, cable and network</source>
+        <translation>ouvrir {drive} dans un navigateur de cet ordinateur ; s&apos;il n&apos;y répond pas non plus, vérifier alimentation, câble et réseau</translation>
+    </message>
+    <message>
+        <source>look at power and cable; `axiscomp axes --find --any-baud` tries other speeds</source>
+        <translation>vérifier alimentation et câble ; `axiscomp axes --find --any-baud` essaie d&apos;autres débits</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>adresse</translation>
+    </message>
+    <message>
+        <source>{drive}, serial number {serial}, axes: {axes}, profile {profile}; answered after {milliseconds}</source>
+        <translation>{drive}, numéro de série {serial}, axes : {axes}, profil {profile} ; a répondu en {milliseconds}</translation>
+    </message>
+    <message>
+        <source>{drive}; then: {error}</source>
+        <translation>{drive} ; ensuite : {error}</translation>
+    </message>
+    <message>
+        <source>{unit}, {homing}, compensation {state}</source>
+        <translation>{unit}, {homing}, compensation {state}</translation>
+    </message>
+    <message>
+        <source>{state}, no table</source>
+        <translation>{state}, aucune table</translation>
+    </message>
+    <message>
+        <source>{state}, table {slot} with CRC {crc}</source>
+        <translation>{state}, table {slot}, CRC {crc}</translation>
+    </message>
+    <message>
+        <source>axis {axis}</source>
+        <translation>axe {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis} ({name})</source>
+        <translation>axe {axis} ({name})</translation>
+    </message>
+    <message>
+        <source>it has no compensation registers by this profile</source>
+        <translation>il n&apos;a pas de registres de compensation selon ce profil</translation>
+    </message>
+    <message>
+        <source>drive error</source>
+        <translation>erreur du variateur</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Variateurs</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>variateurs</translation>
+    </message>
+    <message>
+        <source>none is known</source>
+        <translation>aucun n&apos;est connu</translation>
+    </message>
+    <message>
+        <source>add a connection in the window, or give --drive ADDRESS</source>
+        <translation>ajouter une connexion dans la fenêtre, ou indiquer --drive ADRESSE</translation>
+    </message>
+    <message>
+        <source>{version}, built with {other}</source>
+        <translation>{version}, compilé avec {other}</translation>
+    </message>
+    <message>
+        <source>there is no TLS library: https drives cannot be reached</source>
+        <translation>aucune bibliothèque TLS : les variateurs en https ne sont pas accessibles</translation>
+    </message>
+    <message>
+        <source>install OpenSSL (sudo apt install libssl3)</source>
+        <translation>installer OpenSSL (sudo apt install libssl3)</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fenêtre</translation>
+    </message>
+    <message>
+        <source>not installed; the command line does without</source>
+        <translation>non installée ; la ligne de commande s&apos;en passe</translation>
+    </message>
+    <message>
+        <source>reports</source>
+        <translation>rapports</translation>
+    </message>
+    <message>
+        <source>what draws PDF is not installed</source>
+        <translation>le module qui produit les PDF n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>write the report as HTML and print that</source>
+        <translation>écrire le rapport en HTML et l&apos;imprimer</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>version</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>programme</translation>
+    </message>
+    <message>
+        <source>a port without a name</source>
+        <translation>port sans nom</translation>
+    </message>
+    <message>
+        <source>{hardware}, built in</source>
+        <translation>{hardware}, intégré</translation>
+    </message>
+    <message>
+        <source>{hardware}, USB {id}</source>
+        <translation>{hardware}, USB {id}</translation>
+    </message>
+    <message>
+        <source>{hardware}: {problem}</source>
+        <translation>{hardware} : {problem}</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>Ports série</translation>
+    </message>
+    <message>
+        <source>ports</source>
+        <translation>ports</translation>
+    </message>
+    <message>
+        <source>this computer has none</source>
+        <translation>cet ordinateur n&apos;en a pas</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>dossier</translation>
+    </message>
+    <message>
+        <source>sudo chown -R $USER {folder}; run this program without sudo</source>
+        <translation>sudo chown -R $USER {folder} ; lancer ce programme sans sudo</translation>
+    </message>
+    <message>
+        <source>{folder} is yours, but its permissions keep you out</source>
+        <translation>{folder} appartient à l&apos;utilisateur actuel, mais ses droits en interdisent l&apos;accès</translation>
+    </message>
+    <message>
+        <source>{folder} is not there yet; the first write makes it</source>
+        <translation>{folder} n&apos;existe pas encore ; la première écriture le crée</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}, and you are root: what is made there now belongs to root</source>
+        <translation>{folder} appartient à {owner}, et l&apos;utilisateur actuel est root : ce qui y est créé maintenant appartient à root</translation>
+    </message>
+    <message>
+        <source>run this program without sudo</source>
+        <translation>lancer ce programme sans sudo</translation>
+    </message>
+    <message>
+        <source>{folder} can be changed by other users</source>
+        <translation>{folder} est modifiable par d&apos;autres utilisateurs</translation>
+    </message>
+    <message>
+        <source>file system</source>
+        <translation>système de fichiers</translation>
+    </message>
+    <message>
+        <source>on the network, where a database can be damaged: nothing is kept there, and no write begins</source>
+        <translation>sur le réseau, où une base de données peut être endommagée : rien n&apos;y est conservé, et aucune écriture ne commence</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on this computer</source>
+        <translation>régler {variable} sur un dossier de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>in memory: backups and journal are gone after a restart</source>
+        <translation>en mémoire : les sauvegardes et le journal de reprise sont perdus au redémarrage</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on a disk</source>
+        <translation>régler {variable} sur un dossier d&apos;un disque</translation>
+    </message>
+    <message>
+        <source>of this computer</source>
+        <translation>de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>database</source>
+        <translation>base de données</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>la déplacer ailleurs</translation>
+    </message>
+    <message>
+        <source>none yet; the first write makes it</source>
+        <translation>aucune pour l&apos;instant ; la première écriture la crée</translation>
+    </message>
+    <message>
+        <source>of an older version, {size}; the next command that needs it brings it up to date</source>
+        <translation>d&apos;une version plus ancienne, {size} ; la prochaine commande qui en a besoin la met à jour</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it</source>
+        <translation>écrite par une version plus récente de ce programme</translation>
+    </message>
+    <message>
+        <source>use that version</source>
+        <translation>utiliser cette version</translation>
+    </message>
+    <message>
+        <source>it is the database of another program</source>
+        <translation>c&apos;est la base de données d&apos;un autre programme</translation>
+    </message>
+    <message>
+        <source>it is damaged ({reason})</source>
+        <translation>endommagée ({reason})</translation>
+    </message>
+    <message>
+        <source>the next command that needs it sets it aside and keeps what can be read; look what the drives hold, then `axiscomp status --reset-flash-count` for each</source>
+        <translation>la prochaine commande qui en a besoin la met de côté et conserve ce qui est lisible ; vérifier l&apos;état des variateurs, puis exécuter `axiscomp status --reset-flash-count` pour chacun</translation>
+    </message>
+    <message>
+        <source>not checked, because programs write to it all the time</source>
+        <translation>non vérifiée, car des programmes y écrivent sans cesse</translation>
+    </message>
+    <message>
+        <source>try again when they have finished</source>
+        <translation>réessayer quand ils auront terminé</translation>
+    </message>
+    <message>
+        <source>you have no permission to change it</source>
+        <translation>droits insuffisants pour la modifier</translation>
+    </message>
+    <message>
+        <source>let the user have it to whom the folder belongs (chown, chmod u+rw)</source>
+        <translation>l&apos;attribuer au propriétaire du dossier (chown, chmod u+rw)</translation>
+    </message>
+    <message>
+        <source>whole, {size}</source>
+        <translation>intacte, {size}</translation>
+    </message>
+    <message>
+        <source>interrupted write</source>
+        <translation>écriture interrompue</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>écriture</translation>
+    </message>
+    <message>
+        <source>a program is writing to axis {axis} of the drive with serial number {drive} now, since {time} ({step})</source>
+        <translation>un programme écrit actuellement l&apos;axe {axis} du variateur de numéro de série {drive}, depuis le {time} ({step})</translation>
+    </message>
+    <message>
+        <source>a write to axis {axis} of the drive with serial number {drive} began at {time} and did not end (step {step})</source>
+        <translation>une écriture de l&apos;axe {axis} du variateur de numéro de série {drive} a commencé le {time} et ne s&apos;est pas terminée (étape {step})</translation>
+    </message>
+    <message>
+        <source>`axiscomp recover --axis {axis}` with that drive says what it holds, and finishes the write or undoes it</source>
+        <translation>`axiscomp recover --axis {axis}` avec ce variateur indique son état, et achève l&apos;écriture ou l&apos;annule</translation>
+    </message>
+    <message>
+        <source>interrupted writes</source>
+        <translation>écritures interrompues</translation>
+    </message>
+    <message>
+        <source>flash record</source>
+        <translation>décompte flash</translation>
+    </message>
+    <message>
+        <source>that of the drive with serial number {drive} was damaged: its flash operations count as used up</source>
+        <translation>celui du variateur de numéro de série {drive} était endommagé : ses opérations flash sont toutes considérées comme utilisées</translation>
+    </message>
+    <message>
+        <source>wait as long as the drive counts them, then `axiscomp status --reset-flash-count`</source>
+        <translation>attendre aussi longtemps que le variateur les compte, puis exécuter `axiscomp status --reset-flash-count`</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>mise de côté</translation>
+    </message>
+    <message>
+        <source>{file} is an earlier database that was damaged</source>
+        <translation>{file} est une ancienne base de données qui était endommagée</translation>
+    </message>
+    <message>
+        <source>delete it when nothing is missed</source>
+        <translation>la supprimer si rien ne manque</translation>
+    </message>
+    <message>
+        <source>last change</source>
+        <translation>dernière modification</translation>
+    </message>
+    <message>
+        <source>{time} is still to come: the clock was set back since</source>
+        <translation>{time} est dans le futur : l&apos;horloge a été retardée depuis</translation>
+    </message>
+    <message>
+        <source>look at the clock: flash operations are counted by it</source>
+        <translation>vérifier l&apos;horloge : les opérations flash sont comptées d&apos;après elle</translation>
+    </message>
+    <message>
+        <source>backups</source>
+        <translation>sauvegardes</translation>
+    </message>
+    <message>
+        <source>files: {backups}, drives: {drives}, {size}</source>
+        <translation>fichiers : {backups}, variateurs : {drives}, {size}</translation>
+    </message>
+    <message>
+        <source>State folder</source>
+        <translation>Dossier d&apos;état</translation>
+    </message>
+    <message>
+        <source>not checked, because the temporary folder has no room for a copy</source>
+        <translation>non vérifiée, car la place manque pour une copie dans le dossier temporaire</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>{size} bytes</source>
@@ -779,20 +1318,8 @@
         <translation>la seule option est baud, comme dans serial:/dev/ttyUSB0?baud=115200</translation>
     </message>
     <message>
-        <source>you have no permission to use the port, and no group has it; ask the administrator</source>
-        <translation>droits insuffisants sur le port, qu&apos;aucun groupe ne possède&#xa0;; s&apos;adresser à l&apos;administrateur</translation>
-    </message>
-    <message>
-        <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
-        <translation>droits insuffisants sur le port&#xa0;; rejoindre le groupe {group} (sudo usermod -aG {name} $USER) et rouvrir la session</translation>
-    </message>
-    <message>
         <source>you have no permission to look into its folder</source>
         <translation>droits insuffisants sur son dossier</translation>
-    </message>
-    <message>
-        <source>there is no such port; is the cable or the adapter plugged in?</source>
-        <translation>ce port n&apos;existe pas&#xa0;; le câble ou l&apos;adaptateur est-il branché&#xa0;?</translation>
     </message>
     <message>
         <source>the port cannot be used</source>
@@ -7078,6 +7605,54 @@
         <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
         <translation>aucune police ne contient les caractères de cette langue pour dessiner un PDF : en installer une, par exemple fonts-noto-cjk, ou écrire le rapport en HTML</translation>
     </message>
+    <message>
+        <source>{file} is no record (.axcal), no machine file (.toml), no TAM configuration (.TAMcfg), and no table or measurement of a known format; a table whose format you can name is opened on the tab Write</source>
+        <translation>{file} n&apos;est ni une fiche (.axcal), ni un fichier machine (.toml), ni une configuration TAM (.TAMcfg), ni une table ou une mesure d&apos;un format connu ; une table dont le format peut être nommé s&apos;ouvre dans l&apos;onglet Écrire</translation>
+    </message>
+    <message>
+        <source>the drive is only looked at</source>
+        <translation>le variateur est seulement lu</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, and no group has it</source>
+        <translation>droits insuffisants sur le port, qu&apos;aucun groupe ne possède</translation>
+    </message>
+    <message>
+        <source>ask the administrator</source>
+        <translation>s&apos;adresser à l&apos;administrateur</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, although you are in its group {group}</source>
+        <translation>droits insuffisants sur le port, malgré l&apos;appartenance à son groupe {group}</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port: you are in the group {group}, but this session is older than that</source>
+        <translation>droits insuffisants sur le port : l&apos;utilisateur est dans le groupe {group}, mais cette session a été ouverte avant</translation>
+    </message>
+    <message>
+        <source>log out and in again</source>
+        <translation>fermer la session et la rouvrir</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port</source>
+        <translation>droits insuffisants sur le port</translation>
+    </message>
+    <message>
+        <source>join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
+        <translation>rejoindre le groupe {group} (sudo usermod -aG {name} $USER) et rouvrir la session</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>ce port n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is the cable or the adapter plugged in?</source>
+        <translation>le câble ou l&apos;adaptateur est-il branché ?</translation>
+    </message>
+    <message>
+        <source>{found}; {wayOut}</source>
+        <translation>{found} ; {wayOut}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8125,10 +8700,6 @@
         <translation>Ouvrir ce fichier de données de compensation</translation>
     </message>
     <message>
-        <source>Open this record of a compensation (.axcal)</source>
-        <translation>Ouvrir cette fiche d&apos;une compensation (.axcal)</translation>
-    </message>
-    <message>
         <source>How long one exchange with a drive may take (5 unless given)</source>
         <translation>Durée maximale d&apos;un échange avec un variateur (5 par défaut)</translation>
     </message>
@@ -8163,6 +8734,26 @@
     <message>
         <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
         <translation>Rendre volatile la table de l&apos;axe : elle est perdue au prochain redémarrage</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>Cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Show what this computer has and lacks, and what each known drive answers</source>
+        <translation>Montrer ce que cet ordinateur a, ce qui lui manque, et ce que répond chaque variateur connu</translation>
+    </message>
+    <message>
+        <source>Time limit for all that a drive is asked (5 unless given)</source>
+        <translation>Délai maximal de toutes les questions posées à un variateur (5 par défaut)</translation>
+    </message>
+    <message>
+        <source>The connections of the window are asked too. Nothing is changed, on this computer or on a drive. What is printed has no passwords in it and is meant to be sent to whoever helps.</source>
+        <translation>Les connexions de la fenêtre sont interrogées aussi. Rien n&apos;est modifié, ni sur cet ordinateur ni sur un variateur. Ce qui est affiché ne contient aucun mot de passe et est destiné à la personne qui aide.</translation>
+    </message>
+    <message>
+        <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
+        <translation>Ouvrir ce fichier : une fiche (.axcal), un fichier machine (.toml), une configuration TAM (.TAMcfg), une table ou une mesure</translation>
     </message>
 </context>
 <context>
@@ -11365,6 +11956,10 @@
     <message>
         <source>Axis Compensation Wizard</source>
         <translation>Assistant de compensation d&apos;axes</translation>
+    </message>
+    <message>
+        <source>%1 is opened as soon as that is possible. %2</source>
+        <translation>%1 sera ouvert dès que possible. %2</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,545 @@
     </message>
 </context>
 <context>
+    <name>Doctor</name>
+    <message>
+        <source>clock</source>
+        <translation>時計</translation>
+    </message>
+    <message>
+        <source>{now} is before the program was made, {made}</source>
+        <translation>{now} はプログラムのビルド日時 {made} より前です</translation>
+    </message>
+    <message>
+        <source>set the clock (timedatectl says what it follows): flash operations are counted by it</source>
+        <translation>時計を合わせてください (同期元は timedatectl で確認できます)。フラッシュ操作はこの時計を基に数えます</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>ディスプレイ</translation>
+    </message>
+    <message>
+        <source>unset it if the window does not appear</source>
+        <translation>ウィンドウが表示されない場合は、この変数の設定を解除してください</translation>
+    </message>
+    <message>
+        <source>none; the window needs one</source>
+        <translation>なし。ウィンドウ版には必要です</translation>
+    </message>
+    <message>
+        <source>start the window on the desktop, or over ssh -X; the command line does without</source>
+        <translation>ウィンドウ版はデスクトップから、または ssh -X 経由で起動してください。コマンドラインには不要です</translation>
+    </message>
+    <message>
+        <source>temporary folder</source>
+        <translation>一時フォルダ</translation>
+    </message>
+    <message>
+        <source>{folder} is not there</source>
+        <translation>{folder} がありません</translation>
+    </message>
+    <message>
+        <source>make it, or set {variable} to another folder</source>
+        <translation>作成するか、{variable} に別のフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>{folder}, {free} free</source>
+        <translation>{folder}、空き {free}</translation>
+    </message>
+    <message>
+        <source>runtime folder</source>
+        <translation>ランタイムフォルダ</translation>
+    </message>
+    <message>
+        <source>log in at the desktop or over ssh, and not by su or sudo, if the window does not appear</source>
+        <translation>ウィンドウが表示されない場合は、su や sudo ではなく、デスクトップまたは ssh でログインしてください</translation>
+    </message>
+    <message>
+        <source>XDG_RUNTIME_DIR is not set</source>
+        <translation>XDG_RUNTIME_DIR が設定されていません</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}</source>
+        <translation>{folder} の所有者は {owner} です</translation>
+    </message>
+    <message>
+        <source>proxies</source>
+        <translation>プロキシ</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>{variables}: drives are reached without a proxy all the same</source>
+        <translation>{variables}: 設定されていても、ドライブにはプロキシを使わずに接続します</translation>
+    </message>
+    <message>
+        <source>no variable is set</source>
+        <translation>変数の設定なし</translation>
+    </message>
+    <message>
+        <source>locale</source>
+        <translation>ロケール</translation>
+    </message>
+    <message>
+        <source>{variables}: this locale is not installed</source>
+        <translation>{variables}: このロケールはインストールされていません</translation>
+    </message>
+    <message>
+        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation>sudo dpkg-reconfigure locales、または export LC_ALL=C.UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
+        <translation>{variables}: エンコーディング {encoding} が UTF-8 ではないため、ASCII 以外の文字が正しく表示されないことがあります</translation>
+    </message>
+    <message>
+        <source>export LC_ALL=C.UTF-8, or the locale of your language with UTF-8</source>
+        <translation>export LC_ALL=C.UTF-8、または使用する言語の UTF-8 ロケール</translation>
+    </message>
+    <message>
+        <source>{variables}: {encoding}</source>
+        <translation>{variables}: {encoding}</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder of your own</source>
+        <translation>{variable} に自分のフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} is no folder</source>
+        <translation>{folder} を使用できません: {nearest} はフォルダではありません</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: you have no permission to look into {nearest}</source>
+        <translation>{folder} を使用できません: {nearest} の中を見る権限がありません</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that is read-only</source>
+        <translation>{folder} は読み取り専用のファイルシステム上にあります</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} belongs to {owner}, and you have no permission to change it</source>
+        <translation>{folder} を使用できません: {nearest} の所有者は {owner} で、変更する権限がありません</translation>
+    </message>
+    <message>
+        <source>{folder} has only {free} free</source>
+        <translation>{folder} の空きは {free} しかありません</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that takes no more files, with {free} free</source>
+        <translation>{folder} は、これ以上ファイルを作成できないファイルシステム上にあります (空き {free})</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to a folder of another disk</source>
+        <translation>空きを増やすか、{variable} に別のディスクのフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>不明</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>システム</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>OS</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>カーネル</translation>
+    </message>
+    <message>
+        <source>processor cores</source>
+        <translation>プロセッサのコア数</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>メモリ</translation>
+    </message>
+    <message>
+        <source>{all}, {free} free</source>
+        <translation>{all}、空き {free}</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>小数点</translation>
+    </message>
+    <message>
+        <source>&quot;{sign}&quot;; the command line writes and reads a point</source>
+        <translation>&quot;{sign}&quot;。コマンドラインではピリオドで読み書きします</translation>
+    </message>
+    <message>
+        <source>translations</source>
+        <translation>翻訳</translation>
+    </message>
+    <message>
+        <source>window settings</source>
+        <translation>ウィンドウ版の設定</translation>
+    </message>
+    <message>
+        <source>none; the window was not used yet</source>
+        <translation>なし。ウィンドウ版はまだ使用されていません</translation>
+    </message>
+    <message>
+        <source>{file} is not a file that you may read</source>
+        <translation>{file} は読み取りできるファイルではありません</translation>
+    </message>
+    <message>
+        <source>move it away; the window begins a new one</source>
+        <translation>別の場所に移してください。ウィンドウ版が新しく作成します</translation>
+    </message>
+    <message>
+        <source>{file} is damaged</source>
+        <translation>{file} は破損しています</translation>
+    </message>
+    <message>
+        <source>{file}, connections: {number}</source>
+        <translation>{file}、接続: {number}</translation>
+    </message>
+    <message>
+        <source>drive profile</source>
+        <translation>ドライブプロファイル</translation>
+    </message>
+    <message>
+        <source>{profile}, built in</source>
+        <translation>{profile}、組み込み</translation>
+    </message>
+    <message>
+        <source>trusted certificates</source>
+        <translation>信頼する証明書</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>構成</translation>
+    </message>
+    <message>
+        <source>open {drive} in a browser of this computer; if it does not answer there either, look at power, cable and network</source>
+        <translation>このコンピュータのブラウザで {drive} を開いてください。そこでも応答がなければ、電源、ケーブル、ネットワークを確認してください</translation>
+    </message>
+    <message>
+        <source>look at power and cable; `axiscomp axes --find --any-baud` tries other speeds</source>
+        <translation>電源とケーブルを確認してください。`axiscomp axes --find --any-baud` でほかのボーレートを試せます</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>アドレス</translation>
+    </message>
+    <message>
+        <source>{drive}, serial number {serial}, axes: {axes}, profile {profile}; answered after {milliseconds}</source>
+        <translation>{drive}、シリアル番号 {serial}、軸: {axes}、プロファイル {profile}。{milliseconds} で応答</translation>
+    </message>
+    <message>
+        <source>{drive}; then: {error}</source>
+        <translation>{drive}。その後: {error}</translation>
+    </message>
+    <message>
+        <source>{unit}, {homing}, compensation {state}</source>
+        <translation>{unit}、{homing}、補正 {state}</translation>
+    </message>
+    <message>
+        <source>{state}, no table</source>
+        <translation>{state}、テーブルなし</translation>
+    </message>
+    <message>
+        <source>{state}, table {slot} with CRC {crc}</source>
+        <translation>{state}、テーブル {slot}、CRC {crc}</translation>
+    </message>
+    <message>
+        <source>axis {axis}</source>
+        <translation>軸 {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis} ({name})</source>
+        <translation>軸 {axis} ({name})</translation>
+    </message>
+    <message>
+        <source>it has no compensation registers by this profile</source>
+        <translation>このプロファイルでは補正のレジスタがありません</translation>
+    </message>
+    <message>
+        <source>drive error</source>
+        <translation>ドライブのエラー</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>ドライブ</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>ドライブ</translation>
+    </message>
+    <message>
+        <source>none is known</source>
+        <translation>記憶しているドライブはありません</translation>
+    </message>
+    <message>
+        <source>add a connection in the window, or give --drive ADDRESS</source>
+        <translation>ウィンドウ版で接続を追加するか、--drive ADDRESS を指定してください</translation>
+    </message>
+    <message>
+        <source>{version}, built with {other}</source>
+        <translation>{version}、ビルド時 {other}</translation>
+    </message>
+    <message>
+        <source>there is no TLS library: https drives cannot be reached</source>
+        <translation>TLS ライブラリがないため、https のドライブには接続できません</translation>
+    </message>
+    <message>
+        <source>install OpenSSL (sudo apt install libssl3)</source>
+        <translation>OpenSSL をインストールしてください (sudo apt install libssl3)</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>ウィンドウ版</translation>
+    </message>
+    <message>
+        <source>not installed; the command line does without</source>
+        <translation>インストールされていません。コマンドラインには不要です</translation>
+    </message>
+    <message>
+        <source>reports</source>
+        <translation>報告書</translation>
+    </message>
+    <message>
+        <source>what draws PDF is not installed</source>
+        <translation>PDF を作成するモジュールがインストールされていません</translation>
+    </message>
+    <message>
+        <source>write the report as HTML and print that</source>
+        <translation>報告書を HTML で書き出し、それを印刷してください</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>バージョン</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>プログラム</translation>
+    </message>
+    <message>
+        <source>a port without a name</source>
+        <translation>名前のないポート</translation>
+    </message>
+    <message>
+        <source>{hardware}, built in</source>
+        <translation>{hardware}、内蔵</translation>
+    </message>
+    <message>
+        <source>{hardware}, USB {id}</source>
+        <translation>{hardware}、USB {id}</translation>
+    </message>
+    <message>
+        <source>{hardware}: {problem}</source>
+        <translation>{hardware}: {problem}</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>シリアルポート</translation>
+    </message>
+    <message>
+        <source>ports</source>
+        <translation>ポート</translation>
+    </message>
+    <message>
+        <source>this computer has none</source>
+        <translation>このコンピュータにはありません</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>フォルダ</translation>
+    </message>
+    <message>
+        <source>sudo chown -R $USER {folder}; run this program without sudo</source>
+        <translation>sudo chown -R $USER {folder} を実行し、このプログラムは sudo なしで起動してください</translation>
+    </message>
+    <message>
+        <source>{folder} is yours, but its permissions keep you out</source>
+        <translation>{folder} の所有者は現在のユーザですが、フォルダの権限によりアクセスできません</translation>
+    </message>
+    <message>
+        <source>{folder} is not there yet; the first write makes it</source>
+        <translation>{folder} はまだありません。最初の書き込み時に作成されます</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}, and you are root: what is made there now belongs to root</source>
+        <translation>{folder} の所有者は {owner} ですが、現在のユーザは root です。ここで新たに作成されるものの所有者は root になります</translation>
+    </message>
+    <message>
+        <source>run this program without sudo</source>
+        <translation>このプログラムは sudo なしで起動してください</translation>
+    </message>
+    <message>
+        <source>{folder} can be changed by other users</source>
+        <translation>{folder} はほかのユーザも変更できます</translation>
+    </message>
+    <message>
+        <source>file system</source>
+        <translation>ファイルシステム</translation>
+    </message>
+    <message>
+        <source>on the network, where a database can be damaged: nothing is kept there, and no write begins</source>
+        <translation>データベースが破損するおそれのあるネットワーク上です。何も保存せず、書き込みも開始しません</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on this computer</source>
+        <translation>{variable} にこのコンピュータのフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>in memory: backups and journal are gone after a restart</source>
+        <translation>メモリ上です。バックアップとジャーナルは再起動で失われます</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on a disk</source>
+        <translation>{variable} にディスク上のフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>of this computer</source>
+        <translation>このコンピュータ上</translation>
+    </message>
+    <message>
+        <source>database</source>
+        <translation>データベース</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>別の場所に移してください</translation>
+    </message>
+    <message>
+        <source>none yet; the first write makes it</source>
+        <translation>まだありません。最初の書き込み時に作成されます</translation>
+    </message>
+    <message>
+        <source>of an older version, {size}; the next command that needs it brings it up to date</source>
+        <translation>古いバージョン、{size}。次にデータベースを使うコマンドが更新します</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it</source>
+        <translation>より新しいバージョンのプログラムで書かれています</translation>
+    </message>
+    <message>
+        <source>use that version</source>
+        <translation>そのバージョンを使ってください</translation>
+    </message>
+    <message>
+        <source>it is the database of another program</source>
+        <translation>別のプログラムのデータベースです</translation>
+    </message>
+    <message>
+        <source>it is damaged ({reason})</source>
+        <translation>破損しています ({reason})</translation>
+    </message>
+    <message>
+        <source>the next command that needs it sets it aside and keeps what can be read; look what the drives hold, then `axiscomp status --reset-flash-count` for each</source>
+        <translation>次にデータベースを使うコマンドがこれを退避し、読み取れる内容を残します。各ドライブの内容を確認してから、ドライブごとに `axiscomp status --reset-flash-count` を実行してください</translation>
+    </message>
+    <message>
+        <source>not checked, because programs write to it all the time</source>
+        <translation>プログラムが絶えず書き込んでいるため、検査していません</translation>
+    </message>
+    <message>
+        <source>try again when they have finished</source>
+        <translation>それらの終了後にもう一度試してください</translation>
+    </message>
+    <message>
+        <source>you have no permission to change it</source>
+        <translation>変更する権限がありません</translation>
+    </message>
+    <message>
+        <source>let the user have it to whom the folder belongs (chown, chmod u+rw)</source>
+        <translation>フォルダの所有者のものにしてください (chown、chmod u+rw)</translation>
+    </message>
+    <message>
+        <source>whole, {size}</source>
+        <translation>正常、{size}</translation>
+    </message>
+    <message>
+        <source>interrupted write</source>
+        <translation>中断された書き込み</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>書き込み</translation>
+    </message>
+    <message>
+        <source>a program is writing to axis {axis} of the drive with serial number {drive} now, since {time} ({step})</source>
+        <translation>プログラムがシリアル番号 {drive} のドライブの軸 {axis} に書き込み中です ({time} から、{step})</translation>
+    </message>
+    <message>
+        <source>a write to axis {axis} of the drive with serial number {drive} began at {time} and did not end (step {step})</source>
+        <translation>シリアル番号 {drive} のドライブの軸 {axis} への書き込みが {time} に始まり、終了していません (ステップ {step})</translation>
+    </message>
+    <message>
+        <source>`axiscomp recover --axis {axis}` with that drive says what it holds, and finishes the write or undoes it</source>
+        <translation>このドライブで `axiscomp recover --axis {axis}` を実行すると、ドライブの内容が表示され、書き込みを完了または取り消せます</translation>
+    </message>
+    <message>
+        <source>interrupted writes</source>
+        <translation>中断された書き込み</translation>
+    </message>
+    <message>
+        <source>flash record</source>
+        <translation>フラッシュ操作の履歴</translation>
+    </message>
+    <message>
+        <source>that of the drive with serial number {drive} was damaged: its flash operations count as used up</source>
+        <translation>シリアル番号 {drive} のドライブの履歴が破損していたため、フラッシュ操作をすべて使い切ったものとみなしています</translation>
+    </message>
+    <message>
+        <source>wait as long as the drive counts them, then `axiscomp status --reset-flash-count`</source>
+        <translation>ドライブがフラッシュ操作を数える期間だけ待ってから、`axiscomp status --reset-flash-count` を実行してください</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>退避済み</translation>
+    </message>
+    <message>
+        <source>{file} is an earlier database that was damaged</source>
+        <translation>{file} は破損していた以前のデータベースです</translation>
+    </message>
+    <message>
+        <source>delete it when nothing is missed</source>
+        <translation>不足するものがなければ削除してください</translation>
+    </message>
+    <message>
+        <source>last change</source>
+        <translation>最終変更</translation>
+    </message>
+    <message>
+        <source>{time} is still to come: the clock was set back since</source>
+        <translation>{time} は未来の日時です。その後に時計が戻されています</translation>
+    </message>
+    <message>
+        <source>look at the clock: flash operations are counted by it</source>
+        <translation>時計を確認してください。フラッシュ操作はこの時計を基に数えます</translation>
+    </message>
+    <message>
+        <source>backups</source>
+        <translation>バックアップ</translation>
+    </message>
+    <message>
+        <source>files: {backups}, drives: {drives}, {size}</source>
+        <translation>ファイル: {backups}、ドライブ: {drives}、{size}</translation>
+    </message>
+    <message>
+        <source>State folder</source>
+        <translation>状態フォルダ</translation>
+    </message>
+    <message>
+        <source>not checked, because the temporary folder has no room for a copy</source>
+        <translation>一時フォルダにコピー用の空きがないため、検査していません</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>{size} bytes</source>
@@ -779,20 +1318,8 @@
         <translation>指定できるオプションは serial:/dev/ttyUSB0?baud=115200 のような baud だけです</translation>
     </message>
     <message>
-        <source>you have no permission to use the port, and no group has it; ask the administrator</source>
-        <translation>ポートを使う権限がなく、権限を持つグループもありません。管理者に問い合わせてください</translation>
-    </message>
-    <message>
-        <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
-        <translation>ポートを使う権限がありません。グループ {group} に入り (sudo usermod -aG {name} $USER)、ログインし直してください</translation>
-    </message>
-    <message>
         <source>you have no permission to look into its folder</source>
         <translation>そのフォルダを見る権限がありません</translation>
-    </message>
-    <message>
-        <source>there is no such port; is the cable or the adapter plugged in?</source>
-        <translation>そのポートはありません。ケーブルまたはアダプタは接続されていますか？</translation>
     </message>
     <message>
         <source>the port cannot be used</source>
@@ -7037,6 +7564,54 @@
         <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
         <translation>PDF を描くための、この言語の文字を含むフォントがありません。fonts-noto-cjk などをインストールするか、報告書を HTML で書き出してください</translation>
     </message>
+    <message>
+        <source>{file} is no record (.axcal), no machine file (.toml), no TAM configuration (.TAMcfg), and no table or measurement of a known format; a table whose format you can name is opened on the tab Write</source>
+        <translation>{file} は記録 (.axcal)、機械ファイル (.toml)、TAM 構成 (.TAMcfg) のいずれでもなく、既知の形式のテーブルや測定でもありません。形式がわかるテーブルは「書き込み」タブで開いてください</translation>
+    </message>
+    <message>
+        <source>the drive is only looked at</source>
+        <translation>ドライブは読み取るだけです</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, and no group has it</source>
+        <translation>ポートを使う権限がなく、権限を持つグループもありません</translation>
+    </message>
+    <message>
+        <source>ask the administrator</source>
+        <translation>管理者に問い合わせてください</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, although you are in its group {group}</source>
+        <translation>ポートのグループ {group} に入っていますが、ポートを使う権限がありません</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port: you are in the group {group}, but this session is older than that</source>
+        <translation>ポートを使う権限がありません: グループ {group} に入っていますが、このセッションはその前に開始されています</translation>
+    </message>
+    <message>
+        <source>log out and in again</source>
+        <translation>いったんログアウトし、ログインし直してください</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port</source>
+        <translation>ポートを使う権限がありません</translation>
+    </message>
+    <message>
+        <source>join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
+        <translation>グループ {group} に入り (sudo usermod -aG {name} $USER)、ログインし直してください</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>そのポートはありません</translation>
+    </message>
+    <message>
+        <source>is the cable or the adapter plugged in?</source>
+        <translation>ケーブルまたはアダプタは接続されていますか？</translation>
+    </message>
+    <message>
+        <source>{found}; {wayOut}</source>
+        <translation>{found}。{wayOut}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8084,10 +8659,6 @@
         <translation>この補正データのファイルを開きます</translation>
     </message>
     <message>
-        <source>Open this record of a compensation (.axcal)</source>
-        <translation>この補正の記録 (.axcal) を開きます</translation>
-    </message>
-    <message>
         <source>How long one exchange with a drive may take (5 unless given)</source>
         <translation>ドライブとの 1 回の通信にかけられる時間 (既定: 5)</translation>
     </message>
@@ -8122,6 +8693,26 @@
     <message>
         <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
         <translation>軸のテーブルを揮発にします。次の再起動で失われます</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>このコンピュータ</translation>
+    </message>
+    <message>
+        <source>Show what this computer has and lacks, and what each known drive answers</source>
+        <translation>このコンピュータにあるものと足りないもの、既知の各ドライブの応答を表示する</translation>
+    </message>
+    <message>
+        <source>Time limit for all that a drive is asked (5 unless given)</source>
+        <translation>1 台のドライブへの問い合わせ全体の制限時間 (既定: 5)</translation>
+    </message>
+    <message>
+        <source>The connections of the window are asked too. Nothing is changed, on this computer or on a drive. What is printed has no passwords in it and is meant to be sent to whoever helps.</source>
+        <translation>ウィンドウの接続にも問い合わせます。このコンピュータでもドライブでも、何も変更しません。出力にパスワードは含まれず、サポートの担当者に送るためのものです。</translation>
+    </message>
+    <message>
+        <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
+        <translation>このファイルを開く: 記録 (.axcal)、機械ファイル (.toml)、TAM 構成 (.TAMcfg)、テーブル、測定</translation>
     </message>
 </context>
 <context>
@@ -11314,6 +11905,10 @@
     <message>
         <source>Axis Compensation Wizard</source>
         <translation>軸補正ウィザード</translation>
+    </message>
+    <message>
+        <source>%1 is opened as soon as that is possible. %2</source>
+        <translation>%1 は可能になりしだい開きます。%2</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,545 @@
     </message>
 </context>
 <context>
+    <name>Doctor</name>
+    <message>
+        <source>clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>{now} is before the program was made, {made}</source>
+        <translation>{now} 早于本程序的构建时间 {made}</translation>
+    </message>
+    <message>
+        <source>set the clock (timedatectl says what it follows): flash operations are counted by it</source>
+        <translation>请校准时钟（timedatectl 显示其同步来源）：闪存操作按该时钟计数</translation>
+    </message>
+    <message>
+        <source>display</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>unset it if the window does not appear</source>
+        <translation>如果窗口不出现，请取消设置该变量</translation>
+    </message>
+    <message>
+        <source>none; the window needs one</source>
+        <translation>无；窗口程序需要显示</translation>
+    </message>
+    <message>
+        <source>start the window on the desktop, or over ssh -X; the command line does without</source>
+        <translation>请在桌面上或通过 ssh -X 启动窗口程序；命令行不需要显示</translation>
+    </message>
+    <message>
+        <source>temporary folder</source>
+        <translation>临时文件夹</translation>
+    </message>
+    <message>
+        <source>{folder} is not there</source>
+        <translation>{folder} 不存在</translation>
+    </message>
+    <message>
+        <source>make it, or set {variable} to another folder</source>
+        <translation>请创建它，或将 {variable} 设为其他文件夹</translation>
+    </message>
+    <message>
+        <source>{folder}, {free} free</source>
+        <translation>{folder}，可用 {free}</translation>
+    </message>
+    <message>
+        <source>runtime folder</source>
+        <translation>运行时文件夹</translation>
+    </message>
+    <message>
+        <source>log in at the desktop or over ssh, and not by su or sudo, if the window does not appear</source>
+        <translation>如果窗口不出现，请在桌面上或通过 ssh 登录，不要用 su 或 sudo</translation>
+    </message>
+    <message>
+        <source>XDG_RUNTIME_DIR is not set</source>
+        <translation>未设置 XDG_RUNTIME_DIR</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}</source>
+        <translation>{folder} 属于 {owner}</translation>
+    </message>
+    <message>
+        <source>proxies</source>
+        <translation>代理</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>{variables}: drives are reached without a proxy all the same</source>
+        <translation>{variables}：访问驱动器时仍不使用代理</translation>
+    </message>
+    <message>
+        <source>no variable is set</source>
+        <translation>未设置变量</translation>
+    </message>
+    <message>
+        <source>locale</source>
+        <translation>区域设置</translation>
+    </message>
+    <message>
+        <source>{variables}: this locale is not installed</source>
+        <translation>{variables}：该区域设置未安装</translation>
+    </message>
+    <message>
+        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation>sudo dpkg-reconfigure locales，或 export LC_ALL=C.UTF-8</translation>
+    </message>
+    <message>
+        <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
+        <translation>{variables}：其编码 {encoding} 不是 UTF-8，ASCII 以外的字符可能显示有误</translation>
+    </message>
+    <message>
+        <source>export LC_ALL=C.UTF-8, or the locale of your language with UTF-8</source>
+        <translation>export LC_ALL=C.UTF-8，或所用语言的 UTF-8 区域设置</translation>
+    </message>
+    <message>
+        <source>{variables}: {encoding}</source>
+        <translation>{variables}：{encoding}</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder of your own</source>
+        <translation>请将 {variable} 设为自己的文件夹</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} is no folder</source>
+        <translation>{folder} 无法使用：{nearest} 不是文件夹</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: you have no permission to look into {nearest}</source>
+        <translation>{folder} 无法使用：没有查看 {nearest} 的权限</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that is read-only</source>
+        <translation>{folder} 位于只读的文件系统上</translation>
+    </message>
+    <message>
+        <source>{folder} cannot be used: {nearest} belongs to {owner}, and you have no permission to change it</source>
+        <translation>{folder} 无法使用：{nearest} 属于 {owner}，没有更改它的权限</translation>
+    </message>
+    <message>
+        <source>{folder} has only {free} free</source>
+        <translation>{folder} 仅剩 {free} 可用空间</translation>
+    </message>
+    <message>
+        <source>{folder} is on a file system that takes no more files, with {free} free</source>
+        <translation>{folder} 所在的文件系统无法再创建文件，可用 {free}</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to a folder of another disk</source>
+        <translation>请在该处腾出空间，或将 {variable} 设为其他磁盘上的文件夹</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>操作系统</translation>
+    </message>
+    <message>
+        <source>kernel</source>
+        <translation>内核</translation>
+    </message>
+    <message>
+        <source>processor cores</source>
+        <translation>处理器核心数</translation>
+    </message>
+    <message>
+        <source>memory</source>
+        <translation>内存</translation>
+    </message>
+    <message>
+        <source>{all}, {free} free</source>
+        <translation>{all}，可用 {free}</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>小数符号</translation>
+    </message>
+    <message>
+        <source>&quot;{sign}&quot;; the command line writes and reads a point</source>
+        <translation>“{sign}”；命令行读写时使用点号</translation>
+    </message>
+    <message>
+        <source>translations</source>
+        <translation>译文</translation>
+    </message>
+    <message>
+        <source>window settings</source>
+        <translation>窗口程序设置</translation>
+    </message>
+    <message>
+        <source>none; the window was not used yet</source>
+        <translation>无；窗口程序尚未使用过</translation>
+    </message>
+    <message>
+        <source>{file} is not a file that you may read</source>
+        <translation>{file} 不是可读取的文件</translation>
+    </message>
+    <message>
+        <source>move it away; the window begins a new one</source>
+        <translation>请将其移走；窗口程序会新建一个</translation>
+    </message>
+    <message>
+        <source>{file} is damaged</source>
+        <translation>{file} 已损坏</translation>
+    </message>
+    <message>
+        <source>{file}, connections: {number}</source>
+        <translation>{file}，连接：{number}</translation>
+    </message>
+    <message>
+        <source>drive profile</source>
+        <translation>驱动器描述文件</translation>
+    </message>
+    <message>
+        <source>{profile}, built in</source>
+        <translation>{profile}，内置</translation>
+    </message>
+    <message>
+        <source>trusted certificates</source>
+        <translation>受信任的证书</translation>
+    </message>
+    <message>
+        <source>Configuration</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>open {drive} in a browser of this computer; if it does not answer there either, look at power, cable and network</source>
+        <translation>在本计算机的浏览器中打开 {drive}；若仍无应答，请检查电源、电缆和网络</translation>
+    </message>
+    <message>
+        <source>look at power and cable; `axiscomp axes --find --any-baud` tries other speeds</source>
+        <translation>请检查电源和电缆；`axiscomp axes --find --any-baud` 可尝试其他波特率</translation>
+    </message>
+    <message>
+        <source>address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>{drive}, serial number {serial}, axes: {axes}, profile {profile}; answered after {milliseconds}</source>
+        <translation>{drive}，序列号 {serial}，轴：{axes}，描述文件 {profile}；{milliseconds} 后应答</translation>
+    </message>
+    <message>
+        <source>{drive}; then: {error}</source>
+        <translation>{drive}；之后：{error}</translation>
+    </message>
+    <message>
+        <source>{unit}, {homing}, compensation {state}</source>
+        <translation>{unit}，{homing}，补偿 {state}</translation>
+    </message>
+    <message>
+        <source>{state}, no table</source>
+        <translation>{state}，无表</translation>
+    </message>
+    <message>
+        <source>{state}, table {slot} with CRC {crc}</source>
+        <translation>{state}，表 {slot}，CRC {crc}</translation>
+    </message>
+    <message>
+        <source>axis {axis}</source>
+        <translation>轴 {axis}</translation>
+    </message>
+    <message>
+        <source>axis {axis} ({name})</source>
+        <translation>轴 {axis}（{name}）</translation>
+    </message>
+    <message>
+        <source>it has no compensation registers by this profile</source>
+        <translation>按此描述文件，它没有补偿寄存器</translation>
+    </message>
+    <message>
+        <source>drive error</source>
+        <translation>驱动器错误</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>drives</source>
+        <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>none is known</source>
+        <translation>没有已知的驱动器</translation>
+    </message>
+    <message>
+        <source>add a connection in the window, or give --drive ADDRESS</source>
+        <translation>请在窗口程序中添加连接，或给出 --drive ADDRESS</translation>
+    </message>
+    <message>
+        <source>{version}, built with {other}</source>
+        <translation>{version}，构建时为 {other}</translation>
+    </message>
+    <message>
+        <source>there is no TLS library: https drives cannot be reached</source>
+        <translation>没有 TLS 库：无法访问 https 驱动器</translation>
+    </message>
+    <message>
+        <source>install OpenSSL (sudo apt install libssl3)</source>
+        <translation>请安装 OpenSSL（sudo apt install libssl3）</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口程序</translation>
+    </message>
+    <message>
+        <source>not installed; the command line does without</source>
+        <translation>未安装；命令行不需要它</translation>
+    </message>
+    <message>
+        <source>reports</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>what draws PDF is not installed</source>
+        <translation>未安装生成 PDF 的模块</translation>
+    </message>
+    <message>
+        <source>write the report as HTML and print that</source>
+        <translation>请将报告写成 HTML 再打印</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>a port without a name</source>
+        <translation>无名称的端口</translation>
+    </message>
+    <message>
+        <source>{hardware}, built in</source>
+        <translation>{hardware}，内置</translation>
+    </message>
+    <message>
+        <source>{hardware}, USB {id}</source>
+        <translation>{hardware}，USB {id}</translation>
+    </message>
+    <message>
+        <source>{hardware}: {problem}</source>
+        <translation>{hardware}：{problem}</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>串口</translation>
+    </message>
+    <message>
+        <source>ports</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>this computer has none</source>
+        <translation>本计算机没有</translation>
+    </message>
+    <message>
+        <source>folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>sudo chown -R $USER {folder}; run this program without sudo</source>
+        <translation>sudo chown -R $USER {folder}；运行本程序时不要用 sudo</translation>
+    </message>
+    <message>
+        <source>{folder} is yours, but its permissions keep you out</source>
+        <translation>{folder} 属于当前用户，但其权限不允许访问</translation>
+    </message>
+    <message>
+        <source>{folder} is not there yet; the first write makes it</source>
+        <translation>{folder} 尚不存在；首次写入时创建</translation>
+    </message>
+    <message>
+        <source>{folder} belongs to {owner}, and you are root: what is made there now belongs to root</source>
+        <translation>{folder} 属于 {owner}，而当前用户是 root：现在在其中创建的内容将属于 root</translation>
+    </message>
+    <message>
+        <source>run this program without sudo</source>
+        <translation>运行本程序时不要用 sudo</translation>
+    </message>
+    <message>
+        <source>{folder} can be changed by other users</source>
+        <translation>{folder} 可被其他用户更改</translation>
+    </message>
+    <message>
+        <source>file system</source>
+        <translation>文件系统</translation>
+    </message>
+    <message>
+        <source>on the network, where a database can be damaged: nothing is kept there, and no write begins</source>
+        <translation>位于网络上，数据库可能在那里损坏：不在其中保存任何内容，也不开始写入</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on this computer</source>
+        <translation>请将 {variable} 设为本计算机上的文件夹</translation>
+    </message>
+    <message>
+        <source>in memory: backups and journal are gone after a restart</source>
+        <translation>在内存中：备份和写入日志重启后丢失</translation>
+    </message>
+    <message>
+        <source>set {variable} to a folder on a disk</source>
+        <translation>请将 {variable} 设为磁盘上的文件夹</translation>
+    </message>
+    <message>
+        <source>of this computer</source>
+        <translation>位于本计算机</translation>
+    </message>
+    <message>
+        <source>database</source>
+        <translation>数据库</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>请将其移走</translation>
+    </message>
+    <message>
+        <source>none yet; the first write makes it</source>
+        <translation>尚无；首次写入时创建</translation>
+    </message>
+    <message>
+        <source>of an older version, {size}; the next command that needs it brings it up to date</source>
+        <translation>较旧版本，{size}；下一条用到它的命令会将其更新</translation>
+    </message>
+    <message>
+        <source>a newer version of this program has written it</source>
+        <translation>它由本程序的更新版本写成</translation>
+    </message>
+    <message>
+        <source>use that version</source>
+        <translation>请使用该版本</translation>
+    </message>
+    <message>
+        <source>it is the database of another program</source>
+        <translation>这是另一程序的数据库</translation>
+    </message>
+    <message>
+        <source>it is damaged ({reason})</source>
+        <translation>已损坏（{reason}）</translation>
+    </message>
+    <message>
+        <source>the next command that needs it sets it aside and keeps what can be read; look what the drives hold, then `axiscomp status --reset-flash-count` for each</source>
+        <translation>下一条用到它的命令会将其移开，并保留可读取的内容；请核对各驱动器的现状，然后对每台运行 `axiscomp status --reset-flash-count`</translation>
+    </message>
+    <message>
+        <source>not checked, because programs write to it all the time</source>
+        <translation>未检查，因为一直有程序在写入</translation>
+    </message>
+    <message>
+        <source>try again when they have finished</source>
+        <translation>请在它们完成后重试</translation>
+    </message>
+    <message>
+        <source>you have no permission to change it</source>
+        <translation>没有更改它的权限</translation>
+    </message>
+    <message>
+        <source>let the user have it to whom the folder belongs (chown, chmod u+rw)</source>
+        <translation>请将其交给文件夹的所有者（chown、chmod u+rw）</translation>
+    </message>
+    <message>
+        <source>whole, {size}</source>
+        <translation>完好，{size}</translation>
+    </message>
+    <message>
+        <source>interrupted write</source>
+        <translation>中断的写入</translation>
+    </message>
+    <message>
+        <source>write</source>
+        <translation>写入</translation>
+    </message>
+    <message>
+        <source>a program is writing to axis {axis} of the drive with serial number {drive} now, since {time} ({step})</source>
+        <translation>有程序正在写入序列号为 {drive} 的驱动器的轴 {axis}，始于 {time}（{step}）</translation>
+    </message>
+    <message>
+        <source>a write to axis {axis} of the drive with serial number {drive} began at {time} and did not end (step {step})</source>
+        <translation>对序列号为 {drive} 的驱动器的轴 {axis} 的写入始于 {time}，未结束（步骤 {step}）</translation>
+    </message>
+    <message>
+        <source>`axiscomp recover --axis {axis}` with that drive says what it holds, and finishes the write or undoes it</source>
+        <translation>对该驱动器运行 `axiscomp recover --axis {axis}`，可显示其现状，并完成或撤销该写入</translation>
+    </message>
+    <message>
+        <source>interrupted writes</source>
+        <translation>中断的写入</translation>
+    </message>
+    <message>
+        <source>flash record</source>
+        <translation>闪存操作记录</translation>
+    </message>
+    <message>
+        <source>that of the drive with serial number {drive} was damaged: its flash operations count as used up</source>
+        <translation>序列号为 {drive} 的驱动器的记录已损坏：其闪存操作视为全部用完</translation>
+    </message>
+    <message>
+        <source>wait as long as the drive counts them, then `axiscomp status --reset-flash-count`</source>
+        <translation>请等待驱动器统计闪存操作的那段时间，然后运行 `axiscomp status --reset-flash-count`</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>已移开</translation>
+    </message>
+    <message>
+        <source>{file} is an earlier database that was damaged</source>
+        <translation>{file} 是先前损坏的数据库</translation>
+    </message>
+    <message>
+        <source>delete it when nothing is missed</source>
+        <translation>确认没有缺失内容后，请将其删除</translation>
+    </message>
+    <message>
+        <source>last change</source>
+        <translation>最后更改</translation>
+    </message>
+    <message>
+        <source>{time} is still to come: the clock was set back since</source>
+        <translation>{time} 尚未到来：此后时钟曾被调回</translation>
+    </message>
+    <message>
+        <source>look at the clock: flash operations are counted by it</source>
+        <translation>请检查时钟：闪存操作按该时钟计数</translation>
+    </message>
+    <message>
+        <source>backups</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>files: {backups}, drives: {drives}, {size}</source>
+        <translation>文件：{backups}，驱动器：{drives}，{size}</translation>
+    </message>
+    <message>
+        <source>State folder</source>
+        <translation>状态文件夹</translation>
+    </message>
+    <message>
+        <source>not checked, because the temporary folder has no room for a copy</source>
+        <translation>未检查，因为临时文件夹没有存放副本的空间</translation>
+    </message>
+</context>
+<context>
     <name>Error</name>
     <message>
         <source>{size} bytes</source>
@@ -779,20 +1318,8 @@
         <translation>唯一的选项是 baud，例如 serial:/dev/ttyUSB0?baud=115200</translation>
     </message>
     <message>
-        <source>you have no permission to use the port, and no group has it; ask the administrator</source>
-        <translation>没有使用该端口的权限，也没有任何用户组拥有该权限；请联系管理员</translation>
-    </message>
-    <message>
-        <source>you have no permission to use the port; join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
-        <translation>没有使用该端口的权限；请加入用户组 {group}（sudo usermod -aG {name} $USER），然后重新登录</translation>
-    </message>
-    <message>
         <source>you have no permission to look into its folder</source>
         <translation>没有查看其文件夹的权限</translation>
-    </message>
-    <message>
-        <source>there is no such port; is the cable or the adapter plugged in?</source>
-        <translation>没有该端口；电缆或适配器是否已插好？</translation>
     </message>
     <message>
         <source>the port cannot be used</source>
@@ -7037,6 +7564,54 @@
         <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
         <translation>没有包含该语言字符的字体，无法绘制 PDF：请安装一种字体（如 fonts-noto-cjk），或将报告写成 HTML</translation>
     </message>
+    <message>
+        <source>{file} is no record (.axcal), no machine file (.toml), no TAM configuration (.TAMcfg), and no table or measurement of a known format; a table whose format you can name is opened on the tab Write</source>
+        <translation>{file} 不是档案 (.axcal)、机床文件 (.toml) 或 TAM 配置 (.TAMcfg)，也不是已知格式的表或测量；格式已知的表请在“写入”标签页中打开</translation>
+    </message>
+    <message>
+        <source>the drive is only looked at</source>
+        <translation>只读取驱动器</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, and no group has it</source>
+        <translation>没有使用该端口的权限，也没有任何用户组拥有该权限</translation>
+    </message>
+    <message>
+        <source>ask the administrator</source>
+        <translation>请联系管理员</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port, although you are in its group {group}</source>
+        <translation>没有使用该端口的权限，尽管已在其用户组 {group} 中</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port: you are in the group {group}, but this session is older than that</source>
+        <translation>没有使用该端口的权限：已在用户组 {group} 中，但本次会话早于加入该组</translation>
+    </message>
+    <message>
+        <source>log out and in again</source>
+        <translation>请注销后重新登录</translation>
+    </message>
+    <message>
+        <source>you have no permission to use the port</source>
+        <translation>没有使用该端口的权限</translation>
+    </message>
+    <message>
+        <source>join the group {group} (sudo usermod -aG {name} $USER) and log in again</source>
+        <translation>请加入用户组 {group}（sudo usermod -aG {name} $USER），然后重新登录</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>没有该端口</translation>
+    </message>
+    <message>
+        <source>is the cable or the adapter plugged in?</source>
+        <translation>电缆或适配器是否已插好？</translation>
+    </message>
+    <message>
+        <source>{found}; {wayOut}</source>
+        <translation>{found}；{wayOut}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8084,10 +8659,6 @@
         <translation>打开此补偿数据文件</translation>
     </message>
     <message>
-        <source>Open this record of a compensation (.axcal)</source>
-        <translation>打开此补偿档案 (.axcal)</translation>
-    </message>
-    <message>
         <source>How long one exchange with a drive may take (5 unless given)</source>
         <translation>与驱动器一次通信允许的时间（默认：5）</translation>
     </message>
@@ -8122,6 +8693,26 @@
     <message>
         <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
         <translation>将轴的补偿表设为易失，下次重启后丢失</translation>
+    </message>
+    <message>
+        <source>This computer</source>
+        <translation>本计算机</translation>
+    </message>
+    <message>
+        <source>Show what this computer has and lacks, and what each known drive answers</source>
+        <translation>显示本计算机具备和缺少的内容，以及每台已知驱动器的应答</translation>
+    </message>
+    <message>
+        <source>Time limit for all that a drive is asked (5 unless given)</source>
+        <translation>询问一台驱动器全部内容的时限（默认：5）</translation>
+    </message>
+    <message>
+        <source>The connections of the window are asked too. Nothing is changed, on this computer or on a drive. What is printed has no passwords in it and is meant to be sent to whoever helps.</source>
+        <translation>窗口中的连接也会被询问。不会更改本计算机或驱动器上的任何内容。输出中不含密码，供发送给提供帮助的人。</translation>
+    </message>
+    <message>
+        <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
+        <translation>打开此文件：档案 (.axcal)、机床文件 (.toml)、TAM 配置 (.TAMcfg)、表或测量</translation>
     </message>
 </context>
 <context>
@@ -11314,6 +11905,10 @@
     <message>
         <source>Axis Compensation Wizard</source>
         <translation>轴补偿向导</translation>
+    </message>
+    <message>
+        <source>%1 is opened as soon as that is possible. %2</source>
+        <translation>%1 将在可能时立即打开。%2</translation>
     </message>
 </context>
 <context>
