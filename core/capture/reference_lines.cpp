@@ -40,6 +40,14 @@ InstrumentReading noNumber(std::string_view line)
                           .with("line", shownLine(line)));
 }
 
+InstrumentReading tooLong(std::size_t longest)
+{
+    return noPosition(AXISCOMP_TEXT("Error",
+        "the instrument sends a line of more than {count} characters: check its settings and its "
+        "speed")
+                          .with("count", longest));
+}
+
 /// Of the first number in a line; empty: there is none.
 std::string_view firstNumber(std::string_view line)
 {
@@ -154,12 +162,18 @@ InstrumentReading ReferenceLineReader::read(std::string_view line) const
     return std::isfinite(position) ? InstrumentReading{position, {}} : noNumber(line);
 }
 
+void ReferenceLines::beginWithinLine()
+{
+    m_line.clear();
+    m_isWithinLine = true;
+}
+
 void ReferenceLines::feed(std::string_view bytes, std::chrono::nanoseconds now)
 {
     for (const char c : bytes) {
         if (c == '\n' || c == '\r')
             take(now);
-        else if (m_line.size() < longestLine)
+        else if (m_line.size() <= longestLine)
             m_line += c;
     }
 }
@@ -167,9 +181,9 @@ void ReferenceLines::feed(std::string_view bytes, std::chrono::nanoseconds now)
 void ReferenceLines::take(std::chrono::nanoseconds now)
 {
     const std::string line = std::exchange(m_line, {});
-    if (!trimmedToken({line, 0, 1}))
+    if (std::exchange(m_isWithinLine, false) || !trimmedToken({line, 0, 1}))
         return;
-    m_last = m_reader.read(line);
+    m_last = line.size() > longestLine ? tooLong(longestLine) : m_reader.read(line);
     m_time = now;
 }
 

@@ -63,8 +63,11 @@ public:
     {
     }
 
-    static constexpr std::size_t longestLine = 4096;
+    static constexpr std::size_t longestLine = 4096; ///< a longer one is a problem
 
+    /// What comes next may begin within a line, as behind a port that has just been opened: nothing
+    /// up to the end of that line counts, since half a number is another number.
+    void beginWithinLine();
     /// bytes: what came, whole lines or not, ended by LF or CR; now: of the clock of the readings.
     void feed(std::string_view bytes, std::chrono::nanoseconds now);
     [[nodiscard]] InstrumentReading at(std::chrono::nanoseconds now) const;
@@ -75,6 +78,7 @@ private:
     ReferenceLineReader m_reader;
     std::chrono::nanoseconds m_longestAge;
     std::string m_line; ///< that has not ended
+    bool m_isWithinLine = false; ///< of which the beginning was not seen
     std::optional<std::chrono::nanoseconds> m_time; ///< of the last line
     InstrumentReading m_last;
 };

@@ -46,6 +46,7 @@ struct SerialInstrument::Private {
     {
     }
 
+    [[nodiscard]] Result<void> openPort();
     [[nodiscard]] Result<void> exchange(std::chrono::nanoseconds now);
 
     SerialPortLine port;
@@ -55,10 +56,17 @@ struct SerialInstrument::Private {
     Text problem; ///< of the port
 };
 
+Result<void> SerialInstrument::Private::openPort()
+{
+    AXISCOMP_CHECK(port.open());
+    lines.beginWithinLine();
+    return {};
+}
+
 Result<void> SerialInstrument::Private::exchange(std::chrono::nanoseconds now)
 {
     if (!port.isOpen())
-        AXISCOMP_CHECK(port.open());
+        AXISCOMP_CHECK(openPort());
     Exchange options;
     options.timeout = std::chrono::seconds(1);
     const ExchangeDeadline running(options);
@@ -75,7 +83,7 @@ Result<std::unique_ptr<SerialInstrument>> SerialInstrument::open(
     AXISCOMP_TRY(auto parsed, parseEndpoint(endpoint));
     AXISCOMP_TRY(auto bytes, requestBytes(request));
     auto made = std::make_unique<Private>(std::move(parsed), std::move(bytes), std::move(lines));
-    AXISCOMP_CHECK(made->port.open());
+    AXISCOMP_CHECK(made->openPort());
     return std::unique_ptr<SerialInstrument>(new SerialInstrument(std::move(made)));
 }
 

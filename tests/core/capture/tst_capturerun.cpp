@@ -539,6 +539,31 @@ private Q_SLOTS:
         QVERIFY(std::isnan(quick.at(10401ms).position));
     }
 
+    void noLineIsReadOfWhichAPartIsMissing()
+    {
+        ReferenceLines lines(readerOf("mm"), 5s);
+        const std::string blanks(ReferenceLines::longestLine - 4, ' ');
+        lines.feed(blanks + "1.25\n", 9s);
+        QCOMPARE(lines.at(9s).position, 1.25);
+        lines.feed(blanks + "517.3000042\n", 10s);
+        QVERIFY(std::isnan(lines.at(10s).position));
+        QVERIFY(
+            lines.at(10s).problem.english().find("more than 4096 characters") != std::string::npos);
+        // The port was opened while "517.3000042" was said, and once more after "51".
+        lines.beginWithinLine();
+        lines.feed("7.3000042\n", 11s);
+        QVERIFY(std::isnan(lines.at(11s).position));
+        lines.feed("517.3000042\r\n51", 12s);
+        QCOMPARE(lines.at(12s).position, 517.3000042);
+        lines.beginWithinLine();
+        lines.feed("42\n517.3000043\n", 13s);
+        QCOMPARE(lines.at(13s).position, 517.3000043);
+        // An end that is of two characters is one.
+        lines.beginWithinLine();
+        lines.feed("42\r\n", 14s);
+        QCOMPARE(lines.at(14s).position, 517.3000043);
+    }
+
     void aTypedNumberThatSurprisesIsAskedForOnceMore()
     {
         TypedReference typed(readerOf("mm"), {}, 0.001);
