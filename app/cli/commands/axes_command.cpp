@@ -12,15 +12,15 @@ namespace axiscomp::app {
 
 namespace {
 
-struct DriveAnswer {
+struct AxesOfDrive {
     std::string endpoint; ///< without a password
     DriveIdentity drive;
     Result<std::vector<AxisInfo>> axes;
 };
 
-DriveAnswer ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
+AxesOfDrive ask(Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
-    DriveAnswer answer{shownEndpoint(endpoint), {}, {}};
+    AxesOfDrive answer{shownEndpoint(endpoint), {}, {}};
     auto session = CommandSession::open(environment, options, endpoint);
     if (!session) {
         answer.axes = fail(session.error());
@@ -38,19 +38,19 @@ DriveAnswer ask(Environment& environment, const DriveOptions& options, const std
 
 /// All drives at once: one that does not answer must not make the others wait. Each session lives
 /// on a thread of its own.
-std::vector<DriveAnswer> askAll(Environment& environment, const DriveOptions& options)
+std::vector<AxesOfDrive> askAll(Environment& environment, const DriveOptions& options)
 {
-    std::vector<DriveAnswer> answers(options.endpoints.size());
+    std::vector<AxesOfDrive> answers(options.endpoints.size());
     forEachAtOnce(answers.size(), answers.size(),
         [&](std::size_t i) { answers[i] = ask(environment, options, options.endpoints[i]); });
     return answers;
 }
 
-std::string axesText(const std::vector<DriveAnswer>& answers)
+std::string axesText(const std::vector<AxesOfDrive>& answers)
 {
     TextTable table(
         {"drive", ">serial number", ">axis", "name", "unit", "homing", "compensation", "address"});
-    for (const DriveAnswer& answer : answers) {
+    for (const AxesOfDrive& answer : answers) {
         if (!answer.axes)
             continue;
         for (const AxisInfo& axis : *answer.axes)
@@ -61,10 +61,10 @@ std::string axesText(const std::vector<DriveAnswer>& answers)
     return table.text("");
 }
 
-Json axesJson(const std::vector<DriveAnswer>& answers)
+Json axesJson(const std::vector<AxesOfDrive>& answers)
 {
     Json drives = Json::array();
-    for (const DriveAnswer& answer : answers) {
+    for (const AxesOfDrive& answer : answers) {
         Json json = {{"endpoint", answer.endpoint}};
         if (answer.axes) {
             json["drive"] = answer.drive.name;
@@ -90,9 +90,9 @@ struct AxesOptions {
 /// Asks the drives that the options name for their axes and prints them; silent: where a search
 /// found none.
 Result<ExitCode> listAxes(Environment& environment, const DriveOptions& options,
-    const std::vector<DriveAnswer>& silent = {})
+    const std::vector<AxesOfDrive>& silent = {})
 {
-    const std::vector<DriveAnswer> answers = askAll(environment, options);
+    const std::vector<AxesOfDrive> answers = askAll(environment, options);
     environment.console().clearProgress();
     if (answers.size() == 1 && !answers.front().axes)
         return fail(answers.front().axes.error());
@@ -104,7 +104,7 @@ Result<ExitCode> listAxes(Environment& environment, const DriveOptions& options,
         json["drives"].push_back(std::move(place));
     environment.document(json);
     ExitCode code = ExitCode::Done;
-    for (const DriveAnswer& answer : answers) {
+    for (const AxesOfDrive& answer : answers) {
         if (answer.axes)
             continue;
         const Error& error = answer.axes.error();
@@ -138,7 +138,7 @@ Result<ExitCode> runAxes(Environment& environment, const AxesOptions& options)
     if (options.find) {
         AXISCOMP_TRY(const auto sightings, lookForDrives(environment, drives, places));
         drives.endpoints.clear();
-        std::vector<DriveAnswer> silent;
+        std::vector<AxesOfDrive> silent;
         for (const DriveSighting& sighting : sightings) {
             if (sighting.drive)
                 drives.endpoints.push_back(sighting.endpoint);
