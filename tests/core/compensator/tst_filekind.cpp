@@ -114,7 +114,8 @@ private Q_SLOTS:
         QVERIFY(!kind);
         QCOMPARE(kind.error().code, ErrorCode::UnknownFormat);
         const QString sentence = QString::fromStdString(textOf(kind.error()).english());
-        QVERIFY2(sentence.startsWith(name + " is no record (.axcal)"), qPrintable(sentence));
+        QVERIFY2(sentence.startsWith(name + QStringLiteral(" is no record (.axcal)")),
+            qPrintable(sentence));
     }
 
     void aFileThatIsNotThereIsNotOfAnUnknownFormat()

@@ -78,7 +78,7 @@ CompensationTable anyTable(int dimensions, std::mt19937& random)
     for (int n = 0; n < dimensions; ++n)
         grid.axes.push_back({{}, {}, between(-1e4, 1e4), std::pow(10.0, between(-5.0, 3.0)),
             static_cast<std::uint32_t>(2 + random() % 30)});
-    CompensationTable table = randomTable(grid, random());
+    CompensationTable table = randomTable(grid, static_cast<unsigned>(random()));
     for (float& value : table.values)
         value *= static_cast<float>(std::pow(10.0, between(-6.0, 6.0)));
     return table;
