@@ -29,8 +29,7 @@ else()
 endif()
 
 # Without contraction a * b + c is rounded twice on every processor: core/table/lookup_batch.cpp is compiled
-# for some that could do it in one operation, whose bits would differ. The libraries are position-independent,
-# and without interposition a function may still be inlined where it stands.
+# for some that could do it in one operation, whose bits would differ.
 add_library(axiscomp_options INTERFACE)
 target_compile_options(axiscomp_options INTERFACE
   -ffp-contract=off

@@ -33,7 +33,8 @@ enum class Outside {
 /// so does an infinite one that is wrapped or extrapolated.
 class Lookup {
 public:
-    /// table: consistent (values.size() == grid.pointCount(), 1 to 3 dimensions, sizes >= 2).
+    /// table: consistent (values.size() == grid.pointCount(), 1 to 3 dimensions, sizes from 2 to
+    /// 2^31 - 1).
     explicit Lookup(const CompensationTable& table, Outside outside = Outside::Hold);
 
     [[nodiscard]] int dimensions() const { return m_dimensions; }
@@ -44,7 +45,8 @@ public:
     [[nodiscard]] double at(std::span<const double> positions) const;
 
     /// What at() answers for each of many positions, with the same bits (a NaN for a NaN), several
-    /// at a time and on all processors. positions: dimensions() numbers for each; values: one each.
+    /// at a time and on all processors. positions: dimensions() numbers for each; values: one each,
+    /// in other memory than the positions.
     void atEach(std::span<const double> positions, std::span<double> values) const;
     /// The same on this thread, with certain instructions of the processor, which must have them.
     void atEach(std::span<const double> positions, std::span<double> values,

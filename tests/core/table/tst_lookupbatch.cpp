@@ -6,11 +6,13 @@
 
 #include <QTest>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
+#include <span>
 
 namespace tst_lookupbatch {
 
@@ -115,6 +117,15 @@ double anyPosition(const GridAxis& axis, std::mt19937& random)
     }
 }
 
+#ifdef __x86_64__
+/// As a caller that is compiled for such a processor has them.
+[[gnu::target("avx2,fma")]] double withFusedOperations(
+    const Lookup& lookup, std::span<const double, 3> position)
+{
+    return lookup.at(position[0], position[1], position[2]);
+}
+#endif
+
 } // namespace
 
 class TestLookupBatch : public QObject {
@@ -185,6 +196,27 @@ private Q_SLOTS:
                     for (int n = 0; n < dimensions; ++n)
                         positions.push_back(std::array{x, y, z}[static_cast<std::size_t>(n)]);
         verifyBatch(lookup, positions, instructions);
+    }
+
+    /// The lookup is inline: its bits are those of whoever is compiled with it.
+    void fusedOperationsOfTheCallerChangeNoBit()
+    {
+#ifdef __x86_64__
+        if (__builtin_cpu_supports("fma") == 0)
+            QSKIP("this processor does not have these instructions");
+        const CompensationTable table = randomTable(awkwardGrid(3));
+        const Lookup lookup(table);
+        std::mt19937 random(37); // NOLINT
+        for (int i = 0; i < 1000; ++i) {
+            std::array<double, 3> position{};
+            for (std::size_t n = 0; n < position.size(); ++n)
+                position[n] = anyPosition(table.grid.axes[n], random);
+            QVERIFY(isSame(withFusedOperations(lookup, position),
+                lookup.at(std::span<const double>(position))));
+        }
+#else
+        QSKIP("other processors");
+#endif
     }
 
     void theBestInstructionsAreThereAndAnswerTheSame()
