@@ -5,7 +5,7 @@ namespace axiscomp {
 
 bool isSupported(InstructionSet instructions)
 {
-#ifdef __x86_64__
+#ifdef AXISCOMP_HAS_WIDE_VECTORS
     switch (instructions) {
     case InstructionSet::Baseline:
         return true;

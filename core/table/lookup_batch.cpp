@@ -197,7 +197,7 @@ bool lookUpBaseline(const BatchTable& table, const double* positions, double* va
     return lookUp<2, dimensions>(table, positions, values);
 }
 
-#ifdef __x86_64__
+#ifdef AXISCOMP_HAS_WIDE_VECTORS
 template <std::size_t dimensions>
 [[gnu::target("avx2")]] bool lookUpAvx2(
     const BatchTable& table, const double* positions, double* values)
@@ -215,7 +215,7 @@ template <std::size_t dimensions>
 
 template <std::size_t dimensions> BatchLookup lookupWith(InstructionSet instructions)
 {
-#ifdef __x86_64__
+#ifdef AXISCOMP_HAS_WIDE_VECTORS
     if (instructions == InstructionSet::Avx512)
         return lookUpAvx512<dimensions>;
     if (instructions == InstructionSet::Avx2)
