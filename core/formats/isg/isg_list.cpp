@@ -29,7 +29,7 @@ std::string_view sectionOf(std::string_view path)
     return path.substr(0, path.find('.'));
 }
 
-constexpr std::string_view table = "table";
+constexpr std::string_view pointsKey = "table";
 
 } // namespace
 
@@ -156,7 +156,7 @@ void List::takeLine(const Token& line, Name& name)
         key.remove_prefix(std::min(key.size(), bodyPrefix.size() + m_section.name.size() + 1));
     if (!isOwn || !hasIndex)
         takeEntry(key, {name.whole, value}, isHead);
-    else if (key != table)
+    else if (key != pointsKey)
         takeForeign({}, name.whole);
     else if (name.behindPoint.starts_with('.'))
         takeCell(name.behindPoint.substr(1), name, value);
