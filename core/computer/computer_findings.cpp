@@ -110,7 +110,9 @@ Finding localeFinding(const LocaleFacts& locale)
         return {name, Grade::Note,
             AXISCOMP_TEXT("Doctor", "{variables}: this locale is not installed")
                 .with("variables", variables),
-            AXISCOMP_TEXT("Doctor", "sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8")};
+            AXISCOMP_TEXT("Doctor",
+                "sudo apt install locales and sudo dpkg-reconfigure locales, or export "
+                "LC_ALL=C.UTF-8")};
     if (!locale.isUtf8())
         return {name, Grade::Note,
             AXISCOMP_TEXT("Doctor",

@@ -34,15 +34,22 @@ Result<void> askWithin(
 
 Text wayOutOf(const DriveAnswer& answer)
 {
-    if (!isUnreachable(answer.error->code))
+    const Error& error = *answer.error;
+    // One that has changed is nothing to be trusted by a command that is only pasted.
+    if (error.code == ErrorCode::CertificateRejected && error.context.english("hasChanged") == "no")
+        return AXISCOMP_TEXT("Doctor",
+            "if the drive has the same fingerprint: `axiscomp axes --drive {drive} "
+            "--trust-certificate {fingerprint}` trusts it from then on")
+            .with("drive", answer.endpoint)
+            .with("fingerprint", Verbatim{error.context.english("fingerprint")});
+    if (!isUnreachable(error.code))
         return {};
     if (!answer.endpoint.starts_with("serial:"))
         return AXISCOMP_TEXT("Doctor",
             "open {drive} in a browser of this computer; if it does not answer there either, look "
-            "at "
-            "power, cable and network")
+            "at power, cable and network")
             .with("drive", answer.endpoint);
-    if (answer.error->code == ErrorCode::NotConnected) // that says what to do itself
+    if (error.code == ErrorCode::NotConnected) // that says what to do itself
         return {};
     return AXISCOMP_TEXT(
         "Doctor", "look at power and cable; `axiscomp axes --find --any-baud` tries other speeds");

@@ -5,6 +5,13 @@ namespace axiscomp {
 
 namespace {
 
+/// Packages are files that somebody has, or stand in an archive: how they are installed follows.
+Text installText(const char* package)
+{
+    return AXISCOMP_TEXT("Doctor", "install the package {package}")
+        .with("package", Verbatim{package});
+}
+
 Finding libraryFinding(const LibraryVersion& library)
 {
     if (library.version == library.builtWith)
@@ -30,7 +37,7 @@ Finding windowFinding(const std::string& window)
         return {AXISCOMP_TEXT("Doctor", "window"), Grade::Ok, Verbatim{window}};
     return {AXISCOMP_TEXT("Doctor", "window"), Grade::Note,
         AXISCOMP_TEXT("Doctor", "not installed; the command line does without"),
-        Verbatim{"sudo apt install axis-compensation-wizard"}};
+        installText("axis-compensation-wizard")};
 }
 
 Finding pdfFinding(bool drawsPdf)
@@ -39,7 +46,9 @@ Finding pdfFinding(bool drawsPdf)
         return {AXISCOMP_TEXT("Doctor", "reports"), Grade::Ok, Verbatim{"HTML, PDF"}};
     return {AXISCOMP_TEXT("Doctor", "reports"), Grade::Note,
         AXISCOMP_TEXT("Doctor", "what draws PDF is not installed"),
-        AXISCOMP_TEXT("Doctor", "write the report as HTML and print that")};
+        AXISCOMP_TEXT(
+            "Doctor", "install the package {package}, or write the report as HTML and print that")
+            .with("package", Verbatim{"axiscomp-report-pdf"})};
 }
 
 } // namespace

@@ -377,6 +377,8 @@ void TestComputerFindings::whatIsNotInstalledIsNamed()
     QCOMPARE(named(bare, "zlib").found.english(), "1.3, built with 1.2.13");
     for (const char* lacking : {"https", "window", "reports"})
         QVERIFY2(named(bare, lacking).grade == Grade::Note, lacking);
+    QVERIFY(says(named(bare, "window").wayOut, "package axis-compensation-wizard"));
+    QVERIFY(says(named(bare, "reports").wayOut, "package axiscomp-report-pdf"));
     facts.tls = "OpenSSL 3";
     facts.window = "/usr/bin/axis-compensation-wizard";
     facts.drawsPdf = true;

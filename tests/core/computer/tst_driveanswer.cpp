@@ -63,6 +63,7 @@ private Q_SLOTS:
     void aTimeoutSaysTheWholeTime();
     void theDemoDriveAnswersAll();
     void whatDoesNotAnswerSaysWhereToLook();
+    void anUnknownCertificateSaysHowToTrustIt();
     void whatStopsInTheMiddleSaysBoth();
     void anAxisInErrorSaysWhatToDo();
     void anErrorOfTheDriveIsSaidOnce();
@@ -160,6 +161,24 @@ void TestDriveAnswer::whatDoesNotAnswerSaysWhereToLook()
     QVERIFY(findingsOf(answer).front().wayOut.english().find("--any-baud") != std::string::npos);
     answer.error = errorOf(ErrorCode::Unauthorized); // its sentence has the way out
     QVERIFY(findingsOf(answer).front().wayOut.isEmpty());
+}
+
+void TestDriveAnswer::anUnknownCertificateSaysHowToTrustIt()
+{
+    const auto wayOut = [](const char* hasChanged) {
+        DriveAnswer answer;
+        answer.endpoint = "https://drive";
+        answer.error = Error{ErrorCode::CertificateRejected,
+            {{"endpoint", answer.endpoint}, {"reason", Verbatim{"it is self-signed"}},
+                {"fingerprint", Verbatim{"AB:CD"}}, {"hasChanged", Verbatim{hasChanged}}},
+            {}};
+        return findingsOf(answer).front().wayOut.english();
+    };
+    const std::string unknown = wayOut("no");
+    QVERIFY2(unknown.find("axiscomp axes --drive https://drive --trust-certificate AB:CD`")
+            != std::string::npos,
+        unknown.c_str());
+    QCOMPARE(wayOut("yes"), "");
 }
 
 void TestDriveAnswer::whatStopsInTheMiddleSaysBoth()
