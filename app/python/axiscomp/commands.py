@@ -24,7 +24,7 @@ Source = Union[str, "os.PathLike[str]", Table, Sequence[Table], Measurement]
 __all__ = ["example", "inspect", "convert", "lookup", "formats", "targets", "capture", "runs", "judge", "fit",
     "compare", "report", "axes", "status", "write", "persist", "unpersist", "delete", "evaluate", "activate",
     "deactivate", "read", "files", "upload", "download", "backup", "restore", "recover", "config", "plan",
-    "apply", "snapshot", "metrics"]
+    "apply", "snapshot", "metrics", "doctor"]
 
 
 def example(
@@ -1787,6 +1787,31 @@ def metrics(
             "machine": machine,
             "prove": prove,
             "output": output,
+        },
+        echo,
+    )
+
+
+def doctor(
+    *,
+    drive: Values = None,
+    profile: Value = None,
+    timeout: Value = None,
+    echo: Echo | None = None,
+) -> Document:
+    """Show what this computer has and lacks, and what each known drive answers.
+
+    drive: ENDPOINT. Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given
+    profile: FILE. Drive profile (JSON) in place of the built-in one, generic
+    timeout: SECONDS. Time limit for all that a drive is asked (5 unless given)
+    """
+    return call(
+        "doctor",
+        [],
+        {
+            "drive": drive,
+            "profile": profile,
+            "timeout": timeout,
         },
         echo,
     )
