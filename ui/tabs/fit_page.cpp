@@ -376,6 +376,8 @@ void FitPage::showEvent(QShowEvent* event)
 void FitPage::retranslate()
 {
     nameKeys();
+    // What stands around this page may be translated after it.
+    QMetaObject::invokeMethod(this, &FitPage::nameKeys, Qt::QueuedConnection);
     m_column->setAccessibleName(tr("Column"));
     m_column->setToolTip(tr("Which column of the points is shown and used"));
     m_column->setAccessibleDescription(m_column->toolTip());

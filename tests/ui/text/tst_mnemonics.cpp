@@ -144,6 +144,7 @@ private Q_SLOTS:
         for (const QString& language : Language::available()) {
             const Language spoken(language);
             QCoreApplication::sendPostedEvents(nullptr, QEvent::LanguageChange);
+            QCoreApplication::processEvents();
             if (mnemonicsOf(window).size() <= 3)
                 wrong += language + QStringLiteral(": the window has no more than three keys");
             for (const QString& problem :
