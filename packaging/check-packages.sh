@@ -12,11 +12,13 @@ fail() {
 
 build=build/run # of ./run: the same programs
 packaging/build-programs.sh axiscomp
-# What is built for the packages alone; ./run does not need it. The site of all documents is in its package where
-# there is what makes it (packages-develop.txt).
+# What is built for the packages alone; ./run does not need it. The package of the documentation is made where there
+# is what makes the site that is in it (packages-develop.txt); ./test --all installs that.
+names=(axis-compensation-wizard axiscomp axiscomp-report-pdf libaxiscomp-dev python3-axiscomp)
 site=OFF
 if command -v doxygen >/dev/null && command -v sphinx-build >/dev/null; then
     site=ON
+    names+=(axiscomp-doc)
 fi
 cmake -DAXISCOMP_PYTHON=ON -DAXISCOMP_DOCUMENTATION=$site "$build" >"$build/python.log" 2>&1 || {
     cat "$build/python.log" >&2
@@ -26,7 +28,7 @@ packaging/build-programs.sh all
 
 output=$PWD/build/packages
 packaging/make-packages.sh "$build" "$output"
-names=(axis-compensation-wizard axiscomp axiscomp-doc axiscomp-report-pdf libaxiscomp-dev python3-axiscomp)
+mapfile -t names < <(printf '%s\n' "${names[@]}" | sort)
 mapfile -t made < <(cd "$output" && printf '%s\n' *.deb | sed 's/_.*//' | sort)
 [ "${made[*]}" = "${names[*]}" ] || fail "other packages than ${names[*]} are in $output: ${made[*]}"
 
@@ -40,14 +42,17 @@ package() {
     echo "${files[0]}"
 }
 
-# expect_depends NAME ALTERNATIVE-OR-PART ...
-expect_depends() {
-    local name=$1 depends part
-    depends=$(dpkg-deb --field "$(package "$name")" Depends)
-    shift
+# expect_field FIELD NAME ALTERNATIVE-OR-PART ...
+expect_field() {
+    local field=$1 name=$2 value part
+    value=$(dpkg-deb --field "$(package "$name")" "$field")
+    shift 2
     for part in "$@"; do
-        [[ $depends == *"$part"* ]] || fail "$name does not depend on $part, but on: $depends"
+        [[ $value == *"$part"* ]] || fail "$name: $field has no $part, but: $value"
     done
+}
+expect_depends() {
+    expect_field Depends "$@"
 }
 
 # expect_files NAME FILE-BELOW-USR ...
@@ -65,7 +70,9 @@ expect_depends axiscomp libc6 libstdc++6 libqt6core6 libqt6network6 libqt6serial
     libsqlite3-0
 expect_depends axis-compensation-wizard "axiscomp (= $version)" libqt6widgets6 libqcustomplot2.1-qt6 \
     qt6-translations-l10n
-expect_depends axiscomp-report-pdf "axiscomp (= $version)" libqt6gui6
+expect_field Recommends axis-compensation-wizard axiscomp-report-pdf axiscomp-doc fonts-noto-cjk
+expect_depends axiscomp-report-pdf "axiscomp (= $version)" libqt6gui6 fonts-dejavu-core
+expect_field Recommends axiscomp-report-pdf fonts-noto-cjk
 expect_depends python3-axiscomp "python3 (<< 3.12)" python3-numpy libqt6core6 libsqlite3-0
 expect_depends libaxiscomp-dev qt6-base-dev libsqlite3-dev
 for name in axiscomp python3-axiscomp; do
@@ -88,18 +95,20 @@ expect_files axis-compensation-wizard bin/axis-compensation-wizard \
     share/applications/axis-compensation-wizard.desktop \
     share/metainfo/org.axiscomp.wizard.metainfo.xml \
     share/mime/packages/org.axiscomp.wizard.xml \
-    share/icons/hicolor/{16x16,512x512}/apps/axis-compensation-wizard.png \
-    share/icons/hicolor/scalable/apps/axis-compensation-wizard.svg
+    share/icons/hicolor/{16x16,22x22,24x24,32x32,48x48,64x64,128x128,256x256,512x512}/apps/axis-compensation-wizard.png \
+    share/icons/hicolor/scalable/apps/axis-compensation-wizard.svg \
+    share/icons/hicolor/symbolic/apps/axis-compensation-wizard-symbolic.svg
 expect_files axiscomp-report-pdf "lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/axiscomp/axiscomp-report-pdf.so"
-expect_files axiscomp-doc share/doc/axiscomp-doc/user-guide.md share/doc/axiscomp-doc/pictures/active.png
 if [ $site = ON ]; then
-    expect_files axiscomp-doc share/doc/axiscomp-doc/html/index.html share/doc-base/axiscomp-doc.axiscomp
+    expect_files axiscomp-doc share/doc/axiscomp-doc/user-guide.md share/doc/axiscomp-doc/pictures/active.png \
+        share/doc/axiscomp-doc/html/index.html share/doc-base/axiscomp-doc.axiscomp
 fi
 expect_files libaxiscomp-dev "lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/libaxiscomp_core.a" \
     include/axiscomp/core/base/result.h
 expect_files python3-axiscomp lib/python3/dist-packages/axiscomp/__init__.py
-for name in axiscomp axis-compensation-wizard axiscomp-report-pdf axiscomp-doc python3-axiscomp; do
-    if dpkg-deb --contents "$(package $name)" | grep -E '/include/|\.a$|/cmake/'; then
+for name in "${names[@]}"; do
+    [ "$name" != libaxiscomp-dev ] || continue
+    if dpkg-deb --contents "$(package "$name")" | grep -E '/include/|\.a$|/cmake/'; then
         fail "development files are in $name"
     fi
 done
@@ -119,6 +128,12 @@ desktop-file-validate "$unpacked/usr/share/applications/axis-compensation-wizard
 grep -q "<release version=\"${version%-*}\"" "$unpacked"/usr/share/metainfo/*.xml ||
     fail "the metainfo has no release ${version%-*}"
 appstreamcli validate --no-net --pedantic --explain "$unpacked"/usr/share/metainfo/*.xml
+# Without the network nobody else looks whether the pictures are there.
+while read -r width height picture; do
+    [[ $(file --brief "docs/pictures/$picture") == "PNG image data, $width x $height,"* ]] ||
+        fail "the metainfo names a picture $picture of $width x $height"
+done < <(sed -n 's|.* width="\([0-9]*\)" height="\([0-9]*\)">.*/pictures/\(.*\)</image>|\1 \2 \3|p' \
+    "$unpacked"/usr/share/metainfo/*.xml)
 update-mime-database "$unpacked/usr/share/mime"
 
 # The module as it is packed, and as a wheel of the same build; both are imported in 60 ms.

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian packages, one for each component of the installation. packaging/make-packages.sh makes them.
 
-set(components programs development documentation)
+set(components programs development)
 if(AXISCOMP_WINDOW)
   list(APPEND components window reportpdf)
 endif()
 if(AXISCOMP_PYTHON)
   list(APPEND components python)
+endif()
+if(AXISCOMP_DOCUMENTATION) # without the site there is nothing that the window's Help could open
+  list(APPEND components documentation)
 endif()
 set(programs_package axiscomp)
 set(window_package axis-compensation-wizard)
@@ -79,17 +82,20 @@ axiscomp-virtualdrive, a virtual drive to try everything without hardware, and
 the drive profiles, virtual machines and examples of both.")
 
 # Qt's own texts (the buttons of its dialogs) in other languages than English; Qt draws on Wayland with a
-# module of its own. Depends on the very version of axiscomp: both work with the same files.
+# module of its own; Japanese and Chinese need a font that nothing else brings. Depends on the very version of
+# axiscomp: both work with the same files.
 axiscomp_package(window science "position error compensation for servo drives - desktop program"
   DEPENDS "axiscomp (= ${package_version})" qt6-translations-l10n
-  RECOMMENDS axiscomp-doc axiscomp-report-pdf qt6-wayland
+  RECOMMENDS axiscomp-doc axiscomp-report-pdf fonts-noto-cjk qt6-wayland
   DESCRIPTION
 "This package has the program axis-compensation-wizard: a window in which
 measurements are judged by ISO 230-2, tables fitted, plotted and written, and
 the result is proved. A demo drive is part of it.")
 
+# A page is set in DejaVu Sans (ui/report); a report in a language that no font has the characters of is refused.
 axiscomp_package(reportpdf science "position error compensation for servo drives - reports as PDF"
-  DEPENDS "axiscomp (= ${package_version})"
+  DEPENDS "axiscomp (= ${package_version})" fonts-dejavu-core
+  RECOMMENDS fonts-noto-cjk
   DESCRIPTION
 "This package has the module with which axiscomp draws a report as PDF. It
 needs Qt's fonts and graphics, which no other command does. A report as HTML
@@ -109,15 +115,18 @@ drives, the virtual drive) and ui (the window as a widget for other programs).")
 # The module is for one version of Python.
 axiscomp_package(python python "position error compensation for servo drives - Python 3 module"
   DEPENDS "python3 (>= 3.11)" "python3 (<< 3.12)" python3-numpy
-  SUGGESTS axiscomp axiscomp-doc python3-distributed python3-matplotlib
+  SUGGESTS axiscomp axiscomp-doc axiscomp-report-pdf python3-distributed python3-matplotlib
   DESCRIPTION
 "This package has the module axiscomp: tables and measurements over numpy
 arrays, drives, and every command of the program axiscomp as a function.")
 
-axiscomp_package(documentation doc "position error compensation for servo drives - documentation"
-  NO_LIBRARIES ARCHITECTURE all
-  SUGGESTS axis-compensation-wizard axiscomp
-  DESCRIPTION
+if(AXISCOMP_DOCUMENTATION)
+  axiscomp_package(documentation doc "position error compensation for servo drives - documentation"
+    NO_LIBRARIES ARCHITECTURE all
+    SUGGESTS axis-compensation-wizard axiscomp
+    DESCRIPTION
 "This package has the user guide, the reference of the command line, of the
-Python module and of all file formats, and how the program is proved.")
+Python module, of the C++ libraries and of all file formats, and how the
+program is proved: as pages for a browser, which need no network, and as text.")
+endif()
 include(CPack)
