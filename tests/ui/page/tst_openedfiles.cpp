@@ -130,6 +130,10 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.user.message("failureMessage")
                         .startsWith(QStringLiteral("letter.txt is no record (.axcal), no machine "
                                                    "file (.toml)")));
+        // The name decides, and whoever reads the file says that it is something else.
+        bench.wizard.openFile(bench.file(QStringLiteral("letter.axcal"), "Dear customer,\n"));
+        QTRY_VERIFY(bench.user.message("failureMessage")
+                        .contains(QStringLiteral("letter.axcal is not a valid record")));
         bench.wizard.openFile(bench.path(QStringLiteral("missing.axcal")));
         QTRY_VERIFY(bench.user.message("failureMessage")
                         .contains(QStringLiteral("missing.axcal cannot be read")));
