@@ -233,6 +233,23 @@ bool mayActivate(const WizardController& c)
         && c.status()->axis.homingWord == "HomingDone";
 }
 
+/// What the rules are about, for a failure.
+QString told(const WizardController& c)
+{
+    return QStringLiteral("axis %1, busy \"%2\", state %3, changed %4, reading %5, fits %6, "
+                          "table of the drive %7, flash left %8; Write: %9")
+        .arg(c.currentAxis())
+        .arg(c.busy().step)
+        .arg(c.status() ? QString::fromStdString(c.status()->axis.stateWord)
+                        : QStringLiteral("unknown"))
+        .arg(c.setup().isDirty())
+        .arg(c.dataFile().isReading)
+        .arg(c.status() && fits(c))
+        .arg(c.status() && c.status()->table)
+        .arg(c.flashOperationsLeft())
+        .arg(c.action(Action::Write).reason);
+}
+
 } // namespace
 
 class TestWizardWalk : public QObject {
@@ -259,7 +276,7 @@ private Q_SLOTS:
                 QVERIFY(walk.settle());
             check(bench.controller());
             if (QTest::currentTestFailed()) {
-                qInfo("at step %d", step);
+                qInfo("at step %d: %s", step, qPrintable(told(bench.controller())));
                 return;
             }
         }
