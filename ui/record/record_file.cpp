@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/record_file.h"
 
+#include "core/base/sha256.h"
 #include "core/io/local_file.h"
 #include "core/metrology/record/kept_figures.h"
 #include "ui/record/record_model.h"

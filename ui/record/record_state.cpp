@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/record_state.h"
 
+#include "core/base/sha256.h"
 #include "core/io/local_file.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/run_selection.h"
 
-#include <QCryptographicHash>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -148,15 +148,6 @@ void judgeInto(RecordState& state)
 }
 
 } // namespace
-
-std::string sha256Of(ByteView bytes)
-{
-    return QCryptographicHash::hash(
-        QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())),
-        QCryptographicHash::Sha256)
-        .toHex()
-        .toStdString();
-}
 
 RecordState evaluated(
     const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop)

@@ -16,9 +16,6 @@
 
 namespace axiscomp::ui {
 
-/// Of the bytes of a file, in hexadecimal digits.
-[[nodiscard]] std::string sha256Of(ByteView bytes);
-
 /// What reading one file gave.
 struct ReadMeasurement {
     MeasurementFile file; ///< as which it was read

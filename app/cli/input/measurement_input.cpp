@@ -5,10 +5,9 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
+#include "core/base/sha256.h"
 #include "core/io/local_file.h"
 #include "core/metrology/run_selection.h"
-
-#include <QCryptographicHash>
 
 #include <algorithm>
 #include <filesystem>
@@ -36,14 +35,6 @@ Result<MeasurementReadOptions> readOptionsOf(
     reading.overrun = options.overrun;
     reading.stop = environment.stopToken();
     return reading;
-}
-
-std::string sha256Of(std::string_view text)
-{
-    const QByteArray digest =
-        QCryptographicHash::hash(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())),
-            QCryptographicHash::Sha256);
-    return digest.toHex().toStdString();
 }
 
 Result<std::string> wholeFile(
@@ -76,7 +67,7 @@ Result<Measurement> readOne(Environment& environment, const MeasurementInputOpti
     input.warnings.insert(
         input.warnings.end(), result.diagnostics.begin(), result.diagnostics.end());
     input.sources.push_back(
-        {environment.nameOf(file), std::string(format->facts.name), sha256Of(text)});
+        {environment.nameOf(file), std::string(format->facts.name), sha256Of(asBytes(text))});
     return std::move(*result.measurement);
 }
 
