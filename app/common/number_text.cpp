@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/number_text.h"
+#include "core/base/portable_math.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,7 @@ std::vector<std::string> columnTexts(const std::vector<double>& values)
         needed = std::max(needed, decimalsOf(value, mostDecimals));
     }
     const int wholeDigits =
-        largest > 0.0 ? static_cast<int>(std::floor(std::log10(largest))) + 1 : 1;
+        largest > 0.0 ? static_cast<int>(std::floor(portable::log10(largest))) + 1 : 1;
     const int decimals =
         std::min(needed, std::clamp(comfortableDigits - wholeDigits, 0, mostDecimals));
     std::vector<std::string> texts;

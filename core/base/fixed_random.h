@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/portable_math.h"
+
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -43,8 +45,8 @@ public:
     /// Normally distributed with mean 0 and standard deviation 1.
     [[nodiscard]] double normal()
     {
-        const double radius = std::sqrt(-2.0 * std::log(1.0 - fraction()));
-        return radius * std::cos(2.0 * std::numbers::pi * fraction());
+        const double radius = std::sqrt(-2.0 * portable::log(1.0 - fraction()));
+        return radius * portable::cos(2.0 * std::numbers::pi * fraction());
     }
 
 private:

@@ -5,9 +5,7 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace axiscomp {
 
@@ -16,9 +14,8 @@ namespace {
 /// An amount that nobody needs exactly: "0.0333 um".
 Quantity amountOf(double amount, const std::string& unit)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", amount);
-    return {text.data(), unit};
+    constexpr int digits = 3;
+    return {significantText(amount, digits), unit};
 }
 
 /// What is left of numbers that are the same but for the rounding of doubles.

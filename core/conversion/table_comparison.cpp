@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
+#include "core/base/portable_math.h"
 #include "core/conversion/conversion_errors.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
@@ -472,7 +473,7 @@ AxisLists Comparison::positions(ConversionDifference& result, std::size_t most) 
     double left = static_cast<double>(std::max<std::size_t>(most, 8));
     result.isThinned = count > left;
     for (std::size_t n = 0; n < byLength.size(); ++n) {
-        const double share = std::pow(left, 1.0 / static_cast<double>(byLength.size() - n));
+        const double share = portable::pow(left, 1.0 / static_cast<double>(byLength.size() - n));
         const auto allowed = std::max<std::size_t>(2, static_cast<std::size_t>(share + 1e-9));
         if (byLength[n]->size() > allowed)
             *byLength[n] = thinned(*byLength[n], allowed);

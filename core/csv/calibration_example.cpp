@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/portable_math.h"
 #include "core/csv/calibration_csv.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ float exampleValue(const Grid& grid, std::size_t point, int table)
         const double phase = 0.7 * table;
         error += weight
             * (0.0021 * t - 0.0034 * t * (1.0 - t)
-                + 0.0008 * std::sin(2.0 * std::numbers::pi * (1.7 * t) + phase));
+                + 0.0008 * portable::sin(2.0 * std::numbers::pi * (1.7 * t) + phase));
         weight *= -0.6;
     }
     constexpr double perMillimetre = 1e5;

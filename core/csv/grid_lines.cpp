@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/grid_lines.h"
 
+#include "core/base/portable_math.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -112,9 +114,9 @@ std::optional<EvenSpacing> spacingWithin(const GridLines& lines, double toleranc
     const double range = lines.positions.back() - lines.positions.front();
     const auto steps = static_cast<double>(lines.positions.size() - 1);
     constexpr int digits = 12;
-    const int coarsest = static_cast<int>(std::ceil(std::log10(range)));
+    const int coarsest = static_cast<int>(std::ceil(portable::log10(range)));
     for (int decimal = coarsest; decimal > coarsest - digits; --decimal) {
-        const double unit = std::pow(10.0, std::abs(decimal));
+        const double unit = portable::pow(10.0, std::abs(decimal));
         const auto rounded = [&](double position) {
             return decimal > 0 ? std::round(position / unit) * unit
                                : std::round(position * unit) / unit;
@@ -146,7 +148,7 @@ double suggestedSnap(const SortedPositions& sorted)
     const auto spacing = spacingWithin(lines, mostOfDistance * distance);
     if (!spacing || !(spacing->deviation > 0.0))
         return 0.0;
-    const double unit = std::pow(10.0, std::floor(std::log10(spacing->deviation)));
+    const double unit = portable::pow(10.0, std::floor(portable::log10(spacing->deviation)));
     return std::ceil(spacing->deviation / unit * (1.0 - 1e-9)) * unit;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/curve/harmonic_curve.h"
 
+#include "core/base/portable_math.h"
 #include "core/curve/curve_errors.h"
 
 #include <Eigen/Dense>
@@ -23,8 +24,8 @@ Eigen::MatrixXd designOf(const std::vector<PeriodicTerm>& terms, const CurveKnot
         for (const PeriodicTerm& term : terms) {
             const double angle = 2.0 * std::numbers::pi * term.harmonic
                 * (knots.positions[static_cast<std::size_t>(i)] / term.period);
-            design(i, ++column) = std::cos(angle);
-            design(i, ++column) = std::sin(angle);
+            design(i, ++column) = portable::cos(angle);
+            design(i, ++column) = portable::sin(angle);
         }
     }
     return design;

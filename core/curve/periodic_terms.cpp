@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/curve/periodic_terms.h"
 
+#include "core/base/portable_math.h"
 #include "core/curve/curve_errors.h"
 
 #include <algorithm>
@@ -57,26 +58,26 @@ std::size_t KnownPeriods::pointsOver(double length) const
 
 double PeriodicTerm::amplitude() const
 {
-    return std::hypot(cosine, sine);
+    return portable::hypot(cosine, sine);
 }
 
 double PeriodicTerm::phase() const
 {
-    return std::atan2(cosine, sine);
+    return portable::atan2(cosine, sine);
 }
 
 double PeriodicTerm::at(double position) const
 {
     const double angle = angleOf(*this, position);
-    return cosine * std::cos(angle) + sine * std::sin(angle);
+    return cosine * portable::cos(angle) + sine * portable::sin(angle);
 }
 
 double amplitudeError(
     const PeriodicTerm& term, double cosineVariance, double covariance, double sineVariance)
 {
     const double angle = term.phase();
-    const double c = std::sin(angle);
-    const double s = std::cos(angle);
+    const double c = portable::sin(angle);
+    const double s = portable::cos(angle);
     const double variance =
         c * c * cosineVariance + 2.0 * c * s * covariance + s * s * sineVariance;
     return std::sqrt(std::max(variance, 0.0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/curve/smoothing_spline.h"
 
+#include "core/base/portable_math.h"
 #include "core/curve/band_solver.h"
 #include "core/curve/curve_errors.h"
 
@@ -185,7 +186,7 @@ public:
     [[nodiscard]] SmoothedCurve curve(double smoothness);
 
 private:
-    [[nodiscard]] double scoreAt(double decade) { return solve(std::pow(10.0, decade)).score; }
+    [[nodiscard]] double scoreAt(double decade) { return solve(portable::pow(10.0, decade)).score; }
     void addTerms(Solution& solution) const;
     void setTerms(const Solution& solution, double noise, FittedCurve& curve) const;
 
@@ -263,8 +264,8 @@ SplineFit::Solution SplineFit::solve(double smoothness)
 double SplineFit::bestSmoothness()
 {
     // the stiffest curves of m knots lie at m^4
-    const double highest = std::max(
-        widestDecade, std::ceil(4.0 * std::log10(static_cast<double>(m_knots.means.size())) - 6.0));
+    const double highest = std::max(widestDecade,
+        std::ceil(4.0 * portable::log10(static_cast<double>(m_knots.means.size())) - 6.0));
     double best = highest;
     double bestScore = noScore;
     for (double decade = -widestDecade; decade <= highest; decade += 1.0) {
@@ -298,7 +299,7 @@ double SplineFit::bestSmoothness()
         }
     }
     const double refined = 0.5 * (low + high);
-    return std::pow(10.0, scoreAt(refined) <= bestScore ? refined : best);
+    return portable::pow(10.0, scoreAt(refined) <= bestScore ? refined : best);
 }
 
 void SplineFit::setTerms(const Solution& solution, double noise, FittedCurve& curve) const
@@ -326,7 +327,8 @@ SmoothedCurve SplineFit::curve(double smoothness)
     for (const double residual : solution.residuals)
         result.residualLargest = std::max(result.residualLargest, std::abs(residual));
     result.smoothness = smoothness;
-    result.penalty = smoothness * m_equations.penaltyUnit() * std::pow(m_equations.lengthUnit(), 3);
+    const double unit = m_equations.lengthUnit();
+    result.penalty = smoothness * m_equations.penaltyUnit() * unit * unit * unit;
     result.parameters = solution.trace;
     result.crossValidation = std::sqrt(solution.score);
     result.residualRms = std::sqrt(solution.square / weight);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/contours.h"
+#include "core/base/portable_math.h"
 
 #include <algorithm>
 #include <array>
@@ -249,9 +250,9 @@ std::vector<double> roundLevels(double low, double high, int most)
     if (!(high > low) || !std::isfinite(high - low))
         return {};
     // Multiples of a whole number of powers of ten: 3 * 0.1 is not 0.3.
-    int exponent = static_cast<int>(std::floor(std::log10((high - low) / most)));
+    int exponent = static_cast<int>(std::floor(portable::log10((high - low) / most)));
     double factor = 1.0;
-    const auto step = [&] { return factor * std::pow(10.0, exponent); };
+    const auto step = [&] { return factor * portable::pow(10.0, exponent); };
     while ((high - low) / step() > static_cast<double>(most)) {
         factor = factor == 1.0 ? 2.0 : factor == 2.0 ? 5.0 : 10.0;
         if (factor == 10.0) {
@@ -259,7 +260,7 @@ std::vector<double> roundLevels(double low, double high, int most)
             ++exponent;
         }
     }
-    const double power = std::pow(10.0, std::abs(exponent));
+    const double power = portable::pow(10.0, std::abs(exponent));
     std::vector<double> levels;
     for (double n = std::floor(low / step()) - 1.0; n <= high / step() + 1.0; ++n) {
         const double level = exponent < 0 ? n * factor / power : n * factor * power;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/even_spacing.h"
+#include "core/base/portable_math.h"
 
 #include <algorithm>
 #include <array>
@@ -145,7 +146,7 @@ EvenSpacing fitEvenSpacing(std::span<const double> lines, int lastDecimal)
     const Line line = leastSquares(lines);
     const double range = lines.back() - lines.front();
     const double noise = noiseOf(lines);
-    const double halfUnit = 0.5 * std::pow(10.0, lastDecimal);
+    const double halfUnit = 0.5 * portable::pow(10.0, lastDecimal);
     const double printed = std::min(halfUnit, 0.01 * static_cast<double>(line.distance));
     EvenSpacing spacing;
     spacing.start = static_cast<double>(line.start);

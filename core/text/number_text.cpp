@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/number_text.h"
+#include "core/base/portable_math.h"
 
 #include <array>
 #include <charconv>
@@ -68,13 +69,18 @@ std::string fixedDigits(double value, int decimals)
     return digits;
 }
 
-std::string roundedText(double value)
+std::string significantText(double value, int digits)
 {
-    constexpr int digits = 12;
-    std::array<char, 32> buffer{};
+    std::array<char, 64> buffer{};
     const auto result = std::to_chars(
         buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
     return {buffer.data(), result.ptr};
+}
+
+std::string roundedText(double value)
+{
+    constexpr int digits = 12;
+    return significantText(value, digits);
 }
 
 std::string sizeText(std::span<const std::size_t> counts)
@@ -94,7 +100,7 @@ std::string percentText(double share)
     if (share >= 1.0)
         return "100";
     const double scale =
-        percent >= 10.0 ? 1.0 : std::pow(10.0, 1.0 - std::floor(std::log10(percent)));
+        percent >= 10.0 ? 1.0 : portable::pow(10.0, 1.0 - std::floor(portable::log10(percent)));
     return roundedText(std::floor(percent * scale) / scale);
 }
 

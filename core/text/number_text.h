@@ -21,6 +21,9 @@ inline constexpr std::size_t longestText = 32;
 /// to 0.
 [[nodiscard]] std::string fixedDigits(double value, int decimals);
 
+/// With this many digits that say something: "0.0333", "1.2e-07".
+[[nodiscard]] std::string significantText(double value, int digits);
+
 /// A computed number without the rounding of doubles: 12 digits.
 [[nodiscard]] std::string roundedText(double value);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/portable_math.h"
 #include "core/formats/heidenhain/heidenhain_file.h"
 #include "core/text/number_text.h"
 
@@ -53,7 +54,7 @@ std::string axisInName(std::string_view line)
 /// 0.0001 where all positions are multiples of it, as they are with four decimals.
 double stepOf(std::span<const double> positions)
 {
-    const double perUnit = std::pow(10.0, decimals);
+    const double perUnit = portable::pow(10.0, decimals);
     const bool areMultiples = std::ranges::all_of(positions, [perUnit](double position) {
         const double exact = position * perUnit;
         return std::abs(exact - std::round(exact)) <= 1e-6;
@@ -79,7 +80,7 @@ struct Column {
     std::vector<double> positions;
     std::vector<double> values;
     std::vector<std::size_t> lines;
-    std::vector<long> numbers;
+    std::vector<std::int64_t> numbers;
 };
 
 class FileReader {
@@ -127,7 +128,7 @@ private:
     std::vector<Header> m_headers;
     std::vector<Column> m_columns; ///< of the headers that are axes, in their order
     std::vector<Token> m_tokens;
-    std::optional<long> m_lastNumber;
+    std::optional<std::int64_t> m_lastNumber;
     std::size_t m_rows = 0;
     std::size_t m_backlashes = 0;
     Token m_backlash; ///< the first value there

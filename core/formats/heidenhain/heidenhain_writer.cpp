@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/portable_math.h"
 #include "core/formats/axis_letter.h"
 #include "core/formats/heidenhain/heidenhain_file.h"
 #include "core/formats/units.h"
@@ -161,8 +162,9 @@ Result<void> FileWriter::prepare(const NeutralTable& table, std::vector<Text>& r
 /// What the TNC 407 demands, a power of two times 0.0001, and that four decimals hold it.
 Result<void> FileWriter::checkDistance(double distance) const
 {
-    const double step = std::pow(10.0, -decimals);
-    const double below = std::exp2(std::max(0.0, std::floor(std::log2(distance / step) + 1e-9)));
+    const double step = portable::pow(10.0, -decimals);
+    const double below =
+        portable::pow(2.0, std::max(0.0, std::floor(portable::log2(distance / step) + 1e-9)));
     const bool isPower = std::abs(distance / step - below) <= 1e-6 * below;
     const auto textOf = [&](double count) {
         return Quantity{fixedDigits(count * step, decimals), m_table.axes.front().unit};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/grid_smoothness.h"
 
+#include "core/base/portable_math.h"
 #include "core/metrology/fit/grid_system.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ Result<double> CrossValidation::rmsAt(double decade)
         auto& [system, nodes] = m_folds[fold];
         if (system->weight() == 0.0)
             continue;
-        AXISCOMP_CHECK(system->solve(std::pow(10.0, decade), trialTolerance, m_stop, nodes));
+        AXISCOMP_CHECK(system->solve(portable::pow(10.0, decade), trialTolerance, m_stop, nodes));
         for (const GridPoint& point : m_points) {
             if (point.fold % foldCount != fold)
                 continue;
@@ -170,8 +171,8 @@ Grid coarserGrid(const Grid& grid)
 {
     const std::size_t most = mostTrialNodes[grid.axes.size() - 1];
     const auto nodes = static_cast<double>(grid.pointCount());
-    const double factor =
-        std::pow(nodes / static_cast<double>(most), 1.0 / static_cast<double>(grid.axes.size()));
+    const double factor = portable::pow(
+        nodes / static_cast<double>(most), 1.0 / static_cast<double>(grid.axes.size()));
     Grid made = grid;
     if (factor <= 1.0)
         return made;
@@ -189,7 +190,7 @@ double fourthPower(const Grid& grid)
     double h = 1.0;
     for (const GridAxis& axis : grid.axes)
         h *= axis.distance;
-    return std::pow(h, 4.0 / static_cast<double>(grid.axes.size()));
+    return portable::pow(h, 4.0 / static_cast<double>(grid.axes.size()));
 }
 
 double weightSum(const std::vector<GridPoint>& points)
@@ -259,15 +260,15 @@ Result<ChosenSmoothness> chooseSmoothness(
     const double trialScale = weightSum(trialPoints) * fourthPower(trialGrid);
     CrossValidation validation(trialGrid, std::move(trialPoints), stop);
     DecadeSearch search([&](double decade) { return validation.rmsAt(decade); });
-    AXISCOMP_TRY(
-        const double decade, search.lowest(-4.0, 1.0, std::ceil(4.0 * std::log10(longest)) + 1.0));
+    AXISCOMP_TRY(const double decade,
+        search.lowest(-4.0, 1.0, std::ceil(4.0 * portable::log10(longest)) + 1.0));
     const bool isTrial = isCoarser || points.size() > mostTrialPoints;
     if (!isTrial) {
         AXISCOMP_TRY(const double rms, validation.rmsAt(decade));
-        return ChosenSmoothness{std::pow(10.0, decade), rms};
+        return ChosenSmoothness{portable::pow(10.0, decade), rms};
     }
     const double scale = weightSum(points) * fourthPower(grid);
-    return comparedAround(grid, points, std::pow(10.0, decade) * trialScale / scale, stop);
+    return comparedAround(grid, points, portable::pow(10.0, decade) * trialScale / scale, stop);
 }
 
 } // namespace axiscomp

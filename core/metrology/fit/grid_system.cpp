@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/grid_system.h"
+#include "core/base/portable_math.h"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
@@ -107,11 +108,14 @@ Eigen::MatrixXd GridSystem::Preconditioner::basisOf(const Eigen::MatrixXd& secon
         return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(second).eigenvectors();
     Eigen::MatrixXd basis(count, count);
     const auto n = static_cast<double>(count);
+    // Every cosine of the basis is that of a 4n-th part of a turn.
+    std::vector<double> cosines(static_cast<std::size_t>(4 * count));
+    for (std::size_t part = 0; part < cosines.size(); ++part)
+        cosines[part] = portable::cos(std::numbers::pi * static_cast<double>(part) / (2.0 * n));
     for (Eigen::Index k = 0; k < count; ++k)
         for (Eigen::Index i = 0; i < count; ++i)
             basis(i, k) = std::sqrt((k == 0 ? 1.0 : 2.0) / n)
-                * std::cos(
-                    std::numbers::pi * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / n);
+                * cosines[static_cast<std::size_t>(k * (2 * i + 1) % (4 * count))];
     return basis;
 }
 
@@ -218,12 +222,14 @@ GridSystem::GridSystem(const Grid& grid) : m_shape(grid)
 {
     double h = 1.0;
     for (std::size_t a = 0; a < m_shape.dimensions; ++a)
-        h *= std::pow(grid.axes[a].distance, 1.0 / static_cast<double>(m_shape.dimensions));
+        h *= portable::pow(grid.axes[a].distance, 1.0 / static_cast<double>(m_shape.dimensions));
     for (std::size_t a = 0; a < m_shape.dimensions; ++a) {
         const double ratio = h / grid.axes[a].distance;
-        m_along[a] = std::pow(ratio, 4);
-        for (std::size_t b = 0; b < m_shape.dimensions; ++b)
-            m_across[a][b] = 2.0 * std::pow(ratio * h / grid.axes[b].distance, 2);
+        m_along[a] = ratio * ratio * ratio * ratio;
+        for (std::size_t b = 0; b < m_shape.dimensions; ++b) {
+            const double across = ratio * h / grid.axes[b].distance;
+            m_across[a][b] = 2.0 * across * across;
+        }
     }
     const auto reach = [this](std::size_t axis) { return axis < m_shape.dimensions ? 1 : 0; };
     for (int z = 0; z <= reach(2); ++z) {

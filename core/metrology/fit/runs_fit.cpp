@@ -243,7 +243,7 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
     AXISCOMP_TRY(const double distance, distanceOf(targets));
     const double last = settings.turn ? from + *settings.turn : to;
     return AxisRequest{
-        .points = static_cast<std::size_t>(std::lround((last - from) / distance)) + 1,
+        .points = static_cast<std::size_t>(std::llround((last - from) / distance)) + 1,
         .start = from,
         .end = last};
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/portable_math.h"
 #include "core/metrology/formats/measurement_csv.h"
 #include "core/metrology/formats/measurement_formats.h"
 #include "core/metrology/formats/run_assembly.h"
@@ -120,7 +121,7 @@ std::optional<double> Reader::number(const Token& token)
 {
     Number parsed;
     if (parseNumber(token.text, '.', parsed) == NumberFault::None) {
-        const double half = 0.5 * std::pow(10.0, parsed.lastDecimal);
+        const double half = 0.5 * portable::pow(10.0, parsed.lastDecimal);
         m_halfUnit = m_halfUnit == 0.0 ? half : std::min(m_halfUnit, half);
         return parsed.value;
     }
@@ -183,7 +184,7 @@ void Reader::takeResult(const Token& line)
     if (parseNumber(value.substr(0, end), '.', parsed) != NumberFault::None || !unit)
         return; // a line that says what the figure is
     m_measurement.published.push_back({std::string(known->figure), parsed.value * unit->factor,
-        0.5 * std::pow(10.0, parsed.lastDecimal) * unit->factor, line.line});
+        0.5 * portable::pow(10.0, parsed.lastDecimal) * unit->factor, line.line});
 }
 
 std::vector<RawRunValue> Reader::values()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/iso230.h"
 
+#include "core/base/portable_math.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -327,7 +328,7 @@ std::optional<double> standardError(const TargetFigures& target)
         return target.up.mean ? up : down;
     if (!up || !down)
         return std::nullopt;
-    return 0.5 * std::hypot(*up, *down);
+    return 0.5 * portable::hypot(*up, *down);
 }
 
 std::vector<std::optional<double>> valuesOfTargets(const Iso230Figures& figures)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/published_figures.h"
+#include "core/base/portable_math.h"
 
 #include <algorithm>
 #include <charconv>
@@ -59,7 +60,7 @@ std::size_t fewestValues(const Iso230Figures& figures)
 Quantity printed(double value, double halfUnit, const Measurement& measurement)
 {
     const int decimals = halfUnit > 0.0
-        ? std::clamp(static_cast<int>(std::lround(-std::log10(2.0 * halfUnit))), 0, 12)
+        ? std::clamp(static_cast<int>(std::lround(-portable::log10(2.0 * halfUnit))), 0, 12)
         : 6;
     std::array<char, 352> buffer{};
     const auto end = std::to_chars(

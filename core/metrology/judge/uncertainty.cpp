@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/uncertainty.h"
 
+#include "core/base/portable_math.h"
 #include "core/io/strict_json.h"
 #include "core/table/position_unit.h"
 #include "core/text/token_scanner.h"
@@ -37,7 +38,7 @@ Uncertainty uncertaintyOf(const UncertaintyBudget& budget)
     constexpr double standardCelsius = 20.0;
     Uncertainty result;
     result.device = budget.deviceMm + budget.devicePpm * 1e-6 * budget.lengthMm;
-    result.misalignment = budget.lengthMm * (1.0 - std::cos(budget.misalignmentMrad * 1e-3));
+    result.misalignment = budget.lengthMm * (1.0 - portable::cos(budget.misalignmentMrad * 1e-3));
     result.temperature =
         rectangular * budget.expansionPerKelvin * budget.lengthMm * budget.temperatureRangeKelvin;
     result.coefficient = rectangular * std::abs(budget.materialCelsius - standardCelsius)

@@ -4,11 +4,10 @@
 #include "core/curve/smoothing_spline.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace axiscomp {
 
@@ -158,9 +157,8 @@ ErrorCurves errorCurves(const Iso230Figures& before, const std::vector<Remaining
 /// Two digits: what is said only points somewhere.
 std::string about(double value)
 {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2g", value);
-    return text.data();
+    constexpr int digits = 2;
+    return significantText(value, digits);
 }
 
 ComparisonHint scaleHint(double factor)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/deviation_plot.h"
 
+#include "core/base/portable_math.h"
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_text.h"
 
@@ -22,7 +23,7 @@ const std::vector<double> dotted{0.3, 0.7};
 double niceStep(double range, int most)
 {
     const double least = range / most;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    const double power = portable::pow(10.0, std::floor(portable::log10(least)));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= least * (1.0 - 1e-9))
             return factor * power;
@@ -31,7 +32,7 @@ double niceStep(double range, int most)
 
 int decimalsOfStep(double step)
 {
-    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    return std::max(0, -static_cast<int>(std::floor(portable::log10(step) + 1e-9)));
 }
 
 /// Values along one side of the plot, from the value at its beginning to that at its end.
