@@ -150,7 +150,7 @@ double SettingValues::number(std::string_view key) const
     return numberOf(text(key)).value_or(0.0);
 }
 
-long SettingValues::whole(std::string_view key) const
+std::int64_t SettingValues::whole(std::string_view key) const
 {
     return wholeNumberOf(text(key)).value_or(0);
 }

@@ -60,7 +60,7 @@ Result<void> checkOwnAxis(const FormatFacts& facts, const NeutralTable& table, c
     return {};
 }
 
-Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
+Result<std::int64_t> axisNumber(const FormatFacts& facts, const SettingValues& settings,
     std::string_view key, const std::string& name)
 {
     const bool isSet = settings.has(key);

@@ -18,8 +18,8 @@ namespace axiscomp {
 
 /// The number that stands for an axis: the setting of this key, or the name of the axis where that
 /// is a number from 1. Errors: InvalidArgument that names the setting.
-[[nodiscard]] Result<long> axisNumber(const FormatFacts& facts, const SettingValues& settings,
-    std::string_view key, const std::string& name);
+[[nodiscard]] Result<std::int64_t> axisNumber(const FormatFacts& facts,
+    const SettingValues& settings, std::string_view key, const std::string& name);
 
 /// Whether the values at both ends of an axis are the same, column by column.
 [[nodiscard]] bool isClosed(const NeutralTable& table, std::size_t axis);

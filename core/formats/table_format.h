@@ -8,6 +8,7 @@
 #include "core/text/diagnostic.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -195,7 +196,7 @@ public:
     [[nodiscard]] bool has(std::string_view key) const; ///< given, or with a standard value
     [[nodiscard]] std::string text(std::string_view key) const; ///< empty: not given
     [[nodiscard]] double number(std::string_view key) const; ///< has(key)
-    [[nodiscard]] long whole(std::string_view key) const; ///< has(key)
+    [[nodiscard]] std::int64_t whole(std::string_view key) const; ///< has(key)
     [[nodiscard]] bool yes(std::string_view key) const;
 
 private:

@@ -156,7 +156,7 @@ private:
         if (wholeNumberOf(cells[0].text) != next)
             complain(cells[0], AXISCOMP_TEXT("Error", "step {step}").with("step", next));
         const auto run = wholeNumberOf(cells[1].text);
-        if (!run || *run < 1 || *run > static_cast<long>(mostPlanSteps))
+        if (!run || *run < 1 || *run > static_cast<std::int64_t>(mostPlanSteps))
             complain(cells[1], AXISCOMP_TEXT("Error", "the number of a run, from 1"));
         if (cells[2].text != "+" && cells[2].text != "-")
             complain(cells[2], AXISCOMP_TEXT("Error", "the direction + or -"));

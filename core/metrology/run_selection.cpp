@@ -26,10 +26,10 @@ std::optional<Approach> approachNamed(std::string_view text)
 }
 
 /// A count from 1.
-std::optional<long> ordinal(const Token& token)
+std::optional<std::int64_t> ordinal(const Token& token)
 {
     const auto number = wholeNumberOf(token.text);
-    constexpr long largest = 1'000'000'000;
+    constexpr std::int64_t largest = 1'000'000'000;
     return number && *number >= 1 && *number <= largest ? number : std::nullopt;
 }
 
@@ -47,7 +47,7 @@ std::optional<Exclusion> exclusionOf(const Token& item)
     const bool isRun = sameLetters(parts[0].text, "run");
     const auto direction = approachNamed(parts[isRun ? 1 : 0].text);
     const auto run = ordinal(parts[2]);
-    const auto target = isRun ? std::optional<long>(0) : ordinal(parts[1]);
+    const auto target = isRun ? std::optional<std::int64_t>(0) : ordinal(parts[1]);
     if (!direction || !run || !target)
         return std::nullopt;
     Exclusion exclusion{direction, {}, static_cast<int>(*run)};

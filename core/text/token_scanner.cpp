@@ -167,11 +167,11 @@ bool isNumber(const Token& token, double& value)
     return isAnyNumber(token.text, value);
 }
 
-std::optional<long> wholeNumberOf(std::string_view text)
+std::optional<std::int64_t> wholeNumberOf(std::string_view text)
 {
     if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
-    long number = 0;
+    std::int64_t number = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, number);
     const bool isWhole = read.ec == std::errc{} && read.ptr == end;
@@ -203,7 +203,8 @@ void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
     }
 }
 
-std::optional<long> readWholeNumber(const Token& token, Text expected, DiagnosticList& diagnostics)
+std::optional<std::int64_t> readWholeNumber(
+    const Token& token, Text expected, DiagnosticList& diagnostics)
 {
     const auto number = wholeNumberOf(token.text);
     if (!number)

@@ -7,6 +7,7 @@
 #include "core/text/line_reader.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,7 +70,7 @@ void splitCells(const Token& line, char separator, std::vector<Token>& cells);
     double value = 0.0;
     return isNumber({text, 0, 0}, value) ? std::optional(value) : std::nullopt;
 }
-[[nodiscard]] std::optional<long> wholeNumberOf(std::string_view text);
+[[nodiscard]] std::optional<std::int64_t> wholeNumberOf(std::string_view text);
 
 /// The error that says what was expected in place of the token.
 void reportNotANumber(const Token& token, const TextPattern& expected, DiagnosticList& diagnostics);
@@ -88,7 +89,7 @@ void reportNotANumber(const Token& token, const TextPattern& expected, Diagnosti
 /// Adds a number for each token, 0 for those that become errors.
 void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
     std::vector<double>& numbers, DiagnosticList& diagnostics);
-[[nodiscard]] std::optional<long> readWholeNumber(
+[[nodiscard]] std::optional<std::int64_t> readWholeNumber(
     const Token& token, Text expected, DiagnosticList& diagnostics);
 
 /// The same letters, upper or lower case (ASCII).

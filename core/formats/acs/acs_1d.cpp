@@ -72,8 +72,8 @@ constexpr TextPattern connectWords =
 
 /// What a call maps.
 struct Map {
-    long axis = 0;
-    std::optional<long> zone; ///< nothing: by CONNECT
+    std::int64_t axis = 0;
+    std::optional<std::int64_t> zone; ///< nothing: by CONNECT
     double base = 0.0;
     double step = 0.0;
     const Call* call = nullptr;

@@ -83,7 +83,7 @@ Text unitsText(const NeutralTable& table, std::size_t own)
 
 /// One axis of a map.
 struct Side {
-    long axis = 0;
+    std::int64_t axis = 0;
     double base = 0.0;
     double step = 0.0;
 };
@@ -242,7 +242,7 @@ Result<NeutralTable> numbered(NeutralTable table, const SettingValues& given)
         return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
     };
     const auto own = ownAxis(table, table.columns.front());
-    std::array<long, 2> sources{};
+    std::array<std::int64_t, 2> sources{};
     for (std::size_t n = 0; n < sources.size(); ++n) {
         AXISCOMP_TRY(sources[n], acs::numberFromZero(facts, given, sourceKeys[n]));
         table.axes[n].name = std::to_string(sources[n]);
@@ -252,7 +252,7 @@ Result<NeutralTable> numbered(NeutralTable table, const SettingValues& given)
                           .with("axis", sources[0])
                           .with("key", sourceKeys[0])
                           .with("other", sourceKeys[1]));
-    long target = own ? sources[*own] : 0;
+    std::int64_t target = own ? sources[*own] : 0;
     if (given.has(targetKey)) {
         AXISCOMP_TRY(target, acs::numberFromZero(facts, given, targetKey));
     } else if (!own) {

@@ -103,11 +103,11 @@ std::optional<double> literalOf(std::string_view text)
     return number && text.front() == '-' && *number != 0.0 ? std::optional(-*number) : number;
 }
 
-std::optional<long> wholeOf(double number)
+std::optional<std::int64_t> wholeOf(double number)
 {
     constexpr double most = 2147483647.0;
     const bool isIndex = number >= 0.0 && number <= most && number == std::floor(number);
-    return isIndex ? std::optional(static_cast<long>(number)) : std::nullopt;
+    return isIndex ? std::optional(static_cast<std::int64_t>(number)) : std::nullopt;
 }
 
 /// The statements of a line: what stands between semicolons and before the comment. Both count as
@@ -426,7 +426,7 @@ std::optional<double> Program::number(
     return std::nullopt;
 }
 
-std::optional<long> Program::index(
+std::optional<std::int64_t> Program::index(
     const Call& call, const Token& argument, DiagnosticList& diagnostics) const
 {
     for (const auto& [name, axis] : m_axes)
@@ -440,7 +440,7 @@ std::optional<long> Program::index(
     return whole;
 }
 
-std::string Program::axisName(long axis) const
+std::string Program::axisName(std::int64_t axis) const
 {
     for (const auto& [name, number] : m_axes)
         if (number == axis)

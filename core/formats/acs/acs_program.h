@@ -5,6 +5,7 @@
 #include "core/formats/format_writer.h"
 #include "core/text/token_scanner.h"
 
+#include <cstdint>
 #include <map>
 
 namespace axiscomp::acs {
@@ -49,10 +50,10 @@ public:
     [[nodiscard]] std::optional<double> number(
         const Call& call, const Token& argument, DiagnosticList& diagnostics) const;
     /// A number of an axis or a zone, from 0; also a name of AXISDEF.
-    [[nodiscard]] std::optional<long> index(
+    [[nodiscard]] std::optional<std::int64_t> index(
         const Call& call, const Token& argument, DiagnosticList& diagnostics) const;
     /// "0", or the name that AXISDEF gives the axis.
-    [[nodiscard]] std::string axisName(long axis) const;
+    [[nodiscard]] std::string axisName(std::int64_t axis) const;
 
     /// Whether the name of an array is the same array at both calls, not one in each of two
     /// buffers.
@@ -63,7 +64,7 @@ public:
 
 private:
     struct Assigned {
-        std::array<std::optional<long>, 2> index; ///< nothing: none, or no literal
+        std::array<std::optional<std::int64_t>, 2> index; ///< nothing: none, or no literal
         std::size_t indices = 0;
         std::optional<double> value; ///< nothing: no literal
         Token text; ///< the value, or the index when that is no literal
@@ -108,7 +109,7 @@ private:
         std::size_t indices, DiagnosticList& diagnostics) const;
 
     std::map<std::string, Variable, std::less<>> m_variables; ///< by name in capital letters
-    std::map<std::string, long, std::less<>> m_axes; ///< of AXISDEF, as written
+    std::map<std::string, std::int64_t, std::less<>> m_axes; ///< of AXISDEF, as written
     std::vector<Call> m_calls;
     std::size_t m_buffer = 0;
     std::size_t m_statements = 0;
@@ -154,7 +155,7 @@ inline constexpr FormatSetting declaresArray{.key = "declare",
 [[nodiscard]] Result<std::string> nameOfArray(
     const FormatFacts& facts, const SettingValues& settings);
 /// A setting that is a number from 0. Errors: InvalidArgument.
-[[nodiscard]] Result<long> numberFromZero(
+[[nodiscard]] Result<std::int64_t> numberFromZero(
     const FormatFacts& facts, const SettingValues& settings, std::string_view key);
 
 /// "-66, 20": the first position and the distance.

@@ -37,10 +37,10 @@ Result<std::string> nameOfArray(const FormatFacts& facts, const SettingValues& s
                 .with("key", arrayName.key)}});
 }
 
-Result<long> numberFromZero(
+Result<std::int64_t> numberFromZero(
     const FormatFacts& facts, const SettingValues& settings, std::string_view key)
 {
-    const long number = settings.whole(key);
+    const std::int64_t number = settings.whole(key);
     if (number >= 0)
         return number;
     return fail(ErrorCode::InvalidArgument,

@@ -131,7 +131,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     std::vector<NeutralTable> prepared;
-    std::set<long> axes;
+    std::set<std::int64_t> axes;
     for (const NeutralTable& source : tables) {
         AXISCOMP_CHECK(checkOwnAxis(
             format.facts, source, AXISCOMP_TEXT("Error", "choose a table of an axis for itself")));

@@ -55,13 +55,13 @@ constexpr std::array<std::string_view, 4> assumptions{
 
 /// What stands behind the first :START2D.
 struct Head {
-    std::array<long, 2> sources{}; ///< column axis, row axis
-    std::vector<long> outputs;
+    std::array<std::int64_t, 2> sources{}; ///< column axis, row axis
+    std::vector<std::int64_t> outputs;
     std::array<double, 2> distances{}; ///< likewise
-    long columns = 0;
+    std::int64_t columns = 0;
 };
 
-std::optional<long> axisOf(const Token& token, DiagnosticList& diagnostics)
+std::optional<std::int64_t> axisOf(const Token& token, DiagnosticList& diagnostics)
 {
     const auto number = readWholeNumber(
         token, AXISCOMP_TEXT("Error", "the number of an axis, from 1"), diagnostics);

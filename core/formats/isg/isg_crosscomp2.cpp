@@ -230,7 +230,7 @@ Result<void> closeEnds(
 }
 
 void addHeader(isg::Draft& draft, const std::array<std::array<double, 2>, 2>& grids,
-    const std::array<long, 2>& masters)
+    const std::array<std::int64_t, 2>& masters)
 {
     draft.add("interval", draft.numberText(grids[0][1]));
     for (std::size_t n = 0; n < 2; ++n) {
@@ -241,8 +241,8 @@ void addHeader(isg::Draft& draft, const std::array<std::array<double, 2>, 2>& gr
     }
 }
 
-Result<isg::Draft> draftOf(
-    const NeutralTable& source, const SettingValues& given, long axis, std::vector<Text>& remarks)
+Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& given,
+    std::int64_t axis, std::vector<Text>& remarks)
 {
     const FormatFacts& facts = isg_crosscomp2::format().facts;
     const auto master1 = axisNumber(facts, given, "master1-axis", source.axes[0].name);

@@ -116,7 +116,8 @@ void List::takeCell(std::string_view field, const Name& name, const Token& value
     }
     Cell& cell = m_cells.emplace_back();
     cell.field = static_cast<std::size_t>(found - m_section.fields.begin());
-    cell.index = m_section.indices == 2 ? name.index : std::array<long, 2>{0, name.index[0]};
+    cell.index =
+        m_section.indices == 2 ? name.index : std::array<std::int64_t, 2>{0, name.index[0]};
     cell.name = name.whole;
     cell.value = value;
 }
@@ -246,7 +247,8 @@ void List::missing(std::string_view key) const
         AXISCOMP_TEXT("Error", "the entry {name}, which is missing").with("name", path(key)));
 }
 
-std::optional<long> List::whole(std::string_view key, long least, long most) const
+std::optional<std::int64_t> List::whole(
+    std::string_view key, std::int64_t least, std::int64_t most) const
 {
     const Entry* const entry = find(key);
     if (!entry) {
@@ -309,7 +311,7 @@ std::string List::axisNumber() const
 
 bool List::checkMostPoints(std::size_t points, std::size_t standard) const
 {
-    auto most = static_cast<long>(standard);
+    auto most = static_cast<std::int64_t>(standard);
     if (has("max_points")) {
         const auto given = whole("max_points", 0, 2147483647);
         if (!given)

@@ -6,6 +6,7 @@
 #include "core/text/token_scanner.h"
 
 #include <array>
+#include <cstdint>
 
 namespace axiscomp::isg {
 
@@ -46,7 +47,8 @@ public:
     /// The whole value of a text up to '('; empty without the entry.
     [[nodiscard]] std::string text(std::string_view key) const;
     /// The value of an entry between two limits; otherwise an error.
-    [[nodiscard]] std::optional<long> whole(std::string_view key, long least, long most) const;
+    [[nodiscard]] std::optional<std::int64_t> whole(
+        std::string_view key, std::int64_t least, std::int64_t most) const;
     [[nodiscard]] std::optional<double> number(std::string_view key) const;
     /// 0 or 1; what a list without the entry means is said by a warning.
     [[nodiscard]] std::optional<bool> flag(std::string_view key, bool standard) const;
@@ -70,7 +72,7 @@ private:
     };
     struct Cell {
         std::size_t field = 0;
-        std::array<long, 2> index{}; ///< of one index: {0, i}
+        std::array<std::int64_t, 2> index{}; ///< of one index: {0, i}
         Token name;
         Token value;
     };
@@ -78,7 +80,7 @@ private:
     struct Name {
         Token whole;
         std::string_view base; ///< before the first index: "kw.ssfk.table"
-        std::array<long, 2> index{};
+        std::array<std::int64_t, 2> index{};
         std::size_t indices = 0;
         /// Behind as many indices as a point of the section has, if they follow the base: ".pos".
         std::string_view behindPoint;
@@ -171,7 +173,7 @@ struct Draft {
 };
 /// axis: the number for kopf.achs_nr.
 [[nodiscard]] Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
-    const SettingValues& settings, long axis, std::vector<Text>& remarks);
+    const SettingValues& settings, std::int64_t axis, std::vector<Text>& remarks);
 enum class Numbers { Positions, Values };
 /// The numbers of the file for positions or values. Errors: FormatCannotHold, 32 bits.
 [[nodiscard]] Result<std::vector<double>> inFile(
@@ -179,7 +181,7 @@ enum class Numbers { Positions, Values };
 /// FormatCannotHold for a position that rounding makes the same as the one before.
 [[nodiscard]] tl::unexpected<Error> roundedTogether(const FormatFacts& facts, double position);
 /// How the table of an axis is switched on.
-[[nodiscard]] Text activation(const Section& section, long axis);
+[[nodiscard]] Text activation(const Section& section, std::int64_t axis);
 /// Ends the text, reads it back and adds what a person must know. readSettings: what the list does
 /// not say itself.
 [[nodiscard]] Result<WrittenTables> finish(const TableFormat& format, Draft draft,

@@ -142,7 +142,7 @@ void addKeptEntries(Draft& draft, const SettingValues& settings)
 } // namespace
 
 Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
-    const SettingValues& settings, long axis, std::vector<Text>& remarks)
+    const SettingValues& settings, std::int64_t axis, std::vector<Text>& remarks)
 {
     AXISCOMP_TRY(auto scale, scaleForWriting(settings));
     Draft draft{table, scale, {}, "kw." + std::string(section.name) + '.'};
@@ -198,7 +198,7 @@ tl::unexpected<Error> roundedTogether(const FormatFacts& facts, double position)
         AXISCOMP_TEXT("Error", "resample it onto a coarser grid"));
 }
 
-Text activation(const Section& section, long axis)
+Text activation(const Section& section, std::int64_t axis)
 {
     return AXISCOMP_TEXT("Error", "activate it in the axis list of axis {axis}: {parameter} 1")
         .with("axis", axis)

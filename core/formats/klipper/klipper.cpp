@@ -152,9 +152,10 @@ public:
 
 private:
     [[nodiscard]] const Token* entry(const std::string& key);
-    [[nodiscard]] SourceAxis axis(const std::string& name, const std::string& small, long points);
-    [[nodiscard]] long pointsOf(const std::string& key);
-    [[nodiscard]] std::vector<double> heights(long columns, long rows);
+    [[nodiscard]] SourceAxis axis(
+        const std::string& name, const std::string& small, std::int64_t points);
+    [[nodiscard]] std::int64_t pointsOf(const std::string& key);
+    [[nodiscard]] std::vector<double> heights(std::int64_t columns, std::int64_t rows);
     void checkVersion();
 
     const Profile& m_profile;
@@ -183,7 +184,7 @@ void ProfileReader::checkVersion()
 }
 
 /// The number of points along an axis; 0 after an error.
-long ProfileReader::pointsOf(const std::string& key)
+std::int64_t ProfileReader::pointsOf(const std::string& key)
 {
     const Token* const token = entry(key);
     const auto points = token ? readWholeNumber(*token,
@@ -198,7 +199,7 @@ long ProfileReader::pointsOf(const std::string& key)
     return 0;
 }
 
-std::vector<double> ProfileReader::heights(long columns, long rows)
+std::vector<double> ProfileReader::heights(std::int64_t columns, std::int64_t rows)
 {
     std::vector<double> values;
     std::vector<Token> cells;
@@ -206,7 +207,7 @@ std::vector<double> ProfileReader::heights(long columns, long rows)
         if (m_source.isStopped())
             return {};
         splitCells(row, ',', cells);
-        if (static_cast<long>(cells.size()) != columns)
+        if (static_cast<std::int64_t>(cells.size()) != columns)
             m_source.diagnostics.error(DiagnosticCode::ColumnCount, row.line, 0,
                 AXISCOMP_COUNTED("Error", "{count} heights", "1 height")
                     .with("count", cells.size()),
@@ -215,7 +216,7 @@ std::vector<double> ProfileReader::heights(long columns, long rows)
                     .with("key", Verbatim{"x_count"}));
         readNumbers(cells, AXISCOMP_TEXT("Error", "a height in mm"), values, m_source.diagnostics);
     }
-    const auto found = static_cast<long>(m_profile.rows.size());
+    const auto found = static_cast<std::int64_t>(m_profile.rows.size());
     if (found != rows)
         m_source.diagnostics.error(
             found < rows ? DiagnosticCode::MissingPoint : DiagnosticCode::Contradiction,
@@ -228,7 +229,8 @@ std::vector<double> ProfileReader::heights(long columns, long rows)
     return values;
 }
 
-SourceAxis ProfileReader::axis(const std::string& name, const std::string& small, long points)
+SourceAxis ProfileReader::axis(
+    const std::string& name, const std::string& small, std::int64_t points)
 {
     SourceAxis axis;
     axis.name = name;
@@ -271,8 +273,8 @@ NeutralTable ProfileReader::table()
     table.name = m_profile.name;
     table.sign = SignConvention::Command;
     checkVersion();
-    const long columns = pointsOf("x_count");
-    const long rows = pointsOf("y_count");
+    const std::int64_t columns = pointsOf("x_count");
+    const std::int64_t rows = pointsOf("y_count");
     CompensationColumn column;
     column.target = "Z";
     column.unit = "mm";

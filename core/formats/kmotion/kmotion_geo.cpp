@@ -13,8 +13,8 @@ namespace axiscomp::kmotion_geo {
 
 namespace {
 
-constexpr long fewestLines = 2; ///< rows, and columns
-constexpr long mostLines = 4000;
+constexpr std::int64_t fewestLines = 2; ///< rows, and columns
+constexpr std::int64_t mostLines = 4000;
 constexpr std::string_view unitKey = "unit";
 
 // What the controller says of a file that it does not take.
@@ -348,7 +348,7 @@ Recognition recognise(std::string_view text)
 {
     TextLines lines(text);
     std::vector<Token> cells;
-    std::array<long, 2> sizes{};
+    std::array<std::int64_t, 2> sizes{};
     int found = 0;
     while (found < 4) {
         const auto line = lines.next();
@@ -395,7 +395,7 @@ Result<void> checkSources(const NeutralTable& table)
                         .with("axis", names[n])
                         .with("name", axis.name),
                     AXISCOMP_TEXT("Error", "exchange the sources of the table"));
-        if (static_cast<long>(axis.knots.size()) > mostLines)
+        if (static_cast<std::int64_t>(axis.knots.size()) > mostLines)
             return refuse(AXISCOMP_TEXT("Error",
                               "{count} points along {axis} are more than the {limit} that the "
                               "controller takes")

@@ -78,7 +78,7 @@ std::optional<Header> readHeader(Lines& lines, DiagnosticList& diagnostics)
         readNumber(tokens[2], AXISCOMP_TEXT("Error", "the first position"), diagnostics);
     if (!count || !size || !start)
         return std::nullopt;
-    if (*count < 2 || *count > static_cast<long>(mostPositions))
+    if (*count < 2 || *count > static_cast<std::int64_t>(mostPositions))
         diagnostics.error(DiagnosticCode::LimitExceeded, tokens[0].line, tokens[0].column,
             AXISCOMP_COUNTED("Error", "{count} positions", "1 position").with("count", *count),
             AXISCOMP_TEXT("Error", "{number} to {number2}")
@@ -121,7 +121,7 @@ void takeLine(const Token& line, Positions& positions, DiagnosticList& diagnosti
     if (cells.size() == 2) {
         const auto said =
             readWholeNumber(cells[0], AXISCOMP_TEXT("Error", "an index from 0"), diagnostics);
-        if (said && *said != static_cast<long>(index))
+        if (said && *said != static_cast<std::int64_t>(index))
             diagnostics.error(DiagnosticCode::Contradiction, line.line, cells[0].column,
                 AXISCOMP_TEXT("Error", "the index {number}").with("number", *said),
                 AXISCOMP_TEXT("Error", "{number}: indices count from 0 in the order of the lines")
@@ -199,9 +199,9 @@ Recognition recognise(std::string_view text)
         if (!token || !numberOf(token->text))
             return Recognition::No;
     }
-    const long count = wholeNumberOf(header[0]->text).value_or(0);
+    const std::int64_t count = wholeNumberOf(header[0]->text).value_or(0);
     std::vector<Token> cells;
-    long index = 0;
+    std::int64_t index = 0;
     auto line = lines.next();
     for (auto following = lines.next(); line; line = following, following = lines.next()) {
         splitCells(*line, ',', cells);

@@ -73,7 +73,7 @@ Token takeAddress(Token line, std::string& addressed)
 struct Definition {
     Token place;
     std::array<std::size_t, 2> sizes{1, 0}; ///< intervals along the first and second source
-    std::array<long, 2> spans{}; ///< in counts
+    std::array<std::int64_t, 2> spans{}; ///< in counts
     std::array<std::string, 2> sources;
     std::string target;
     std::size_t entryCount = 0;
@@ -83,7 +83,7 @@ struct Definition {
 
 std::optional<std::size_t> readSize(const Token& cell, DiagnosticList& diagnostics)
 {
-    constexpr long most = 1'000'000;
+    constexpr std::int64_t most = 1'000'000;
     const auto size =
         readWholeNumber(cell, AXISCOMP_TEXT("Error", "a number of entries"), diagnostics);
     if (!size || (*size >= 1 && *size <= most))

@@ -15,14 +15,14 @@ constexpr double largestSpan = 2147483647.0;
 
 /// How an axis lies on the circle of a table that begins at 0 and rolls over.
 struct Circle {
-    long first = 0; ///< the first knot, counted from position 0
+    std::int64_t first = 0; ///< the first knot, counted from position 0
     std::size_t size = 0; ///< knots of one round
-    long span = 0; ///< of one round, in counts
+    std::int64_t span = 0; ///< of one round, in counts
 
     [[nodiscard]] std::size_t place(std::size_t knot) const
     {
-        const auto round = static_cast<long>(size);
-        const long at = (first + static_cast<long>(knot)) % round;
+        const auto round = static_cast<std::int64_t>(size);
+        const std::int64_t at = (first + static_cast<std::int64_t>(knot)) % round;
         return static_cast<std::size_t>(at < 0 ? at + round : at);
     }
 };
@@ -40,10 +40,10 @@ Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std
                 "Error", "position 0, where its tables begin, is no point of source {number}")
                 .with("number", n + 1),
             AXISCOMP_TEXT("Error", "resample it with a point at 0"));
-    Circle circle{std::lround(first), axis.knots.size() - 1, 0};
+    Circle circle{std::llround(first), axis.knots.size() - 1, 0};
     if (axis.wrap) {
         AXISCOMP_CHECK(checkOnePeriod(facts, table, n, allowance));
-    } else if (circle.first > 0 || circle.first + static_cast<long>(circle.size) < 0) {
+    } else if (circle.first > 0 || circle.first + static_cast<std::int64_t>(circle.size) < 0) {
         return cannotHold(facts,
             AXISCOMP_TEXT(
                 "Error", "its tables begin at position 0, which source {number} does not reach")
@@ -58,7 +58,7 @@ Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std
             AXISCOMP_TEXT("Error", "a span of {span} counts")
                 .with("span", Quantity{roundedText(span)}),
             AXISCOMP_TEXT("Error", "check counts-per-unit and the unit of the positions"));
-    circle.span = std::lround(span);
+    circle.span = std::llround(span);
     return circle;
 }
 

@@ -13,8 +13,8 @@ namespace axiscomp::power_pmac {
 
 namespace {
 
-constexpr long mostValues = 1'000'000;
-constexpr long mostNumber = 255; ///< of a table, and of a motor
+constexpr std::int64_t mostValues = 1'000'000;
+constexpr std::int64_t mostNumber = 255; ///< of a table, and of a motor
 constexpr std::string_view prefix = "CompTable[";
 constexpr std::string_view sourceCountsKey = "source-counts-per-unit";
 
@@ -66,7 +66,7 @@ struct Value {
 struct Definition {
     std::size_t line = 0; ///< of the first assignment
     std::map<std::string, Token, std::less<>> elements; ///< "nx[0]", in small letters
-    std::map<long, Value> data;
+    std::map<std::int64_t, Value> data;
 };
 
 std::string inSmallLetters(std::string_view text)
@@ -94,7 +94,7 @@ std::vector<Token> statementsOf(const Token& line)
 
 /// "3]..." behind an opening bracket: the number, and what follows the closing one.
 struct Index {
-    long number = 0;
+    std::int64_t number = 0;
     Token rest;
 };
 std::optional<Index> indexAt(const Token& token)
@@ -115,16 +115,17 @@ public:
 
 private:
     void take(const Token& statement);
-    void takeData(Definition& definition, long first, const Token& list);
-    [[nodiscard]] std::optional<NeutralTable> table(long number, const Definition& definition);
-    [[nodiscard]] std::optional<long> whole(
+    void takeData(Definition& definition, std::int64_t first, const Token& list);
+    [[nodiscard]] std::optional<NeutralTable> table(
+        std::int64_t number, const Definition& definition);
+    [[nodiscard]] std::optional<std::int64_t> whole(
         const Definition& definition, std::string_view key, const TextPattern& expected);
     [[nodiscard]] std::optional<double> number(
         const Definition& definition, std::string_view key, const TextPattern& expected);
     [[nodiscard]] std::optional<std::string> targetMotor(const Definition& definition);
     [[nodiscard]] double scale(const Definition& definition);
     void checkControl(const Definition& definition);
-    [[nodiscard]] std::vector<double> values(const Definition& definition, long count);
+    [[nodiscard]] std::vector<double> values(const Definition& definition, std::int64_t count);
     [[nodiscard]] double counts(std::string_view key) const
     {
         return pmac::countsPerUnit(m_reading.settings, key).value_or(1.0);
@@ -132,7 +133,7 @@ private:
 
     TextReading& m_reading;
     DiagnosticList& m_diagnostics = m_reading.diagnostics;
-    std::map<long, Definition> m_definitions;
+    std::map<std::int64_t, Definition> m_definitions;
 };
 
 /// What is looked at; the second and the third source do not count where Nx of theirs is 0.
@@ -146,14 +147,14 @@ bool isKnown(std::string_view element)
     }) || std::ranges::find(others, element) != others.end();
 }
 
-void Reader::takeData(Definition& definition, long first, const Token& list)
+void Reader::takeData(Definition& definition, std::int64_t first, const Token& list)
 {
     std::vector<Token> cells;
     splitCells(list, ',', cells);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto value =
             readNumber(cells[i], AXISCOMP_TEXT("Error", "a value of the table"), m_diagnostics);
-        const long index = first + static_cast<long>(i);
+        const std::int64_t index = first + static_cast<std::int64_t>(i);
         const auto [at, isNew] =
             definition.data.try_emplace(index, Value{value.value_or(0.0), cells[i].line});
         if (isNew)
@@ -221,7 +222,7 @@ std::optional<double> Reader::number(
     return std::nullopt;
 }
 
-std::optional<long> Reader::whole(
+std::optional<std::int64_t> Reader::whole(
     const Definition& definition, std::string_view key, const TextPattern& expected)
 {
     const auto found = definition.elements.find(key);
@@ -294,23 +295,23 @@ void Reader::checkControl(const Definition& definition)
     }
 }
 
-std::vector<double> Reader::values(const Definition& definition, long count)
+std::vector<double> Reader::values(const Definition& definition, std::int64_t count)
 {
     std::vector<double> values;
     for (const auto& [index, value] : definition.data) {
-        const auto expected = static_cast<long>(values.size());
+        const auto expected = static_cast<std::int64_t>(values.size());
         if (index != expected || index >= count)
             break;
         values.push_back(value.number);
     }
-    const auto found = static_cast<long>(values.size());
+    const auto found = static_cast<std::int64_t>(values.size());
     if (found < count)
         m_diagnostics.error(DiagnosticCode::MissingPoint, definition.line, 0,
             AXISCOMP_TEXT("Error", "no value {number}").with("number", found),
             AXISCOMP_TEXT("Error", "{value}, as {key} says")
                 .with("value", count)
                 .with("key", Verbatim{"Nx[0] + 1"}));
-    else if (static_cast<long>(definition.data.size()) > count)
+    else if (static_cast<std::int64_t>(definition.data.size()) > count)
         m_diagnostics.error(DiagnosticCode::Contradiction, definition.data.rbegin()->second.line, 0,
             AXISCOMP_COUNTED("Error", "{count} values", "1 value")
                 .with("count", definition.data.size()),
@@ -320,7 +321,7 @@ std::vector<double> Reader::values(const Definition& definition, long count)
     return values;
 }
 
-std::optional<NeutralTable> Reader::table(long tableNumber, const Definition& definition)
+std::optional<NeutralTable> Reader::table(std::int64_t tableNumber, const Definition& definition)
 {
     for (const std::string_view key : {"nx[1]", "nx[2]"}) {
         const auto found = definition.elements.find(key);
@@ -358,7 +359,7 @@ std::optional<NeutralTable> Reader::table(long tableNumber, const Definition& de
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = std::to_string(*source);
     const double perUnit = counts(sourceCountsKey);
-    for (long i = 0; i <= *segments; ++i)
+    for (std::int64_t i = 0; i <= *segments; ++i)
         axis.knots.push_back(
             (*start + *span * static_cast<double>(i) / static_cast<double>(*segments)) / perUnit);
     CompensationColumn& column = table.columns.emplace_back();
@@ -417,9 +418,9 @@ Recognition recognise(std::string_view text)
 }
 
 struct Numbers {
-    long table = 0;
-    long source = 0;
-    long target = 0;
+    std::int64_t table = 0;
+    std::int64_t source = 0;
+    std::int64_t target = 0;
 };
 
 Result<Numbers> numbersOf(
@@ -431,7 +432,7 @@ Result<Numbers> numbersOf(
         ? std::to_string(numbers.source)
         : targetName(table, table.columns[0]);
     AXISCOMP_TRY(numbers.target, axisNumber(facts, settings, "target-motor", target));
-    for (const long number : {numbers.table, numbers.source, numbers.target})
+    for (const std::int64_t number : {numbers.table, numbers.source, numbers.target})
         if (number < 0 || number > mostNumber)
             return cannotHold(facts,
                 AXISCOMP_TEXT("Error", "there is no number {number}").with("number", number),

@@ -60,7 +60,7 @@ struct Axis {
     double minimum = 0.0;
     double maximum = 0.0;
     double spacing = 0.0;
-    long points = 0;
+    std::int64_t points = 0;
 };
 
 /// Checks that the entries of an axis fit each other, as far as their two decimals tell.
@@ -144,7 +144,7 @@ std::optional<std::array<Axis, 2>> axesOf(
 void takeRow(const Token& line, const std::vector<Token>& cells, const std::array<Axis, 2>& axes,
     std::size_t row, std::vector<double>& heights, TextReading& source)
 {
-    if (static_cast<long>(cells.size()) != axes[0].points) {
+    if (static_cast<std::int64_t>(cells.size()) != axes[0].points) {
         source.diagnostics.error(DiagnosticCode::ColumnCount, line.line, 0,
             AXISCOMP_COUNTED("Error", "{count} heights", "1 height").with("count", cells.size()),
             AXISCOMP_TEXT("Error", "{number}, one for each position of {axis}")
@@ -180,7 +180,7 @@ std::vector<double> heightsOf(
 {
     std::vector<double> heights;
     std::vector<Token> cells;
-    long rows = 0;
+    std::int64_t rows = 0;
     while (const auto line = lines.next()) {
         if (source.isStopped())
             return {};

@@ -15,7 +15,7 @@ constexpr std::string_view prefix = "$AN_CEC";
 constexpr std::string_view otherPrefix = "$AA_ENC_COMP";
 constexpr std::string_view inputSuffix = "_INPUT_AXIS";
 constexpr std::string_view outputSuffix = "_OUTPUT_AXIS";
-constexpr long mostTables = 1000; // twice as many as a control has axes, and more
+constexpr std::int64_t mostTables = 1000; // twice as many as a control has axes, and more
 
 constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
 constexpr std::array settings{siemens::rotaryAxes,
@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 5> assumptions{
 };
 
 struct Entry {
-    long index = 0;
+    std::int64_t index = 0;
     siemens::Curve curve;
     std::string input;
     std::string output;
@@ -70,7 +70,7 @@ public:
     explicit Collector(DiagnosticList& diagnostics) : m_diagnostics(diagnostics) { }
 
     void take(const siemens::Assignment& said);
-    [[nodiscard]] std::map<long, Entry>& entries() { return m_entries; }
+    [[nodiscard]] std::map<std::int64_t, Entry>& entries() { return m_entries; }
 
 private:
     void takeOther(const Token& name);
@@ -78,7 +78,7 @@ private:
     void takeAxis(std::string& axis, const siemens::Assignment& said);
 
     DiagnosticList& m_diagnostics;
-    std::map<long, Entry> m_entries;
+    std::map<std::int64_t, Entry> m_entries;
     bool m_hasOther = false;
 };
 
@@ -294,7 +294,7 @@ public:
 
 private:
     const SettingValues& m_given;
-    long m_index = 0;
+    std::int64_t m_index = 0;
     WrittenTables m_written{.bytes = "CHANDATA(1)\n", .held = {}, .remarks = {}};
     std::string m_rotary;
 };

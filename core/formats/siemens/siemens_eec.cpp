@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 3> assumptions{
 };
 
 struct Owner {
-    long encoder = 0;
+    std::int64_t encoder = 0;
     std::string axis;
 };
 struct Entry {

@@ -5,6 +5,7 @@
 #include "core/formats/format_writer.h"
 #include "core/text/token_scanner.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace axiscomp::siemens {
@@ -37,7 +38,7 @@ struct Curve {
     std::array<std::optional<double>, variableCount> variables = {};
     std::array<std::size_t, variableCount> lines = {};
     struct Point {
-        long index = 0;
+        std::int64_t index = 0;
         double value = 0.0;
         std::size_t line = 0;
         std::size_t column = 0;

@@ -45,7 +45,7 @@ std::optional<Shape> readShape(const std::vector<Token>& tokens, DiagnosticList&
         first, AXISCOMP_TEXT("Error", "the number of source axes, 1 to 3"), diagnostics);
     if (!count)
         return std::nullopt;
-    if (*count < 1 || *count > static_cast<long>(mostSources)) {
+    if (*count < 1 || *count > static_cast<std::int64_t>(mostSources)) {
         diagnostics.error(DiagnosticCode::LimitExceeded, first.line, first.column,
             AXISCOMP_COUNTED("Error", "{count} source axes", "1 source axis").with("count", *count),
             AXISCOMP_TEXT("Error", "{number} to {number2}")
@@ -258,7 +258,8 @@ Recognition recognise(std::string_view text)
     if (header.empty() || row.size() < header.size())
         return Recognition::No;
     const auto sources = wholeNumberOf(header.front().text);
-    const bool isHeader = sources && *sources >= 1 && *sources <= static_cast<long>(mostSources)
+    const bool isHeader = sources && *sources >= 1
+        && *sources <= static_cast<std::int64_t>(mostSources)
         && header.size() == static_cast<std::size_t>(*sources) + 1;
     for (const Token& token : header)
         if (!isHeader || wholeNumberOf(token.text).value_or(0) < 1)

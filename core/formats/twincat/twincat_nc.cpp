@@ -280,8 +280,8 @@ bool Reader::checkRange(const Definition& definition, const NeutralTable& table)
         definition.count, AXISCOMP_TEXT("Error", "the number of elements"), m_diagnostics);
     if (!minimum || !maximum || !count)
         return false;
-    if (*count != static_cast<long>(knots.size())) {
-        m_diagnostics.error(*count > static_cast<long>(knots.size())
+    if (*count != static_cast<std::int64_t>(knots.size())) {
+        m_diagnostics.error(*count > static_cast<std::int64_t>(knots.size())
                 ? DiagnosticCode::MissingPoint
                 : DiagnosticCode::Contradiction,
             definition.count.line, definition.count.column,

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 3> rules{
 /// "REF_DATA_FWD[1,2]": the name and its numbers.
 struct Key {
     std::string_view name;
-    std::vector<long> indices;
+    std::vector<std::int64_t> indices;
 };
 
 std::optional<Key> keyOf(std::string_view text)
@@ -39,7 +39,7 @@ std::optional<Key> keyOf(std::string_view text)
     Key key{trimmed(text.substr(0, open)), {}};
     std::vector<Token> parts;
     splitCells({text.substr(open + 1, text.size() - open - 2), 1, 1}, ',', parts);
-    constexpr long most = 1'000'000;
+    constexpr std::int64_t most = 1'000'000;
     for (const Token& part : parts) {
         const auto index = wholeNumberOf(part.text);
         if (!index || *index < 1 || *index > most)
@@ -50,8 +50,8 @@ std::optional<Key> keyOf(std::string_view text)
 }
 
 struct Reading {
-    long target = 0;
-    long cycle = 0;
+    std::int64_t target = 0;
+    std::int64_t cycle = 0;
     double position = 0.0;
     Approach direction = Approach::Up;
     std::size_t line = 0;
@@ -76,18 +76,19 @@ private:
     void takeTarget(const Key& key, const Token& value);
     void takeOther(const Token& line, const Key& key, const Token& value);
     void refuseKey(const Token& line);
-    void checkCount(const std::optional<long>& said, std::size_t found, std::string_view key);
+    void checkCount(
+        const std::optional<std::int64_t>& said, std::size_t found, std::string_view key);
     [[nodiscard]] std::optional<MeasurementUnit> unit();
 
     Measurement& m_measurement;
     const MeasurementReadOptions& m_options;
     DiagnosticList& m_diagnostics;
     Encoding m_encoding;
-    std::map<long, double> m_targets;
+    std::map<std::int64_t, double> m_targets;
     std::vector<Reading> m_readings;
     std::string m_unit = "mm";
-    std::optional<long> m_cycles;
-    std::optional<long> m_positions;
+    std::optional<std::int64_t> m_cycles;
+    std::optional<std::int64_t> m_positions;
 };
 
 void Reader::takeLine(const Token& line)
@@ -162,9 +163,10 @@ void Reader::takeOther(const Token& line, const Key& key, const Token& value)
     }
 }
 
-void Reader::checkCount(const std::optional<long>& said, std::size_t found, std::string_view key)
+void Reader::checkCount(
+    const std::optional<std::int64_t>& said, std::size_t found, std::string_view key)
 {
-    if (said && *said != static_cast<long>(found))
+    if (said && *said != static_cast<std::int64_t>(found))
         m_diagnostics.error(DiagnosticCode::CountMismatch, 0, 0,
             AXISCOMP_TEXT("Error", "{key}: {said}, but {found} are there")
                 .with("key", key)
@@ -185,7 +187,7 @@ std::optional<MeasurementUnit> Reader::unit()
 
 std::vector<RawRunValue> Reader::values()
 {
-    std::set<long> cycles;
+    std::set<std::int64_t> cycles;
     for (const Reading& reading : m_readings)
         cycles.insert(reading.cycle);
     checkCount(m_positions, m_targets.size(), "POSITIONS");

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/system.h"
 #include "core/metrology/formats/measurement_csv.h"
 #include "core/metrology/formats/measurement_formats.h"
 #include "core/metrology/formats/run_assembly.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
-
-#include <iconv.h>
 
 #include <algorithm>
 #include <array>
@@ -70,26 +69,6 @@ bool isChinese(std::string_view text)
     return pairs > 0;
 }
 
-/// Nothing when it is no GBK, or this computer cannot read it.
-std::optional<std::string> fromGbk(std::string_view bytes)
-{
-    const iconv_t converter = ::iconv_open("UTF-8", "GBK");
-    if (converter == reinterpret_cast<iconv_t>(-1))
-        return std::nullopt;
-    std::string input(bytes);
-    std::string output(2 * input.size(), '\0');
-    char* from = input.data();
-    char* to = output.data();
-    std::size_t fromLeft = input.size();
-    std::size_t toLeft = output.size();
-    const std::size_t result = ::iconv(converter, &from, &fromLeft, &to, &toLeft);
-    ::iconv_close(converter);
-    if (result == static_cast<std::size_t>(-1))
-        return std::nullopt;
-    output.resize(output.size() - toLeft);
-    return output;
-}
-
 /// "Target-count: 9": the key, and where its value stands.
 struct Entry {
     std::string_view key;
@@ -105,7 +84,7 @@ std::optional<Entry> entryOf(const Token& line)
 
 /// A line of DEVIATIONS.
 struct Deviation {
-    long run = 0;
+    std::int64_t run = 0;
     std::size_t target = 0; ///< from 0
     double value = 0.0; ///< as it stands in the file
     std::size_t line = 0;
@@ -132,10 +111,10 @@ private:
     void takeUserText(const Token& line);
     void takeDeviation(const Token& line);
     void checkCounts();
-    void checkCount(
-        const std::optional<long>& said, std::size_t found, std::string_view key, std::size_t line);
-    [[nodiscard]] std::optional<long> count(const Token& value);
-    void dropEmptyRuns(std::map<long, std::vector<Deviation>>& runs);
+    void checkCount(const std::optional<std::int64_t>& said, std::size_t found,
+        std::string_view key, std::size_t line);
+    [[nodiscard]] std::optional<std::int64_t> count(const Token& value);
+    void dropEmptyRuns(std::map<std::int64_t, std::vector<Deviation>>& runs);
     [[nodiscard]] std::optional<Approach> directionOf(const std::vector<Deviation>& run);
     [[nodiscard]] std::vector<RawRunValue> values();
     void note(std::string_view text);
@@ -149,9 +128,9 @@ private:
     bool m_isInTargets = false; ///< numbers may follow on the next lines
     bool m_hasDeviations = false;
     bool m_isUnidirectional = false;
-    std::optional<long> m_targetCount;
+    std::optional<std::int64_t> m_targetCount;
     std::size_t m_targetCountLine = 0;
-    std::optional<long> m_runCount;
+    std::optional<std::int64_t> m_runCount;
     std::size_t m_runCountLine = 0;
     std::vector<double> m_targets;
     std::vector<Deviation> m_deviations;
@@ -207,7 +186,7 @@ void Reader::takeHeader(const Token& line)
         note(line.text);
 }
 
-std::optional<long> Reader::count(const Token& value)
+std::optional<std::int64_t> Reader::count(const Token& value)
 {
     return readWholeNumber(value, AXISCOMP_TEXT("Error", "a whole number"), m_diagnostics);
 }
@@ -302,10 +281,10 @@ void Reader::takeDeviation(const Token& line)
     m_deviations.push_back({*run, static_cast<std::size_t>(*target) - 1, *value, line.line});
 }
 
-void Reader::checkCount(
-    const std::optional<long>& said, std::size_t found, std::string_view key, std::size_t line)
+void Reader::checkCount(const std::optional<std::int64_t>& said, std::size_t found,
+    std::string_view key, std::size_t line)
 {
-    if (said && *said != static_cast<long>(found))
+    if (said && *said != static_cast<std::int64_t>(found))
         m_diagnostics.error(DiagnosticCode::CountMismatch, line, 0,
             AXISCOMP_TEXT("Error", "{key}: {said}, but {found} are there")
                 .with("key", key)
@@ -316,7 +295,7 @@ void Reader::checkCount(
 
 void Reader::checkCounts()
 {
-    std::set<long> runs;
+    std::set<std::int64_t> runs;
     for (const Deviation& deviation : m_deviations)
         runs.insert(deviation.run);
     checkCount(m_targetCount, m_targets.size(), "Target-count", m_targetCountLine);
@@ -330,7 +309,7 @@ void Reader::checkCounts()
 }
 
 /// A program that writes such files fills the returns of a unidirectional measurement with 0.
-void Reader::dropEmptyRuns(std::map<long, std::vector<Deviation>>& runs)
+void Reader::dropEmptyRuns(std::map<std::int64_t, std::vector<Deviation>>& runs)
 {
     if (!m_isUnidirectional)
         return;
@@ -374,7 +353,7 @@ std::vector<RawRunValue> Reader::values()
     const double factor = isAngular ? 1e-3 * 180.0 / std::numbers::pi : 1e-3;
     // Targets whose order falls with their number turn every run round.
     const bool isFalling = m_targets.size() > 1 && m_targets.back() < m_targets.front();
-    std::map<long, std::vector<Deviation>> runs;
+    std::map<std::int64_t, std::vector<Deviation>> runs;
     for (const Deviation& deviation : m_deviations)
         runs[deviation.run].push_back(deviation);
     dropEmptyRuns(runs);
@@ -420,7 +399,7 @@ void parse(std::string_view text, const MeasurementReadOptions& options, Measure
 {
     measurement.kind = MeasurementKind::Runs;
     if (findInvalidUtf8(text) != std::string_view::npos && isChinese(text)) {
-        if (const auto utf8 = fromGbk(text)) {
+        if (const auto utf8 = system::fromGbk(text)) {
             parse(*utf8, options, measurement, diagnostics);
             return;
         }

@@ -190,7 +190,7 @@ bool Reader::readRun(RunValue& value)
         return true;
     const std::string_view text = m_csv.text(m_run);
     const auto run = wholeNumberOf(text);
-    constexpr long most = 1'000'000;
+    constexpr std::int64_t most = 1'000'000;
     if (run && *run >= 1 && *run <= most) {
         value.run = static_cast<int>(*run);
         return true;

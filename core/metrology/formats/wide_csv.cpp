@@ -36,7 +36,7 @@ std::optional<RunName> runName(std::string_view name)
     const auto run = wholeNumberOf(name.substr(digits));
     const bool isWord = !word.empty() && word.find_first_of("+-1") == std::string_view::npos;
     const auto direction = isWord ? approachOf(word) : std::nullopt;
-    constexpr long most = 1'000'000;
+    constexpr std::int64_t most = 1'000'000;
     if (!direction || !run || *run < 1 || *run > most)
         return std::nullopt;
     return RunName{*direction, static_cast<int>(*run)};

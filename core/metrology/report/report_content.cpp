@@ -426,7 +426,7 @@ private:
         std::array<char, 8> buffer{};
         const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), crc, 16);
         const auto length = static_cast<std::size_t>(end.ptr - buffer.data());
-        std::copy(buffer.data(), end.ptr, digits.begin() + static_cast<long>(8 - length));
+        std::copy(buffer.data(), end.ptr, digits.begin() + static_cast<std::int64_t>(8 - length));
         return Verbatim{digits};
     }
 
