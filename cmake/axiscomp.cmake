@@ -37,6 +37,10 @@ target_compile_options(axiscomp_options INTERFACE
   $<$<BOOL:${AXISCOMP_WERROR}>:-Werror>
   ${AXISCOMP_SANITIZERS})
 target_link_options(axiscomp_options INTERFACE ${AXISCOMP_SANITIZERS})
+if(WIN32)
+  # UNICODE: only functions that take UTF-16 are meant.
+  target_compile_definitions(axiscomp_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
+endif()
 target_compile_definitions(axiscomp_options INTERFACE
   QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING
   QT_DISABLE_DEPRECATED_BEFORE=0x060400)
@@ -76,10 +80,24 @@ endfunction()
 # The files of one folder, for the library axiscomp_NAME. HEADERS is what other parts may include:
 # every header of it must compile alone with nothing but what the PUBLIC_DEPS of the library give,
 # which is how the direction between the parts is kept (target all_verify_interface_header_sets).
+# POSIX, WINDOWS: for these systems only. DRIVES: not without AXISCOMP_DRIVES.
 function(axiscomp_add_sources name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;POSIX;WINDOWS;DRIVES" ${ARGN})
   list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   target_sources(axiscomp_${name} PRIVATE ${arg_SOURCES})
+  if(WIN32)
+    target_sources(axiscomp_${name} PRIVATE ${arg_WINDOWS})
+    # windows.h has macros of everyday words, which are for no other file.
+    set_source_files_properties(${arg_WINDOWS} TARGET_DIRECTORY axiscomp_${name}
+      PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  else()
+    target_sources(axiscomp_${name} PRIVATE ${arg_POSIX})
+  endif()
+  if(AXISCOMP_DRIVES)
+    target_sources(axiscomp_${name} PRIVATE ${arg_DRIVES})
+  elseif(TARGET axiscomp_${name}_unlinked)
+    target_sources(axiscomp_${name}_unlinked PRIVATE ${arg_DRIVES})
+  endif()
   if(arg_HEADERS)
     target_sources(axiscomp_${name} PUBLIC FILE_SET HEADERS FILES ${arg_HEADERS})
   endif()
@@ -110,6 +128,16 @@ function(axiscomp_add_test_program name)
     # Command lines and what programs say are written as plain literals.
     target_compile_options(${target} PRIVATE -UQT_NO_CAST_FROM_ASCII)
     add_dependencies(${target} axiscomp axiscomp-virtualdrive)
+  endif()
+endfunction()
+
+# What a program for Windows says of itself: that it takes UTF-8 and long names.
+function(axiscomp_add_manifest target)
+  if(MSVC)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/windows/program.manifest)
+  elseif(WIN32)
+    enable_language(RC)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/windows/program.rc)
   endif()
 endfunction()
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/program.h"
+#include "app/common/system_process.h"
 
 int main(int argc, char** argv)
 {
-    return axiscomp::app::runProgram(argc, argv);
+    axiscomp::app::ProgramArguments arguments(argc, argv);
+    return axiscomp::app::runProgram(arguments.count(), arguments.values());
 }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/console.h"
 
+#include "app/common/system_process.h"
+#include "core/io/local_file.h"
 #include "core/text/utf8.h"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 namespace axiscomp::app {
 
@@ -17,21 +14,6 @@ namespace {
 constexpr std::size_t bufferSize = 64 * 1024;
 constexpr std::chrono::milliseconds progressInterval{100};
 constexpr std::string_view eraseLine = "\r\033[K";
-
-/// errno of the first failure, 0 when all of it went out.
-int writeAll(int descriptor, std::string_view text)
-{
-    while (!text.empty()) {
-        const ssize_t count = ::write(descriptor, text.data(), text.size());
-        if (count < 0) {
-            if (errno == EINTR)
-                continue;
-            return errno;
-        }
-        text.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return 0;
-}
 
 /// Cut so that no UTF-8 character is torn.
 std::string firstBytes(std::string text, std::size_t most)
@@ -85,12 +67,13 @@ std::string withoutPasswords(std::string_view text)
 }
 
 Console::Console()
-    : m_outputIsTerminal(::isatty(STDOUT_FILENO) == 1)
-    , m_showsProgress(::isatty(STDERR_FILENO) == 1)
+    : m_outputIsTerminal(isTerminal(Stream::Output))
+    , m_showsProgress(canRewriteLine(Stream::Notes))
 {
-    winsize size{};
-    if (m_showsProgress && ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20)
-        m_width = size.ws_col;
+    constexpr std::size_t fewestColumns = 20;
+    const std::size_t columns = m_showsProgress ? columnsOf(Stream::Notes) : 0;
+    if (columns > fewestColumns)
+        m_width = columns;
 }
 
 Console::Console(Taker output, Taker notes) : m_output(std::move(output)), m_notes(std::move(notes))
@@ -129,7 +112,7 @@ void Console::note(std::string_view line)
     }
     text.push_back('\n');
     // Nobody can be told that standard error does not work.
-    static_cast<void>(writeAll(STDERR_FILENO, text));
+    static_cast<void>(writeAll(Stream::Notes, text));
 }
 
 void Console::progress(std::string_view step, double fraction)
@@ -143,7 +126,7 @@ void Console::progress(std::string_view step, double fraction)
     const std::string head = percent(fraction) + "  ";
     const std::string words = firstBytes(singleLine(step), m_width - 1 - head.size());
     m_progressVisible = true;
-    static_cast<void>(writeAll(STDERR_FILENO, std::string(eraseLine) + head + words));
+    static_cast<void>(writeAll(Stream::Notes, std::string(eraseLine) + head + words));
 }
 
 void Console::clearProgress()
@@ -156,17 +139,16 @@ Result<void> Console::flush()
 {
     const std::lock_guard lock(m_mutex);
     send();
-    if (m_outputError != 0 && m_outputError != EPIPE)
+    if (m_outputError && m_outputError != std::errc::broken_pipe)
         return fail(ErrorCode::FileNotWritable,
-            {{"file", Verbatim{"standard output"}},
-                {"reason", Verbatim{std::strerror(m_outputError)}}});
+            {{"file", Verbatim{"standard output"}}, {"reason", fileErrorReason(m_outputError)}});
     return {};
 }
 
 bool Console::readerGone() const
 {
     const std::lock_guard lock(m_mutex);
-    return m_outputError == EPIPE;
+    return m_outputError == std::errc::broken_pipe;
 }
 
 void Console::send()
@@ -175,8 +157,8 @@ void Console::send()
         return;
     if (m_output)
         m_output(m_kept);
-    else if (m_outputError == 0)
-        m_outputError = writeAll(STDOUT_FILENO, m_kept);
+    else if (!m_outputError)
+        m_outputError = writeAll(Stream::Output, m_kept);
     m_kept.clear();
 }
 
@@ -185,7 +167,7 @@ void Console::hideProgress()
     if (!m_progressVisible)
         return;
     m_progressVisible = false;
-    static_cast<void>(writeAll(STDERR_FILENO, eraseLine));
+    static_cast<void>(writeAll(Stream::Notes, eraseLine));
 }
 
 } // namespace axiscomp::app

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace axiscomp::app {
 
@@ -55,7 +56,7 @@ private:
     Taker m_output; ///< empty: standard output
     Taker m_notes; ///< empty: standard error
     std::string m_kept;
-    int m_outputError = 0;
+    std::error_code m_outputError; ///< the first
     bool m_outputIsTerminal = false;
     bool m_showsProgress = false;
     bool m_progressVisible = false;

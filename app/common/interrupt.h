@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <atomic>
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <stop_token>
-#include <thread>
 
 namespace axiscomp::app {
 
 /// Turns SIGINT (Ctrl-C), SIGTERM and SIGHUP into a stop token while it lives, and makes a closed
 /// pipe an error of write() instead of a signal. Must be made before any other thread: it blocks
 /// the signals for all of them and takes them on a thread of its own, so no code runs in a signal
-/// handler.
+/// handler. On Windows: Ctrl-C, Ctrl-Break, and what closes the console or ends the session, for
+/// which the system waits some seconds only.
 class Interrupt {
 public:
     Interrupt();
@@ -25,8 +26,9 @@ public:
 
     [[nodiscard]] std::stop_token token() const { return m_source.get_token(); }
     [[nodiscard]] bool stopped() const { return m_source.stop_requested(); }
-    /// Becomes readable with the first signal: for poll().
-    [[nodiscard]] int wakeDescriptor() const { return m_wake; }
+    /// What the system waits for, ready with the first signal: a descriptor to be read by poll(),
+    /// on Windows the handle of an event.
+    [[nodiscard]] std::intptr_t wakeHandle() const;
 
     /// As a signal does it; may be called on any thread.
     void request();
@@ -38,15 +40,14 @@ public:
     void wait();
 
 private:
-    void takeSignals();
+    struct System; ///< interrupt_posix.cpp, interrupt_windows.cpp
+    void wake();
 
     std::stop_source m_source;
-    int m_wake = -1;
     std::mutex m_mutex;
     int m_requests = 0;
     std::function<void(int)> m_listener;
-    std::atomic<bool> m_done{false};
-    std::jthread m_thread;
+    std::unique_ptr<System> m_system;
 };
 
 } // namespace axiscomp::app

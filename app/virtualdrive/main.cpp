@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/system_process.h"
 #include "app/virtualdrive/program.h"
 
 int main(int argc, char** argv)
 {
-    return axiscomp::app::runVirtualDrive(argc, argv);
+    axiscomp::app::ProgramArguments arguments(argc, argv);
+    return axiscomp::app::runVirtualDrive(arguments.count(), arguments.values());
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/capture_request.h"
 
+#include "core/io/system.h"
 #include "core/text/number_text.h"
 
 #include <cmath>
-#include <ctime>
 #include <utility>
 
 namespace axiscomp {
@@ -25,9 +25,7 @@ std::string CaptureReference::text() const
 
 std::chrono::nanoseconds timeSinceStart()
 {
-    timespec now{};
-    ::clock_gettime(CLOCK_BOOTTIME, &now);
-    return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+    return system::timeSinceStart();
 }
 
 CaptureClock::CaptureClock(std::span<const CapturedValue> taken, std::chrono::nanoseconds wall,

@@ -6,13 +6,7 @@
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <optional>
 
@@ -109,47 +103,46 @@ bool hasWholeValue(std::string_view content)
         && content.find('\n', columns + 1) != std::string_view::npos;
 }
 
-Result<std::string> contentOf(const std::filesystem::path& file, const FileDescriptor& descriptor)
+Result<std::string> contentOf(const std::filesystem::path& file, const system::File& opened)
 {
-    struct stat status { };
-    if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode))
+    const auto state = opened.state();
+    if (!state || state->kind != system::FileKind::Ordinary)
         return notOurs(file, AXISCOMP_TEXT("Error", "it is not an ordinary file"));
-    if (static_cast<std::size_t>(status.st_size) > mostRunFileBytes)
+    if (state->size > mostRunFileBytes)
         return fail(ErrorCode::FileTooLarge,
-            {{"file", file.string()}, {"size", status.st_size}, {"limit", mostRunFileBytes}});
-    std::string content(static_cast<std::size_t>(status.st_size), '\0');
+            {{"file", file.string()}, {"size", state->size}, {"limit", mostRunFileBytes}});
+    std::string content(static_cast<std::size_t>(state->size), '\0');
     std::size_t done = 0;
     while (done < content.size()) {
-        const ssize_t size = ::pread(descriptor.get(), content.data() + done, content.size() - done,
-            static_cast<off_t>(done));
-        if (size <= 0)
-            return notOurs(file, fileErrorReason(errno));
-        done += static_cast<std::size_t>(size);
+        const auto count =
+            opened.readAt(done, std::as_writable_bytes(std::span(content)).subspan(done));
+        if (!count || *count == 0)
+            return notOurs(file,
+                fileErrorReason(count ? std::make_error_code(std::errc::io_error) : count.error()));
+        done += *count;
     }
     return content;
 }
 
 } // namespace
 
-RunFile::RunFile(std::filesystem::path file, FileDescriptor descriptor)
+RunFile::RunFile(std::filesystem::path file, system::File opened)
     : m_file(std::move(file))
-    , m_descriptor(std::move(descriptor))
+    , m_opened(std::move(opened))
 {
 }
 
 Result<RunFile> RunFile::open(
     const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin)
 {
-    constexpr mode_t usualMode = 0666;
-    FileDescriptor descriptor(
-        ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, usualMode));
-    if (!descriptor.isOpen())
-        return cannotWrite(file, fileErrorReason(errno));
-    if (::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0)
+    auto opened = system::File::open(file, system::File::Purpose::Change);
+    if (!opened)
+        return cannotWrite(file, fileErrorReason(opened.error()));
+    if (!opened->tryLock().value_or(false))
         return cannotWrite(
             file, AXISCOMP_TEXT("Error", "another program is writing measured values to it"));
-    AXISCOMP_TRY(std::string content, contentOf(file, descriptor));
-    RunFile made(file, std::move(descriptor));
+    AXISCOMP_TRY(const std::string content, contentOf(file, *opened));
+    RunFile made(file, *std::move(opened));
     made.m_reference = origin.reference;
     const std::string_view known = std::string_view(content).substr(0, firstLine.size());
     if (firstLine.substr(0, known.size()) != known)
@@ -222,29 +215,23 @@ Result<void> RunFile::goOn(
         }
         m_size = end + 1;
     }
-    if (m_size < content.size() && ::ftruncate(m_descriptor.get(), static_cast<off_t>(m_size)) != 0)
-        return cannotWrite(m_file, fileErrorReason(errno));
+    if (m_size < content.size())
+        if (const auto problem = m_opened.resize(m_size))
+            return cannotWrite(m_file, fileErrorReason(problem));
     return {};
 }
 
 /// Behind the last whole line; all of it or nothing.
 Result<void> RunFile::write(const std::string& text)
 {
-    std::size_t done = 0;
-    while (done < text.size()) {
-        const ssize_t size = ::pwrite(m_descriptor.get(), text.data() + done, text.size() - done,
-            static_cast<off_t>(m_size + done));
-        if (size < 0 && errno == EINTR)
-            continue;
-        if (size <= 0)
-            break;
-        done += static_cast<std::size_t>(size);
-    }
-    const int problem = done < text.size() || ::fdatasync(m_descriptor.get()) != 0 ? errno : 0;
+    std::error_code problem = m_opened.writeAt(m_size, asBytes(text));
+    if (!problem)
+        problem = m_opened.flush();
     // What was behind it is older than this; and a part of a line is none.
-    const std::size_t whole = problem == 0 ? m_size + text.size() : m_size;
-    if (::ftruncate(m_descriptor.get(), static_cast<off_t>(whole)) != 0 || problem != 0)
-        return cannotWrite(m_file, fileErrorReason(problem != 0 ? problem : errno));
+    const std::size_t whole = problem ? m_size : m_size + text.size();
+    const std::error_code uncut = m_opened.resize(whole);
+    if (problem || uncut)
+        return cannotWrite(m_file, fileErrorReason(problem ? problem : uncut));
     m_size = whole;
     return {};
 }
@@ -262,15 +249,14 @@ Result<void> RunFile::append(const CapturedValue& value)
 Result<void> RunFile::removeLast()
 {
     const std::size_t begin = m_lineBegins.back();
-    if (::ftruncate(m_descriptor.get(), static_cast<off_t>(begin)) != 0)
-        return cannotWrite(m_file, fileErrorReason(errno));
-    const bool isOnDisk = ::fdatasync(m_descriptor.get()) == 0;
-    const int problem = errno;
+    if (const auto uncut = m_opened.resize(begin))
+        return cannotWrite(m_file, fileErrorReason(uncut));
+    const std::error_code problem = m_opened.flush();
     // The next line comes where this one was, whether the disk has heard of it or not.
     m_size = begin;
     m_lineBegins.pop_back();
     m_values.pop_back();
-    if (!isOnDisk)
+    if (problem)
         return cannotWrite(m_file, fileErrorReason(problem));
     return {};
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/capture_session.h"
-#include "core/io/file_descriptor.h"
+#include "core/io/system.h"
 
 #include <filesystem>
 #include <span>
@@ -43,7 +43,7 @@ public:
     [[nodiscard]] Result<void> removeLast();
 
 private:
-    RunFile(std::filesystem::path file, FileDescriptor descriptor);
+    RunFile(std::filesystem::path file, system::File opened);
     [[nodiscard]] Result<void> begin(const MeasuringPlan& plan, const RunOrigin& origin);
     [[nodiscard]] Result<void> goOn(
         const std::string& content, const MeasuringPlan& plan, const RunOrigin& origin);
@@ -51,7 +51,7 @@ private:
 
     std::filesystem::path m_file;
     std::string m_reference;
-    FileDescriptor m_descriptor;
+    system::File m_opened;
     std::size_t m_size = 0; ///< bytes, whole lines
     std::vector<CapturedValue> m_values;
     std::vector<std::size_t> m_lineBegins; ///< of the values, in bytes

@@ -55,7 +55,7 @@ FolderFacts folderFacts(const fs::path& path)
     facts.isOwn = status.st_uid == ::geteuid();
     facts.owner = accountName(status.st_uid);
     facts.mode = status.st_mode & 07777U;
-    facts.fileSystem = fileSystemOf(facts.nearest);
+    facts.fileSystem = system::fileSystemOf(facts.nearest);
     return facts;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/io/file_system.h"
+#include "core/io/system.h"
 
 #include <filesystem>
 #include <optional>
@@ -26,7 +26,7 @@ struct FolderFacts {
     std::string owner{}; ///< a name, or a number where it has none
     unsigned mode = 0; ///< permission bits
     bool isRoot = false; ///< this user is, who may do everything
-    std::optional<FileSystemFacts> fileSystem{};
+    std::optional<system::FileSystemFacts> fileSystem{};
 
     [[nodiscard]] bool othersMayChange() const { return (mode & 0022U) != 0; }
 };

@@ -78,19 +78,19 @@ Finding fileSystemFinding(const FolderFacts& folder)
     if (!folder.fileSystem)
         return {name, Grade::Note, AXISCOMP_TEXT("Doctor", "not known")};
     switch (folder.fileSystem->kind) {
-    case FileSystemFacts::Kind::Network:
+    case system::FileSystemFacts::Kind::Network:
         return {name, Grade::Problem,
             AXISCOMP_TEXT("Doctor",
                 "on the network, where a database can be damaged: nothing is "
                 "kept there, and no write begins"),
             AXISCOMP_TEXT("Doctor", "set {variable} to a folder on this computer")
                 .with("variable", Verbatim{stateVariable})};
-    case FileSystemFacts::Kind::Memory:
+    case system::FileSystemFacts::Kind::Memory:
         return {name, Grade::Note,
             AXISCOMP_TEXT("Doctor", "in memory: backups and journal are gone after a restart"),
             AXISCOMP_TEXT("Doctor", "set {variable} to a folder on a disk")
                 .with("variable", Verbatim{stateVariable})};
-    case FileSystemFacts::Kind::Disk:
+    case system::FileSystemFacts::Kind::Disk:
         break;
     }
     return {name, Grade::Ok, AXISCOMP_TEXT("Doctor", "of this computer")};

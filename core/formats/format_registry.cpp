@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
+#include "core/io/local_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <string>
 
 namespace axiscomp {
@@ -102,14 +102,7 @@ std::string formatNames(std::span<const TableFormat* const> formats)
 
 std::string beginningOf(const std::filesystem::path& file)
 {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored)) // reading it says why
-        return {};
-    std::string text(longestBeginning, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    return text;
+    return std::string(asText(loadBeginning(file, longestBeginning)));
 }
 
 Result<const TableFormat*> formatNamed(std::string_view name)

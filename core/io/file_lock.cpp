@@ -3,19 +3,13 @@
 
 #include "core/io/local_file.h"
 
-#include <cerrno>
 #include <thread>
-#include <utility>
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace axiscomp {
 
 namespace {
 
-// flock has no time-out of its own; a store operation takes a few milliseconds.
+// The system's locks have no time-out of their own; a store operation takes a few milliseconds.
 constexpr std::chrono::milliseconds lockPollInterval{10};
 
 tl::unexpected<Error> notLocked(const std::filesystem::path& what, const Text& reason)
@@ -28,20 +22,17 @@ tl::unexpected<Error> notLocked(const std::filesystem::path& what, const Text& r
 Result<std::optional<FileLock>> FileLock::tryAcquire(
     const std::filesystem::path& lockFile, const std::filesystem::path& what)
 {
-    const int descriptor =
-        ::open(lockFile.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-    if (descriptor < 0)
-        return notLocked(what, fileErrorReason(errno));
-    FileLock lock{descriptor};
-    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        if (errno == EWOULDBLOCK)
-            return std::nullopt;
-        if (errno != EINTR)
-            return notLocked(what,
-                AXISCOMP_TEXT("Error", "it cannot be locked: {reason}")
-                    .with("reason", fileErrorReason(errno)));
-    }
-    return lock;
+    auto file = system::File::open(lockFile, system::File::Purpose::Lock);
+    if (!file)
+        return notLocked(what, fileErrorReason(file.error()));
+    const auto isLocked = file->tryLock();
+    if (!isLocked)
+        return notLocked(what,
+            AXISCOMP_TEXT("Error", "it cannot be locked: {reason}")
+                .with("reason", fileErrorReason(isLocked.error())));
+    if (!*isLocked)
+        return std::nullopt;
+    return FileLock(*std::move(file));
 }
 
 Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
@@ -62,25 +53,11 @@ Result<FileLock> FileLock::acquire(const std::filesystem::path& lockFile,
 
 bool FileLock::isHeld(const std::filesystem::path& lockFile)
 {
-    const FileLock probe{::open(lockFile.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)};
-    return probe.m_descriptor >= 0 && ::flock(probe.m_descriptor, LOCK_SH | LOCK_NB) != 0
-        && errno == EWOULDBLOCK;
-}
-
-FileLock::FileLock(FileLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1))
-{
-}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept
-{
-    std::swap(m_descriptor, other.m_descriptor);
-    return *this;
-}
-
-FileLock::~FileLock()
-{
-    if (m_descriptor >= 0)
-        ::close(m_descriptor);
+    const auto state = system::linkStateOf(lockFile);
+    if (!state || state->kind != system::FileKind::Ordinary)
+        return false;
+    const auto file = system::File::open(lockFile, system::File::Purpose::Read);
+    return file && file->isLocked().value_or(false);
 }
 
 } // namespace axiscomp

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/io/system.h"
 
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace axiscomp {
 
@@ -26,13 +28,9 @@ public:
     /// Whether somebody holds it now; nothing is made where there is no such file.
     [[nodiscard]] static bool isHeld(const std::filesystem::path& lockFile);
 
-    FileLock(FileLock&& other) noexcept;
-    FileLock& operator=(FileLock&& other) noexcept;
-    ~FileLock();
-
 private:
-    explicit FileLock(int descriptor) : m_descriptor(descriptor) { }
-    int m_descriptor;
+    explicit FileLock(system::File file) : m_file(std::move(file)) { }
+    system::File m_file;
 };
 
 } // namespace axiscomp

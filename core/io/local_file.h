@@ -8,13 +8,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace axiscomp {
 
 /// Writes a file so that after a crash or a full disk the old file is whole or the new one is: a
-/// temporary file beside it, fsync, rename, fsync of the folder. A symbolic link is followed and
-/// stays; the old file's mode is kept, a new file gets what the umask gives; a read-only file is
-/// refused. Devices and pipes ("/dev/stdout") are written to directly. Errors: FileNotWritable.
+/// temporary file beside it, flushed, and renamed (system::replaceFile says what Windows promises
+/// less). A symbolic link is followed and stays; the old file's mode is kept, a new file gets what
+/// the umask gives; a read-only file is refused. Devices and pipes ("/dev/stdout") are written to
+/// directly. Errors: FileNotWritable.
 [[nodiscard]] Result<void> saveFile(const std::filesystem::path& file, ByteView bytes);
 
 /// The bytes of a file. Unlike Bytes, they are not cleared before they are read.
@@ -39,6 +41,10 @@ private:
 /// The same as Bytes.
 [[nodiscard]] Result<Bytes> loadFile(const std::filesystem::path& file, std::uint64_t maximumSize);
 
+/// At most so many bytes from the beginning of an ordinary file; nothing of one that cannot be
+/// read.
+[[nodiscard]] Bytes loadBeginning(const std::filesystem::path& file, std::size_t mostBytes);
+
 /// Whether this is an ordinary file, or nothing at all: a pipe would be waited for, a device be
 /// written to. For files that nobody but this program makes. Errors: FileNotReadable.
 [[nodiscard]] Result<void> checkOrdinaryFile(const std::filesystem::path& file);
@@ -56,6 +62,9 @@ private:
 [[nodiscard]] bool isTemporaryFile(const std::filesystem::path& file);
 
 /// The reason in words, for the context of FileNotReadable and FileNotWritable.
-[[nodiscard]] Text fileErrorReason(int errorNumber);
+[[nodiscard]] Text fileErrorReason(const std::error_code& error);
+
+/// A path from the text of a command line or a document, which is UTF-8.
+[[nodiscard]] std::filesystem::path pathFromText(std::string_view text);
 
 } // namespace axiscomp

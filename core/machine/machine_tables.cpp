@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
+#include "core/io/local_file.h"
 #include "core/metrology/fit/lookup_note.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     MachineTable result;
     if (axis.file.empty())
         return result;
-    result.file = folder / axis.file;
+    result.file = folder / pathFromText(axis.file);
     TableImportRequest request;
     request.file = result.file;
     request.dimensions = axis.sources ? static_cast<int>(axis.sources->size()) : 1;

@@ -192,10 +192,11 @@ std::vector<std::string> replacedFiles(
     std::vector<std::string> names;
     for (const DriveSnapshot::TableFile& file : snapshot.files) {
         std::error_code failed;
-        const auto kind = std::filesystem::symlink_status(folder / file.name, failed).type();
+        const auto kind =
+            std::filesystem::symlink_status(folder / pathFromText(file.name), failed).type();
         if (kind == std::filesystem::file_type::not_found)
             continue;
-        const auto there = loadOrdinaryFile(folder / file.name, file.bytes.size());
+        const auto there = loadOrdinaryFile(folder / pathFromText(file.name), file.bytes.size());
         if (!there || *there != file.bytes)
             names.push_back(file.name);
     }
@@ -208,9 +209,9 @@ Result<void> saveSnapshot(const MachineSnapshot& snapshot, const std::filesystem
     std::filesystem::create_directories(folder, failed);
     if (failed)
         return fail(ErrorCode::FileNotWritable,
-            {{"file", Verbatim{folder.string()}}, {"reason", fileErrorReason(failed.value())}});
+            {{"file", Verbatim{folder.string()}}, {"reason", fileErrorReason(failed)}});
     for (const DriveSnapshot::TableFile& file : snapshot.files)
-        AXISCOMP_CHECK(saveFile(folder / file.name, file.bytes));
+        AXISCOMP_CHECK(saveFile(folder / pathFromText(file.name), file.bytes));
     return {};
 }
 

@@ -2,6 +2,7 @@
 #include "core/store/drive_store.h"
 
 #include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/store/backup_folder.h"
 #include "core/store/json_import.h"
 #include "core/store/store_database.h"
@@ -9,12 +10,7 @@
 #include "core/store/store_records.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <utility>
-
-#include <pwd.h>
-#include <unistd.h>
 
 namespace axiscomp {
 
@@ -73,23 +69,7 @@ DriveStore::DriveStore(DriveStore&& other) noexcept = default;
 
 std::filesystem::path DriveStore::defaultRoot()
 {
-    // The XDG specification wants relative paths to be ignored.
-    const auto absolutePath = [](const char* name) {
-        const char* const value = std::getenv(name);
-        return value != nullptr && *value == '/' ? std::filesystem::path(value)
-                                                 : std::filesystem::path();
-    };
-    if (const std::filesystem::path state = absolutePath("XDG_STATE_HOME"); !state.empty())
-        return state / "axiscomp";
-    std::filesystem::path home = absolutePath("HOME");
-    if (home.empty()) {
-        std::array<char, 16384> buffer{};
-        struct passwd entry { };
-        struct passwd* found = nullptr;
-        if (::getpwuid_r(::geteuid(), &entry, buffer.data(), buffer.size(), &found) == 0 && found)
-            home = entry.pw_dir;
-    }
-    return home / ".local" / "state" / "axiscomp";
+    return system::stateFolder() / "axiscomp";
 }
 
 Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)

@@ -57,7 +57,7 @@ template <typename T> ParsedJson<T> resultOf(const StrictJson& document, T value
 JournalEntry::KeptTable keptTableFromJson(const JsonNode& node, const fs::path& folder)
 {
     node.expectMembers({"file", "size", "crc32"});
-    const fs::path name = node["file"].text();
+    const fs::path name = pathFromText(node["file"].textView());
     if (name.empty() || name != name.filename() || name == "." || name == "..")
         node["file"].refuse(
             AXISCOMP_TEXT("Error", "the name of a file beside the journal is expected"));
@@ -73,7 +73,7 @@ ParsedJson<JournalEntry> parseJournal(const OldFile& file)
     // The oldest versions kept no table.
     root.expectMembers(journalMembers, journalExtras);
     JournalEntry entry{root["serialNumber"].integer<std::int32_t>(), root["axis"].integer<int>(0),
-        timeFromJson(root["time"]), root["step"].text(), root["backup"].text(),
+        timeFromJson(root["time"]), root["step"].text(), pathFromText(root["backup"].textView()),
         registersFromJson(root["newRegisters"]), root["newSlot"].text(),
         crcFromJson(root["newCrc"]), root["persistent"].boolean()};
     const fs::path folder = file.path.parent_path();
@@ -248,9 +248,12 @@ Result<void> loadOldFile(OldFile& file)
 /// file + ending, or + "-2" and so on: nothing is ever replaced.
 fs::path freeName(const fs::path& file, const std::string& ending)
 {
-    fs::path name = file.string() + ending;
-    for (int number = 2; !isMissing(name); ++number)
-        name = file.string() + ending + "-" + std::to_string(number);
+    fs::path name = file;
+    name += ending;
+    for (int number = 2; !isMissing(name); ++number) {
+        name = file;
+        name += ending + "-" + std::to_string(number);
+    }
     return name;
 }
 

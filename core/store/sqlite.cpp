@@ -26,7 +26,7 @@ void Connection::Close::operator()(sqlite3* database) const
 Connection::Connection(const std::filesystem::path& file, std::chrono::milliseconds busyWait)
 {
     sqlite3* database = nullptr;
-    const int code = ::sqlite3_open_v2(file.c_str(), &database,
+    const int code = ::sqlite3_open_v2(file.string().c_str(), &database,
         SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE,
         nullptr);
     m_database.reset(database);
@@ -38,7 +38,7 @@ void Connection::check(int code) const
 {
     if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE)
         throw Failure{.code = code,
-            .systemError = ::sqlite3_system_errno(m_database.get()),
+            .systemError = {::sqlite3_system_errno(m_database.get()), std::system_category()},
             .message = ::sqlite3_errmsg(m_database.get())};
 }
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <type_traits>
 
 struct sqlite3;
@@ -21,7 +22,7 @@ namespace axiscomp::sqlite {
 
 struct Failure {
     int code = 0; ///< extended result code
-    int systemError = 0; ///< errno, 0 where the system has nothing to do with it
+    std::error_code systemError = {}; ///< none where the system has nothing to do with it
     std::string message = {}; ///< SQLite's own words, for the log
     Text reason = {}; ///< in place of what the code says
 

@@ -3,6 +3,7 @@
 
 #include "core/io/file_lock.h"
 #include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/store/json_import.h"
 #include "core/store/store_folder.h"
 #include "core/store/store_records.h"
@@ -14,10 +15,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace axiscomp {
 
@@ -32,14 +29,13 @@ constexpr std::array copiedEndings{"", "-wal", "-journal"};
 /// A copy is taken again when a program has written meanwhile.
 constexpr int mostCopies = 5;
 /// Far more than what drives leave in years.
-constexpr std::uint64_t mostBytes = 256UL * 1024 * 1024;
+constexpr std::uint64_t mostBytes = 256ULL * 1024 * 1024;
 
 /// A file as it was at a moment; all 0: there was none.
 struct FileMoment {
-    ino_t inode = 0;
-    off_t size = 0;
-    time_t seconds = 0;
-    long nanoseconds = 0;
+    system::FileIdentity identity{};
+    std::uint64_t size = 0;
+    WallTime lastChange{};
 
     friend bool operator==(const FileMoment&, const FileMoment&) = default;
 };
@@ -49,11 +45,10 @@ DatabaseMoment momentOf(const fs::path& database)
 {
     DatabaseMoment moment{};
     for (std::size_t n = 0; n < copiedEndings.size(); ++n) {
-        struct stat status { };
-        const std::string file = database.string() + copiedEndings[n];
-        if (::lstat(file.c_str(), &status) == 0)
-            moment[n] = {
-                status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+        const fs::path file = withEnding(database, copiedEndings[n]);
+        if (const auto state = system::linkStateOf(file))
+            moment[n] = {system::identityOf(file).value_or(system::FileIdentity{}), state->size,
+                state->lastChange};
     }
     return moment;
 }
@@ -73,7 +68,7 @@ Result<bool> copyDatabase(const fs::path& from, const fs::path& to)
     for (int attempt = 0; attempt < mostCopies; ++attempt) {
         const DatabaseMoment before = momentOf(from);
         for (const char* ending : copiedEndings)
-            AXISCOMP_CHECK(copyFile(from.string() + ending, to.string() + ending));
+            AXISCOMP_CHECK(copyFile(withEnding(from, ending), withEnding(to, ending)));
         if (momentOf(from) == before)
             return true;
     }
@@ -120,14 +115,13 @@ void lookAtDatabase(const fs::path& root, const fs::path& scratch, StoreConditio
     const DatabaseMoment moment = momentOf(database);
     if (moment == DatabaseMoment{})
         return;
-    time_t lastChange = 0;
+    WallTime lastChange{};
     for (const FileMoment& file : moment) {
-        condition.bytes += static_cast<std::uint64_t>(file.size);
-        lastChange = std::max(lastChange, file.seconds);
+        condition.bytes += file.size;
+        lastChange = std::max(lastChange, file.lastChange);
     }
-    condition.lastChange = std::chrono::system_clock::from_time_t(lastChange);
-    condition.isWritable = isMissing(database)
-        || ::faccessat(AT_FDCWD, database.c_str(), R_OK | W_OK, AT_EACCESS) == 0;
+    condition.lastChange = std::chrono::floor<std::chrono::seconds>(lastChange);
+    condition.isWritable = isMissing(database) || system::mayReadAndWrite(database);
     const auto copied = copyDatabase(database, copy);
     if (!copied || !*copied) {
         condition.database = copied ? Database::Busy : Database::Unreadable;

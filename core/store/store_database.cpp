@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/store_database.h"
 
-#include "core/io/file_system.h"
 #include "core/io/local_file.h"
 #include "core/store/json_import.h"
 #include "core/store/store_folder.h"
 #include "core/store/store_repair.h"
 #include "core/store/store_schema.h"
 
-#include <cerrno>
 #include <charconv>
 #include <string>
 #include <utility>
 
 #include <sqlite3.h>
-#include <sys/stat.h>
 
 namespace axiscomp {
 
@@ -24,12 +21,6 @@ namespace fs = std::filesystem;
 using sqlite::Transaction;
 
 constexpr int mostReplacements = 3;
-
-bool isOnNetwork(const fs::path& folder)
-{
-    const auto system = fileSystemOf(folder);
-    return system && system->kind == FileSystemFacts::Kind::Network;
-}
 
 /// Of quick_check: the disk or the memory failed, which does not damage anything.
 bool isReadError(std::string_view found)
@@ -54,13 +45,13 @@ tl::unexpected<Error> notWritable(const fs::path& file, const Text& reason)
 
 bool hasLog(const fs::path& database)
 {
-    return !isMissing(database.string() + "-wal") || !isMissing(database.string() + "-journal");
+    return !isMissing(withEnding(database, "-wal")) || !isMissing(withEnding(database, "-journal"));
 }
 
 Result<void> checkOrdinaryFiles(const fs::path& database)
 {
     for (const char* ending : databaseCompanions)
-        AXISCOMP_CHECK(checkOrdinaryFile(database.string() + ending));
+        AXISCOMP_CHECK(checkOrdinaryFile(withEnding(database, ending)));
     return checkOrdinaryFile(database);
 }
 
@@ -121,7 +112,8 @@ Result<bool> StoreDatabase::open(bool makes)
     if (!makes && !hasStore(m_root))
         return false;
     AXISCOMP_CHECK(makePrivateFolder(m_root));
-    if (isOnNetwork(m_root))
+    const auto fileSystem = system::fileSystemOf(m_root);
+    if (fileSystem && fileSystem->kind == system::FileSystemFacts::Kind::Network)
         return unusable(m_root,
             AXISCOMP_TEXT("Error",
                 "it is on a network file system, where a database can be damaged; set "
@@ -186,7 +178,7 @@ Result<void> StoreDatabase::openFile()
         return notWritable(m_file, AXISCOMP_TEXT("Error", "the file is read-only"));
     if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
         throw sqlite::Failure{.code = isReadError(found) ? SQLITE_IOERR : SQLITE_CORRUPT,
-            .systemError = EIO,
+            .systemError = std::make_error_code(std::errc::io_error),
             .message = found};
     connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     if (connection.text("PRAGMA journal_mode") != "wal")
@@ -195,19 +187,17 @@ Result<void> StoreDatabase::openFile()
     if (identity == StoreIdentity::Older)
         migrateStore(connection);
 
-    struct stat status { };
-    if (::stat(m_file.c_str(), &status) != 0)
-        return unusable(m_file, fileErrorReason(errno));
-    m_device = status.st_dev;
-    m_inode = status.st_ino;
+    const auto found = system::identityOf(m_file);
+    if (!found)
+        return unusable(m_file, fileErrorReason(found.error()));
+    m_identity = *found;
     return {};
 }
 
 bool StoreDatabase::isStillInPlace() const
 {
-    struct stat status { };
-    return ::stat(m_file.c_str(), &status) == 0 && status.st_dev == m_device
-        && status.st_ino == m_inode;
+    const auto found = system::identityOf(m_file);
+    return found && *found == m_identity;
 }
 
 tl::unexpected<Error> StoreDatabase::failed(const sqlite::Failure& failure, ErrorCode code) const
@@ -222,17 +212,17 @@ tl::unexpected<Error> StoreDatabase::failed(const sqlite::Failure& failure, Erro
             return AXISCOMP_TEXT(
                 "Error", "another program is using it; try again when that one has finished");
         case SQLITE_FULL:
-            return fileErrorReason(ENOSPC);
+            return fileErrorReason(std::make_error_code(std::errc::no_space_on_device));
         case SQLITE_READONLY:
             return AXISCOMP_TEXT("Error", "the file or its folder is read-only");
         case SQLITE_NOMEM:
-            return fileErrorReason(ENOMEM);
+            return fileErrorReason(std::make_error_code(std::errc::not_enough_memory));
         case SQLITE_CORRUPT:
         case SQLITE_NOTADB:
             return AXISCOMP_TEXT("Error", "it is damaged");
         default:
-            return failure.systemError != 0 ? fileErrorReason(failure.systemError)
-                                            : Text(Verbatim{failure.message});
+            return failure.systemError ? fileErrorReason(failure.systemError)
+                                       : Text(Verbatim{failure.message});
         }
     }();
     return fail(code, {{"file", m_file.string()}, {"reason", reason}}, failure.message);

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/io/file_lock.h"
+#include "core/io/system.h"
 #include "core/store/sqlite.h"
 
 #include <chrono>
@@ -10,8 +11,6 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-
-#include <sys/types.h>
 
 namespace axiscomp {
 
@@ -57,8 +56,7 @@ private:
     std::chrono::milliseconds m_longestWait;
     std::mutex m_mutex;
     std::unique_ptr<sqlite::Connection> m_connection;
-    dev_t m_device = 0; ///< of the file that is open
-    ino_t m_inode = 0;
+    system::FileIdentity m_identity; ///< of the file that is open
     bool m_isDamaged = false; ///< that file, as work has found
 };
 

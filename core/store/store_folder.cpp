@@ -2,14 +2,12 @@
 #include "core/store/store_folder.h"
 
 #include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/store/backup_json.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <system_error>
-
-#include <sys/stat.h>
 
 namespace axiscomp {
 
@@ -26,9 +24,9 @@ Result<void> makePrivateFolder(const std::filesystem::path& folder)
         return {};
     if (auto parent = makePrivateFolder(folder.parent_path()); !parent)
         return parent;
-    if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+    if (const auto problem = system::makePrivateFolder(folder))
         return fail(ErrorCode::FileNotWritable,
-            {{"file", folder.string()}, {"reason", fileErrorReason(errno)}});
+            {{"file", folder.string()}, {"reason", fileErrorReason(problem)}});
     return {};
 }
 
@@ -73,7 +71,7 @@ Result<void> renameFile(const std::filesystem::path& from, const std::filesystem
         {{"file", from.string()},
             {"reason",
                 AXISCOMP_TEXT("Error", "it cannot be renamed: {reason}")
-                    .with("reason", fileErrorReason(error.value()))}});
+                    .with("reason", fileErrorReason(error))}});
 }
 
 StoreFolder::StoreFolder(const std::filesystem::path& root, std::int32_t serialNumber,

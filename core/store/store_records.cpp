@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/store/store_records.h"
 
+#include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 
 #include <algorithm>
@@ -82,13 +83,14 @@ std::optional<JournalEntry> journal(
         serialNumber, axis);
     if (!row.next())
         return std::nullopt;
-    JournalEntry entry{serialNumber, axis, timeOf(row.number(0)), row.text(1), row.text(2),
-        registersOf(row.text(3)), row.text(4), row.as<std::uint32_t>(5), row.number(6) != 0};
+    JournalEntry entry{serialNumber, axis, timeOf(row.number(0)), row.text(1),
+        pathFromText(row.text(2)), registersOf(row.text(3)), row.text(4), row.as<std::uint32_t>(5),
+        row.number(6) != 0};
     if (!entry.backup.empty()) // folder / an absolute path is that path
         entry.backup = folder / entry.backup;
     if (!row.isNull(8))
         entry.newTable = JournalEntry::KeptTable{
-            folder / row.text(7), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
+            folder / pathFromText(row.text(7)), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
     entry.deletedSlot = row.text(10);
     return entry;
 }

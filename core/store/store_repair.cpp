@@ -25,11 +25,6 @@ namespace fs = std::filesystem;
 const std::string recoveredEnding = ".recovered-";
 const std::string damagedEnding = ".damaged-";
 
-fs::path withEnding(fs::path file, std::string_view ending)
-{
-    return file += ending;
-}
-
 std::vector<std::string> columnsOf(Connection& database, const std::string& table)
 {
     std::vector<std::string> names;
@@ -108,6 +103,11 @@ std::optional<fs::path> recoveredFile(const fs::path& database)
 }
 
 } // namespace
+
+fs::path withEnding(fs::path file, std::string_view ending)
+{
+    return file += ending;
+}
 
 Result<void> makeStore(const fs::path& database)
 {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp {
@@ -12,6 +13,8 @@ namespace axiscomp {
 /// What SQLite may put beside a database: taken for that of another one with its name, it damages
 /// it.
 inline constexpr std::array<const char*, 3> databaseCompanions{"-shm", "-wal", "-journal"};
+/// The file beside this one whose name has one more ending.
+[[nodiscard]] std::filesystem::path withEnding(std::filesystem::path file, std::string_view ending);
 
 /// Makes an empty database where there is none. It appears whole, so that an empty file is a
 /// damaged one. To be called under the lock. Throws sqlite::Failure; errors: FileNotWritable.

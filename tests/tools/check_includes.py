@@ -118,7 +118,7 @@ class Tree:
                 for word in re.findall(r"[^\s()\"]+|[()]", line.partition("#")[0]):
                     if word == "(":
                         command, in_headers = last, False
-                    elif word in ("HEADERS", "SOURCES"):
+                    elif word in ("HEADERS", "SOURCES", "POSIX", "WINDOWS", "DRIVES"):
                         in_headers = word == "HEADERS"
                     elif command in COMMANDS and re.fullmatch(r"[\w.-]+\.(cpp|h)", word):
                         self.listed[folder].add(word)

@@ -111,7 +111,7 @@ Result<void> Capture::begin(int axis, const MeasuringPlan& plan)
 {
     CaptureRequest request;
     request.plan = plan;
-    request.file = m_options.output;
+    request.file = pathFromText(m_options.output);
     request.reference = {m_kind, m_options.reference, m_options.scale};
     request.encoder = m_options.encoder;
     request.rules = rulesOf(m_options);
@@ -210,10 +210,11 @@ void Capture::takeInput(const std::string& text)
 Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
 {
     const bool reads = m_kind == ReferenceKind::Lines || m_kind == ReferenceKind::Typed;
+    InputStream standardInput = InputStream::standardInput();
     while (true) {
         std::string text;
-        AXISCOMP_TRY(
-            const auto input, waitForInput(m_environment.interrupt(), reads, moment, text));
+        AXISCOMP_TRY(const auto input,
+            standardInput.waitForInput(m_environment.interrupt(), reads, moment, text));
         if (input == Input::None)
             return {};
         if (input == Input::Ended)
@@ -293,7 +294,7 @@ Result<void> Capture::follow()
 
 Result<MeasuringPlan> readPlan(const CaptureOptions& options)
 {
-    AXISCOMP_TRY(const auto bytes, loadFile(options.plan, mostPlanBytes));
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.plan), mostPlanBytes));
     return readMeasuringPlan(asText(bytes), displayName(options.plan));
 }
 

@@ -62,7 +62,8 @@ std::string parametersText(const CompensationParameters& parameters)
 Result<ExitCode> runShow(Environment& environment, const ConfigOptions& options)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
+    AXISCOMP_TRY(
+        const auto configuration, loadTamConfiguration(pathFromText(options.file), options.file));
     Json stations = Json::array();
     for (const TamStation& station : configuration.stations) {
         AXISCOMP_TRY(const auto parameters, stationParameters(station, profile, options.file));
@@ -77,7 +78,8 @@ Result<ExitCode> runShow(Environment& environment, const ConfigOptions& options)
 Result<ExitCode> exportParameters(Environment& environment, const ConfigOptions& options,
     const DriveProfile& profile, const CompensationParameters& parameters)
 {
-    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
+    AXISCOMP_TRY(
+        const auto configuration, loadTamConfiguration(pathFromText(options.file), options.file));
     AXISCOMP_TRY(const auto index,
         stationFor(configuration.stations, options.file, parameters.serialNumber, options.station,
             options.force));
@@ -89,7 +91,7 @@ Result<ExitCode> exportParameters(Environment& environment, const ConfigOptions&
     const bool isSame = before == after;
     const bool writes = !options.isDryRun && !(isSame && options.output.empty());
     if (writes) {
-        AXISCOMP_CHECK(saveFile(file, asBytes(after)));
+        AXISCOMP_CHECK(saveFile(pathFromText(file), asBytes(after)));
         environment.print("\nWrote " + file + ": only these registers have changed.\n");
     } else {
         environment.print(isSame ? "\nThe configuration has all of this already.\n"
@@ -111,8 +113,8 @@ Result<ExitCode> runExport(Environment& environment, const ConfigOptions& option
                 return exportParameters(same, options, session.profile(), parameters);
             });
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(const auto source, loadTamConfiguration(options.from, options.from));
-    AXISCOMP_TRY(const auto target, loadTamConfiguration(options.file, options.file));
+    AXISCOMP_TRY(const auto source, loadTamConfiguration(pathFromText(options.from), options.from));
+    AXISCOMP_TRY(const auto target, loadTamConfiguration(pathFromText(options.file), options.file));
     const auto serial =
         target.stations.size() == 1 ? target.stations.front().serialNumber : std::nullopt;
     AXISCOMP_TRY(const auto index,
@@ -125,7 +127,8 @@ Result<ExitCode> runExport(Environment& environment, const ConfigOptions& option
 Result<ExitCode> importParameters(
     Environment& environment, CommandSession& session, const ConfigOptions& options)
 {
-    AXISCOMP_TRY(const auto configuration, loadTamConfiguration(options.file, options.file));
+    AXISCOMP_TRY(
+        const auto configuration, loadTamConfiguration(pathFromText(options.file), options.file));
     AXISCOMP_TRY(const auto drive, session.compensator().identify(session.operation()));
     AXISCOMP_TRY(const auto index,
         stationFor(configuration.stations, options.file, drive.serialNumber, options.station,

@@ -8,6 +8,7 @@
 #include "app/common/number_text.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/io/local_file.h"
 #include "core/table/large_correction.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
@@ -208,7 +209,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         conversionRequest(options.conversion, *input.format, to, tables.front().axes.size()));
     AXISCOMP_TRY(auto profile, profileOf(options.input.profile));
     request.writing.layout = &profile.layout;
-    request.writing.fileName = std::filesystem::path(options.output).filename().string();
+    request.writing.fileName = pathFromText(options.output).filename().string();
     if (to.facts.holdsPersistency
         && (options.persistent || (input.persistent && !options.isVolatile)))
         request.writing.settings["persistent"] = "yes";

@@ -2,6 +2,8 @@
 #include "app/cli/commands/fit_record.h"
 
 #include "app/common/arguments.h"
+#include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/metrology/record/fit_record.h"
 
 #include <filesystem>
@@ -40,8 +42,7 @@ Result<CalibrationRecord> recordOfFit(const MeasurementInput& input,
 
 Result<void> checkNewRecord(const std::string& file, const std::string& command)
 {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
+    if (!system::stateOf(pathFromText(file)))
         return {};
     return wrongUsage(
         file + " exists already, and a record is not replaced: name another file", command);

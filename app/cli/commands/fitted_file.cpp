@@ -5,6 +5,7 @@
 #include "core/csv/calibration_csv.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/io/local_file.h"
 #include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
 
@@ -81,7 +82,7 @@ Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& 
     AXISCOMP_TRY(auto request,
         conversionRequest(conversion, calibration_csv::format(), format, data.grid.axes.size()));
     request.writing.layout = &profile.layout;
-    request.writing.fileName = std::filesystem::path(options.output.file).filename().string();
+    request.writing.fileName = pathFromText(options.output.file).filename().string();
     AXISCOMP_TRY(const auto converted, convertTables(tables, request));
     for (const Text& line : conversionReport(converted, request))
         environment.console().note(options.output.file + ": " + line.english());

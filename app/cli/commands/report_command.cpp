@@ -25,7 +25,7 @@ struct ReportCommandOptions {
 
 Result<ReportFormat> formatOf(const std::string& file)
 {
-    if (const auto format = reportFormatOf(file))
+    if (const auto format = reportFormatOf(pathFromText(file)))
         return *format;
     return wrongUsage(
         "the report is PDF or HTML: name a file that ends in .pdf or .html", commandName("report"));
@@ -89,15 +89,15 @@ Result<ExitCode> runReport(Environment& environment, const ReportCommandOptions&
 {
     AXISCOMP_TRY(const auto format, formatOf(options.output));
     AXISCOMP_CHECK(checkLanguage(options.language));
-    AXISCOMP_TRY(const auto record, loadRecord(options.record));
+    AXISCOMP_TRY(const auto record, loadRecord(pathFromText(options.record)));
     AXISCOMP_TRY(const auto content, reportContent(record, AXISCOMP_VERSION));
     const ReportDocument document =
         inLanguage(reportDocument(content, {options.wantsLists}), options.language);
     if (format == ReportFormat::Pdf) {
         AXISCOMP_TRY(const auto pdf, drawnAsPdf(document));
-        AXISCOMP_CHECK(saveFile(options.output, pdf));
+        AXISCOMP_CHECK(saveFile(pathFromText(options.output), pdf));
     } else {
-        AXISCOMP_CHECK(saveFile(options.output, asBytes(reportHtml(document))));
+        AXISCOMP_CHECK(saveFile(pathFromText(options.output), asBytes(reportHtml(document))));
     }
     environment.print("Report written to " + options.output + "\n");
     environment.document(reportJson(options, content));

@@ -3,6 +3,7 @@
 #include "app/cli/output/output_file.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/io/local_file.h"
 #include "core/metrology/gcode.h"
 
 namespace axiscomp::app {
@@ -40,7 +41,7 @@ Result<ExitCode> runTargets(Environment& environment, TargetsOptions& options)
 {
     const Output output{options.output, commandName("targets")};
     AXISCOMP_CHECK(checkOutput(environment, output, true));
-    if (options.dialect.empty() && isProgramFile(options.output))
+    if (options.dialect.empty() && isProgramFile(pathFromText(options.output)))
         return wrongUsage("a program for a control needs --dialect linuxcnc, fanuc or siemens; for "
                           "the plan name a file .csv",
             commandName("targets"));

@@ -34,7 +34,7 @@ Result<Json> readUncertainty(const Measurement& measurement, const ToleranceOpti
             "--uncertainty U=2arcsec",
             command);
     constexpr std::uint64_t mostBytes = 64 * 1024;
-    AXISCOMP_TRY(const auto bytes, loadFile(options.uncertainty, mostBytes));
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.uncertainty), mostBytes));
     AXISCOMP_TRY(const auto budget, uncertaintyBudgetFromJson(asText(bytes), measurement.range()));
     const Uncertainty terms = uncertaintyOf(budget);
     uncertainty = terms.total;
@@ -116,7 +116,8 @@ Result<MadeCorrections> correct(
         return made;
     AXISCOMP_TRY(made.corrections.temperature, temperatureOf(measurement, options, command));
     if (!options.deadPath.empty()) {
-        AXISCOMP_TRY(const auto bytes, loadFile(options.deadPath, maximumDeadPathSize));
+        AXISCOMP_TRY(
+            const auto bytes, loadFile(pathFromText(options.deadPath), maximumDeadPathSize));
         AXISCOMP_TRY(made.corrections.deadPath, deadPathFromText(asText(bytes), options.deadPath));
     }
     auto outcome = corrected(std::move(measurement), made.corrections);

@@ -42,7 +42,7 @@ Result<std::string> wholeFile(
 {
     if (file == standardStream)
         return readStandardInput(environment.interrupt(), maximumBytes);
-    AXISCOMP_TRY(const auto bytes, loadFile(file, maximumBytes));
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(file), maximumBytes));
     return std::string(asText(bytes));
 }
 
@@ -50,7 +50,7 @@ Result<Measurement> readOne(Environment& environment, const MeasurementInputOpti
     const MeasurementReadOptions& reading, const std::string& file, MeasurementInput& input)
 {
     AXISCOMP_TRY(const auto text, wholeFile(environment, file, reading.maximumBytes));
-    const std::string name = std::filesystem::path(file).filename().string();
+    const std::string name = pathFromText(file).filename().string();
     AXISCOMP_TRY(const auto format,
         options.from.empty() ? chooseMeasurementFormat(text, name, reading)
                              : measurementFormatNamed(options.from));

@@ -5,12 +5,7 @@
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 namespace axiscomp::app {
 
@@ -48,24 +43,18 @@ public:
 
     Result<void> answer(const std::string& file, Json& results)
     {
-        const bool isStandardInput = file == standardStream;
-        const int descriptor =
-            isStandardInput ? STDIN_FILENO : ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-        if (descriptor < 0)
-            return fail(ErrorCode::FileNotReadable,
-                {{"file", file}, {"reason", Verbatim{std::strerror(errno)}}});
-        auto answered = answerAll(descriptor, results);
-        if (!isStandardInput)
-            ::close(descriptor);
-        return answered;
+        if (file == standardStream)
+            return answerAll(InputStream::standardInput(), results);
+        AXISCOMP_TRY(auto input, InputStream::open(file));
+        return answerAll(std::move(input), results);
     }
 
 private:
-    Result<void> answerAll(int descriptor, Json& results)
+    Result<void> answerAll(InputStream input, Json& results)
     {
         std::string text;
         while (true) {
-            AXISCOMP_TRY(const auto more, readMore(descriptor, m_environment.interrupt(), text));
+            AXISCOMP_TRY(const auto more, input.readMore(m_environment.interrupt(), text));
             if (!more && !text.empty())
                 text.push_back('\n');
             if (auto answered = answerLines(text, results); !answered)

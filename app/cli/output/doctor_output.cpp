@@ -102,14 +102,14 @@ std::string_view kindName(FolderFacts::Kind kind)
     return "Hidden";
 }
 
-std::string_view kindName(FileSystemFacts::Kind kind)
+std::string_view kindName(system::FileSystemFacts::Kind kind)
 {
     switch (kind) {
-    case FileSystemFacts::Kind::Disk:
+    case system::FileSystemFacts::Kind::Disk:
         return "Disk";
-    case FileSystemFacts::Kind::Network:
+    case system::FileSystemFacts::Kind::Network:
         return "Network";
-    case FileSystemFacts::Kind::Memory:
+    case system::FileSystemFacts::Kind::Memory:
         break;
     }
     return "Memory";

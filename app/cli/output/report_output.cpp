@@ -3,6 +3,7 @@
 
 #include "app/common/report_module.h"
 #include "app/texts/program_texts.h"
+#include "core/io/system.h"
 
 #include <QCoreApplication>
 #include <QLibrary>
@@ -17,8 +18,7 @@ namespace {
 /// Where the build has the module, and where it is installed.
 std::vector<std::filesystem::path> moduleFolders()
 {
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    const std::filesystem::path program = system::programFolder();
     return {program, program / AXISCOMP_MODULE_FOLDER};
 }
 

@@ -4,11 +4,12 @@
 #include "app/cli/input/table_input.h"
 #include "app/cli/output/status_text.h"
 #include "app/common/arguments.h"
+#include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/text/token_scanner.h"
 #include "drivecomm/link_factory.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -106,11 +107,11 @@ Result<TemporaryFolder> TemporaryFolder::make()
 {
     std::error_code error;
     const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
-    std::string pattern = (parent / "axiscomp-XXXXXX").string();
-    if (error || !::mkdtemp(pattern.data()))
+    auto folder = error ? tl::unexpected(error) : system::makeTemporaryFolder(parent);
+    if (!folder)
         return fail(ErrorCode::FileNotWritable,
-            {{"file", pattern}, {"reason", error ? error.message() : std::strerror(errno)}});
-    return TemporaryFolder(pattern);
+            {{"file", parent.string()}, {"reason", fileErrorReason(folder.error())}});
+    return TemporaryFolder(*std::move(folder));
 }
 
 TemporaryFolder::TemporaryFolder(std::filesystem::path path) : m_path(std::move(path)) { }

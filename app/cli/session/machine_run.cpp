@@ -6,6 +6,7 @@
 #include "app/cli/session/write_run.h"
 #include "app/common/arguments.h"
 #include "core/base/parallel.h"
+#include "core/io/local_file.h"
 
 #include <algorithm>
 #include <atomic>
@@ -86,8 +87,7 @@ void forEachDrive(Environment& environment, const MachineOptions& options,
 
 MachineContext contextOf(const MachineOptions& options, const CommandSession& session)
 {
-    return {
-        std::filesystem::path(options.file).parent_path(), session.storeRoot(), options.activates};
+    return {pathFromText(options.file).parent_path(), session.storeRoot(), options.activates};
 }
 
 } // namespace
@@ -101,14 +101,14 @@ bool MachineRun::differs() const
 Result<MachineRun> beginMachineRun(Environment& environment, const MachineOptions& options)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    AXISCOMP_TRY(auto reading, loadMachine(options.file));
+    AXISCOMP_TRY(auto reading, loadMachine(pathFromText(options.file)));
     environment.diagnose(options.file, reading.diagnostics);
     if (!reading.machine)
         return fail(machineError(options.file, reading));
     MachineFile& machine = *reading.machine;
     AXISCOMP_CHECK(select(machine, options));
-    auto tables = readMachineTables(machine, std::filesystem::path(options.file).parent_path(),
-        profile.layout, environment.stopToken());
+    auto tables = readMachineTables(
+        machine, pathFromText(options.file).parent_path(), profile.layout, environment.stopToken());
     MachineRun run{machine.name, {}};
     for (std::size_t n = 0; n < machine.drives.size(); ++n) {
         MachineDriveRun& drive = run.drives.emplace_back();

@@ -46,7 +46,7 @@ FolderFacts folder(Kind kind = Kind::Folder)
     facts.mayUse = facts.isOwn = true;
     facts.owner = "anna";
     facts.mode = 0700;
-    facts.fileSystem = FileSystemFacts{.freeBytes = plenty};
+    facts.fileSystem = system::FileSystemFacts{.freeBytes = plenty};
     return facts;
 }
 
@@ -254,10 +254,10 @@ void TestComputerFindings::theNetworkIsAProblemAndMemoryANote()
         return named(storeFindings(facts, StoreCondition{}, now), "file system");
     };
     QCOMPARE(finding().grade, Grade::Ok);
-    facts.fileSystem->kind = FileSystemFacts::Kind::Network;
+    facts.fileSystem->kind = system::FileSystemFacts::Kind::Network;
     QCOMPARE(finding().grade, Grade::Problem);
     QVERIFY(says(finding().wayOut, "XDG_STATE_HOME"));
-    facts.fileSystem->kind = FileSystemFacts::Kind::Memory;
+    facts.fileSystem->kind = system::FileSystemFacts::Kind::Memory;
     QCOMPARE(finding().grade, Grade::Note);
 }
 
