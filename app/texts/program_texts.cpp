@@ -85,35 +85,42 @@ std::string languageOfEnvironment()
     return "en";
 }
 
+struct ProgramTexts::Translation {
+    QTranslator translator;
+    char decimalSign = '.';
+};
+
 ProgramTexts::ProgramTexts(const std::string& language)
 {
     useTranslations();
     const QString name = QString::fromStdString(language);
-    auto translator = std::make_unique<QTranslator>();
-    if (!translator->load(QStringLiteral("axiscomp_") + name, QString(folderOfTexts)))
+    auto translation = std::make_unique<Translation>();
+    if (!translation->translator.load(QStringLiteral("axiscomp_") + name, QString(folderOfTexts)))
         return;
-    m_translator = std::move(translator);
-    m_decimalSign = QLocale(name).decimalPoint().front().toLatin1();
+    translation->decimalSign = QLocale(name).decimalPoint().front().toLatin1();
+    m_translation = std::move(translation);
 }
 
 ProgramTexts::~ProgramTexts() = default;
 
 std::string ProgramTexts::help(const std::string& text) const
 {
-    const QString words = m_translator ? m_translator->translate("Help", text.c_str()) : QString();
+    const QString words =
+        m_translation ? m_translation->translator.translate("Help", text.c_str()) : QString();
     return words.isEmpty() ? text : words.toStdString();
 }
 
 Wording ProgramTexts::wording() const
 {
     Wording wording;
-    wording.decimalSign = m_decimalSign;
+    if (m_translation)
+        wording.decimalSign = m_translation->decimalSign;
     wording.words = [this](const TextPattern& pattern, std::optional<std::int64_t> count) {
         const int form = count
             ? static_cast<int>(std::clamp<std::int64_t>(*count, 0, std::numeric_limits<int>::max()))
             : -1;
-        const QString words = m_translator
-            ? m_translator->translate(pattern.context, pattern.words, pattern.one, form)
+        const QString words = m_translation
+            ? m_translation->translator.translate(pattern.context, pattern.words, pattern.one, form)
             : QString();
         if (!words.isEmpty())
             return words.toStdString();

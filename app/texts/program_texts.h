@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-class QTranslator;
-
 namespace axiscomp::app {
 
 /// "en" and every language that there is a translation for.
@@ -19,7 +17,8 @@ namespace axiscomp::app {
 /// for none that there is, or for an encoding other than UTF-8.
 [[nodiscard]] std::string languageOfEnvironment();
 
-/// The texts of a program in one language.
+/// The texts of a program in one language. program_texts.cpp; without Qt, and so in English alone,
+/// english_texts.cpp.
 class ProgramTexts {
 public:
     /// language: one of textLanguages().
@@ -32,8 +31,8 @@ public:
     [[nodiscard]] Wording wording() const;
 
 private:
-    std::unique_ptr<QTranslator> m_translator; ///< null: English
-    char m_decimalSign = '.';
+    struct Translation;
+    std::unique_ptr<Translation> m_translation; ///< null: English
 };
 
 } // namespace axiscomp::app

@@ -4,37 +4,12 @@
 #include "core/drive/axis_target.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
-#include "core/table/position_unit.h"
-#include "core/table/table_units.h"
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
-
-#include <iterator>
 
 namespace axiscomp {
 
 namespace {
-
-/// A table in the unit of the measurement. crc: as the drive has it; nothing: that of a drive with
-/// this unit.
-Result<void> addTable(KnownTables& known, const CompensationTable& table,
-    std::optional<std::uint32_t> crc, const std::string& unit, const TableLayout& layout,
-    std::vector<Text>* remarks)
-{
-    TableUnits units{unit, std::vector<std::string>(table.grid.axes.size(), unit)};
-    for (std::size_t n = 0; n < units.positions.size(); ++n)
-        if (!table.grid.axes[n].unit.empty() && !isPositionUnit(table.grid.axes[n].unit))
-            units.positions[n].clear();
-    AXISCOMP_TRY(auto converted, inDriveUnits(table, units));
-    if (remarks)
-        std::ranges::move(converted.remarks, std::back_inserter(*remarks));
-    if (!crc) {
-        AXISCOMP_TRY(crc, elementCrc(converted.table, layout));
-    }
-    known.tables.push_back(std::move(converted.table));
-    known.crcs.push_back(*crc);
-    return {};
-}
 
 Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
     const DriveProfile& profile, const std::string& driveUnit, const std::string& unit)
@@ -62,16 +37,6 @@ Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
 }
 
 } // namespace
-
-Result<TablesOfFile> tablesOfFile(const std::string& name, std::vector<CompensationTable> tables,
-    const std::string& unit, const TableLayout& layout)
-{
-    TablesOfFile made;
-    made.tables.name = Verbatim{name};
-    for (const CompensationTable& table : tables)
-        AXISCOMP_CHECK(addTable(made.tables, table, std::nullopt, unit, layout, &made.remarks));
-    return made;
-}
 
 AxisOfDrive axisOfDrive(const AxisStatus& status)
 {

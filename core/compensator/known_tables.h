@@ -4,6 +4,7 @@
 #include "core/axis/axis_status.h"
 #include "core/base/result.h"
 #include "core/drive/drive_profile.h"
+#include "core/metrology/fit/known_tables.h"
 #include "core/metrology/fit/lookup_frame.h"
 #include "core/metrology/fit/measured_state.h"
 #include "core/store/drive_store.h"
@@ -16,16 +17,7 @@
 
 namespace axiscomp {
 
-// Tables that may have been active while an axis was measured, in the unit of the measurement.
-
-struct TablesOfFile {
-    KnownTables tables;
-    std::vector<Text> remarks; ///< what is assumed of units
-};
-/// name: of the file, as it is told. unit: of the measurement, mm or deg. The CRC of each table is
-/// that of a drive with this unit. Errors: UnitMismatch; those of elementCrc.
-[[nodiscard]] Result<TablesOfFile> tablesOfFile(const std::string& name,
-    std::vector<CompensationTable> tables, const std::string& unit, const TableLayout& layout);
+// What an axis says of the tables that may have been active while it was measured.
 
 /// What an axis of a drive has to say of a measurement of it.
 struct AxisTables {

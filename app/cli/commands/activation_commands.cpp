@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
 #include "app/common/number_text.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/compensator/drive_record.h"
+#include "core/io/local_file.h"
 #include "core/text/number_text.h"
 
 namespace axiscomp::app {
@@ -55,7 +56,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         return fail(before.error());
     CalibrationRecord record;
     if (!recordFile.empty()) {
-        AXISCOMP_TRY(record, loadRecord(recordFile));
+        AXISCOMP_TRY(record, loadRecord(pathFromText(recordFile)));
         AXISCOMP_CHECK(checkRecordTable(record, before->status));
     }
     AXISCOMP_TRY(const auto activation,
@@ -78,7 +79,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         environment.print(proofText(proof, status));
         if (!recordFile.empty()) {
             AXISCOMP_CHECK(recordProof(record, status, proof));
-            AXISCOMP_CHECK(saveRecord(recordFile, record));
+            AXISCOMP_CHECK(saveRecord(pathFromText(recordFile), record));
             if (!record.write->proof)
                 environment.console().note("note: the record has no proof yet");
         }

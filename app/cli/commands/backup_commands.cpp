@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
@@ -69,7 +69,7 @@ Result<Json> showPlans(
 
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
 {
-    AXISCOMP_TRY(const auto bytes, loadFile(options.file, maximumBackupSize));
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.file), maximumBackupSize));
     AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), options.file));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {

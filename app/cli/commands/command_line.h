@@ -8,7 +8,9 @@
 
 #include <CLI/App.hpp>
 
+#include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -47,6 +49,18 @@ private:
 inline constexpr const char* fileCommands = AXISCOMP_HELP("Help", "Files on this computer");
 inline constexpr const char* driveCommands = AXISCOMP_HELP("Help", "Drives");
 inline constexpr const char* computerCommands = AXISCOMP_HELP("Help", "This computer");
+
+/// What one function adds.
+struct CommandGroup {
+    std::array<std::string_view, 3> names;
+    void (*add)(CommandLine& line);
+};
+
+/// The commands of this program, in the order of --help, and what stands above and below them:
+/// all_commands.cpp; in a program that is built without drives, cli/without_drives/commands.cpp.
+[[nodiscard]] std::span<const CommandGroup> commandGroups();
+[[nodiscard]] const char* programDescription();
+[[nodiscard]] const char* programFooter();
 
 void addExampleCommand(CommandLine& line);
 void addInspectCommand(CommandLine& line);

@@ -7,6 +7,7 @@
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/arguments.h"
+#include "core/io/local_file.h"
 #include "core/metrology/run_selection.h"
 
 namespace axiscomp::app {
@@ -50,9 +51,8 @@ Result<void> keepInRecord(Environment& environment, CalibrationRecord record,
     recorded.files = {{source.file, source.format, source.sha256, after.measurement}};
     recorded.swapsDirections = options.input.swapsDirections;
     keepAfter(record, std::move(recorded), comparison);
-    AXISCOMP_CHECK(saveRecord(options.record, record));
-    DriveStore store(DriveStore::defaultRoot());
-    keepFiguresOrWarn(environment, store, record);
+    AXISCOMP_CHECK(saveRecord(pathFromText(options.record), record));
+    keepFiguresOrWarn(environment, record);
     return {};
 }
 
@@ -68,7 +68,7 @@ Result<ExitCode> runCompare(Environment& environment, const CompareOptions& opti
             "--keep and --measured-with belong to a record: give --record", options.input.command);
     CalibrationRecord record;
     if (!options.record.empty()) {
-        AXISCOMP_TRY(record, loadRecord(options.record));
+        AXISCOMP_TRY(record, loadRecord(pathFromText(options.record)));
     }
     AXISCOMP_TRY(const auto before, readSide(environment, options, 0));
     AXISCOMP_TRY(const auto after, readSide(environment, options, 1));

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/commands/fit_drive.h"
 #include "app/cli/commands/fit_record.h"
 #include "app/cli/commands/fitted_file.h"
-#include "app/cli/commands/known_tables.h"
 #include "app/cli/input/judging_options.h"
+#include "app/cli/input/known_tables.h"
 #include "app/cli/input/measurement_input.h"
 #include "app/cli/output/fit_output.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/io/local_file.h"
 #include "core/metrology/record/fit_record.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace axiscomp::app {
@@ -24,10 +27,12 @@ namespace {
 constexpr std::string_view ontoDrive = "drive";
 
 struct FitOptions {
+    explicit FitOptions(const std::string& command) : drive(command) { }
+
+    FitDrive drive;
     MeasurementInputOptions input;
     CorrectionOptions correction;
     ToleranceOptions tolerance;
-    DriveOptions drive;
     FittedFileOptions file;
     std::string record; ///< empty: none is begun
     std::string method = "linear";
@@ -57,12 +62,13 @@ struct StateSources {
     std::vector<KnownTables> others;
     std::optional<MeasuredState> stated;
     std::optional<LookupAt> lookupAt; ///< by the drive's source
-    std::string source;
 };
 
-/// Of --lookup-at, which is given.
-LookupAt statedLookup(const FitOptions& options)
+/// Of --lookup-at; nothing where it is not given.
+std::optional<LookupAt> statedLookup(const FitOptions& options)
 {
+    if (options.lookupAt.empty())
+        return std::nullopt;
     return options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
 }
 
@@ -140,9 +146,8 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     if (!options.removedDrift.empty())
         settings.drift =
             options.removedDrift == "offset" ? DriftRemoval::Offset : DriftRemoval::Trend;
-    settings.lookupAt = sources.lookupAt;
-    if (!options.lookupAt.empty())
-        settings.lookupAt = statedLookup(options);
+    const auto stated = statedLookup(options);
+    settings.lookupAt = stated ? stated : sources.lookupAt;
     settings.isByTemperature = !options.by.empty();
     settings.gain = options.gain;
     settings.mostPoints = profile.mostPoints();
@@ -162,31 +167,11 @@ TableInputOptions tableFile(
     TableInputOptions input;
     input.command = options.input.command;
     input.file = file;
-    input.profile = options.drive.profile;
+    input.profile = options.drive.profile();
     input.dimensions = measurement.kind == MeasurementKind::Points
         ? static_cast<int>(measurement.points.axes.size())
         : 1;
     return input;
-}
-
-Result<void> readDrive(Environment& environment, const FitOptions& options, const std::string& unit,
-    StateSources& sources)
-{
-    const auto read = [&](Environment& same, CommandSession& session,
-                          int axis) -> Result<ExitCode> {
-        AXISCOMP_TRY(auto tables, tablesOfAxis(same, session, axis, unit));
-        sources.onto = std::move(tables.active);
-        sources.lookupAt = tables.lookupAt;
-        sources.source = tables.source;
-        for (KnownTables& backup : tables.backups)
-            sources.others.push_back(std::move(backup));
-        return ExitCode::Done;
-    };
-    AXISCOMP_CHECK(withAxis(environment, options.drive, read));
-    if (options.lookupAt.empty())
-        return {};
-    AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
-    return checkLookupAt(statedLookup(options), profile, sources.source);
 }
 
 Result<StateSources> readStates(
@@ -204,7 +189,10 @@ Result<StateSources> readStates(
         sources.others.push_back(std::move(tables));
     }
     if (options.onto == ontoDrive) {
-        AXISCOMP_CHECK(readDrive(environment, options, unit, sources));
+        AXISCOMP_TRY(auto drive, options.drive.read(environment, unit, statedLookup(options)));
+        sources.onto = std::move(drive.active);
+        sources.lookupAt = drive.lookupAt;
+        std::ranges::move(drive.backups, std::back_inserter(sources.others));
     } else if (!options.onto.empty()) {
         AXISCOMP_TRY(sources.onto,
             tablesOfFile(environment, tableFile(options, measurement, options.onto), unit));
@@ -245,7 +233,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
                               "leave out --record or --direction both",
                 options.input.command);
     }
-    AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile));
+    AXISCOMP_TRY(const auto profile, profileOf(options.drive.profile()));
     MeasurementInputOptions reading = options.input;
     reading.keepsFiles = !options.record.empty();
     AXISCOMP_TRY(auto input, readMeasurements(environment, reading));
@@ -278,7 +266,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (!options.record.empty()) {
         AXISCOMP_TRY(
             const auto record, recordOfFit(input, options.input, corrections, settings, report));
-        AXISCOMP_CHECK(saveRecord(options.record, record));
+        AXISCOMP_CHECK(saveRecord(pathFromText(options.record), record));
     }
     tell(environment, options, input, corrections, report,
         fitText(measurement, settings, report, crcs, profile), format);
@@ -468,12 +456,7 @@ void addStateOptions(CLI::App& command, FitOptions& options)
                 "the file of the table"))
         ->option_text("STATE")
         ->group(group);
-    command
-        .add_option("--onto", options.onto,
-            AXISCOMP_HELP("Help",
-                "Merge residuals onto the table that was active: its file, or drive for the one "
-                "that "
-                "the axis uses (--drive, --axis)"))
+    command.add_option("--onto", options.onto, FitDrive::description())
         ->option_text("TABLE")
         ->group(group);
     command
@@ -513,10 +496,9 @@ void addPointsOptions(CLI::App& command, FitOptions& options)
 
 void addFitCommand(CommandLine& line)
 {
-    auto options = std::make_shared<FitOptions>();
     const std::string name = commandName("fit");
+    auto options = std::make_shared<FitOptions>(name);
     options->input.command = name;
-    options->drive.command = name;
     options->file.output.command = name;
     options->file.conversion.command = name;
     CLI::App* command = line.add("fit", fileCommands,
@@ -531,14 +513,13 @@ void addFitCommand(CommandLine& line)
     addStateOptions(*command, *options);
     addPointsOptions(*command, *options);
     addCorrectionOptions(*command, options->correction);
-    addDriveOptions(*command, options->drive);
-    addAxisOption(*command, options->drive);
-    command->footer(AXISCOMP_HELP("Help",
-        "Examples:") "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder"
-                     "\n  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5"
-                     "\n  axiscomp fit after.csv -o new.csv --onto drive --drive http://192.0.2.5 "
-                     "--axis X"
-                     "\n  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
+    options->drive.addOptions(*command);
+    const std::string examples = AXISCOMP_HELP("Help", "Examples:");
+    command->footer(examples
+        + "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder"
+        + "\n  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5"
+        + FitDrive::example()
+        + "\n  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
 }
 
 } // namespace axiscomp::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/machine_output.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"

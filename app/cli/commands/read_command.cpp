@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
 #include "app/cli/input/conversion_options.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
@@ -11,6 +11,7 @@
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/io/local_file.h"
 #include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 
@@ -80,7 +81,7 @@ Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     if (request.targets.front().empty())
         request.targets.clear();
     request.writing.layout = &session.profile().layout;
-    request.writing.fileName = std::filesystem::path(options.output).filename().string();
+    request.writing.fileName = pathFromText(options.output).filename().string();
     const NeutralTable tables[] = {std::move(neutral)};
     AXISCOMP_TRY(const auto conversion, convertTables(tables, request));
     for (const Text& line : conversionReport(conversion, request))

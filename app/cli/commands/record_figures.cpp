@@ -2,6 +2,7 @@
 #include "app/cli/commands/record_figures.h"
 
 #include "core/metrology/record/kept_figures.h"
+#include "core/store/drive_store.h"
 
 namespace axiscomp::app {
 
@@ -11,6 +12,12 @@ void keepFiguresOrWarn(Environment& environment, DriveStore& store, const Calibr
     if (!kept)
         environment.warn("axiscomp status will not know the figures of the record: "
             + textOf(kept.error()).english());
+}
+
+void keepFiguresOrWarn(Environment& environment, const CalibrationRecord& record)
+{
+    DriveStore store(DriveStore::defaultRoot());
+    keepFiguresOrWarn(environment, store, record);
 }
 
 } // namespace axiscomp::app

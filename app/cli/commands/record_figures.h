@@ -3,7 +3,10 @@
 
 #include "app/cli/output/environment.h"
 #include "core/metrology/record/calibration_record.h"
-#include "core/store/drive_store.h"
+
+namespace axiscomp {
+class DriveStore;
+}
 
 namespace axiscomp::app {
 
@@ -11,5 +14,7 @@ namespace axiscomp::app {
 /// take them is a warning.
 void keepFiguresOrWarn(
     Environment& environment, DriveStore& store, const CalibrationRecord& record);
+/// The same in the store of this user.
+void keepFiguresOrWarn(Environment& environment, const CalibrationRecord& record);
 
 } // namespace axiscomp::app

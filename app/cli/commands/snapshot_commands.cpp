@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/session/drive_search.h"
 #include "app/cli/session/machine_run.h"
@@ -8,6 +8,7 @@
 #include "app/common/number_text.h"
 #include "core/base/parallel.h"
 #include "core/compensator/drive_summary.h"
+#include "core/io/local_file.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
 
@@ -72,7 +73,7 @@ Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& op
     AXISCOMP_TRY(auto drives, snapshotsOf(environment, options.drive));
     const std::size_t count = drives.size();
     AXISCOMP_TRY(const auto snapshot, joinSnapshots(options.name, std::move(drives)));
-    const std::filesystem::path folder(options.folder);
+    const std::filesystem::path folder = pathFromText(options.folder);
     AXISCOMP_CHECK(saveSnapshot(snapshot, folder));
     Json files = Json::array();
     for (std::size_t n = 0; n < snapshot.tables(); ++n)

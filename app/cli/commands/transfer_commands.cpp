@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/output_file.h"
 #include "app/cli/session/write_run.h"
 #include "app/common/number_text.h"
@@ -45,7 +45,7 @@ Result<ExitCode> runFiles(Environment& environment, CommandSession& session)
 
 Result<ExitCode> runUpload(Environment& environment, const TransferOptions& options)
 {
-    AXISCOMP_TRY(const auto bytes, loadFile(options.file, maximumUpload));
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.file), maximumUpload));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             const WriteInterruption interruption(environment);

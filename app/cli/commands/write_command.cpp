@@ -11,6 +11,7 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
+#include "core/io/local_file.h"
 #include "core/metrology/fit/lookup_note.h"
 #include "core/write/lookup_side.h"
 
@@ -324,7 +325,7 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
         auto noted = recordWrite(
             record, *outcome.now, session.profile().name, std::chrono::system_clock::now());
         if (noted)
-            noted = saveRecord(options.record, record);
+            noted = saveRecord(pathFromText(options.record), record);
         if (noted)
             keepFiguresOrWarn(environment, session.store(), record);
         if (!noted) {
@@ -347,7 +348,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
     TableInput input;
     CalibrationRecord record;
     if (!options.record.empty()) {
-        AXISCOMP_TRY(record, loadRecord(options.record));
+        AXISCOMP_TRY(record, loadRecord(pathFromText(options.record)));
         AXISCOMP_TRY(input, inputOfRecord(record, options));
         AXISCOMP_CHECK(checkRecordAlone(record, options));
         pending.inputOptions = options.input;

@@ -8,7 +8,6 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
-#include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/text/token_scanner.h"
 #include "drivecomm/profile/profile_loader.h"
@@ -47,8 +46,8 @@ CsvReading readCsv(Environment& environment, const TableInputOptions& input,
     options.progress = [&](double fraction) {
         environment.console().progress("reading " + file, fraction);
     };
-    CsvReading reading =
-        text ? parseCalibrationCsv(*text, options) : readCalibrationCsv(file, options);
+    CsvReading reading = text ? parseCalibrationCsv(*text, options)
+                              : readCalibrationCsv(pathFromText(file), options);
     environment.console().clearProgress();
     return reading;
 }
@@ -63,7 +62,7 @@ Result<std::string> wholeInput(Environment& environment, const std::string& file
 {
     if (file == standardStream)
         return readStandardInput(environment.interrupt(), maximumTableFile);
-    AXISCOMP_TRY(auto bytes, loadFile(file, maximumTableFile));
+    AXISCOMP_TRY(auto bytes, loadFile(pathFromText(file), maximumTableFile));
     return std::string(asText(bytes));
 }
 
@@ -73,10 +72,12 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
         return formatNamed(options.from);
     if (options.file == standardStream)
         return &calibration_csv::format();
-    const std::string name = std::filesystem::path(options.file).filename().string();
-    const auto choice = chooseFormat(beginningOf(options.file), name, options.dimensions != 0);
+    const std::string name = pathFromText(options.file).filename().string();
+    const auto choice =
+        chooseFormat(beginningOf(pathFromText(options.file)), name, options.dimensions != 0);
     if (!choice) {
-        AXISCOMP_CHECK(loadFile(options.file, maximumTableFile)); // or there is nothing to know
+        AXISCOMP_CHECK(
+            loadFile(pathFromText(options.file), maximumTableFile)); // or there is nothing to know
         return fail(choice.error());
     }
     const std::string others = formatNames(choice->others);
@@ -105,8 +106,9 @@ Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     if (fitting.size() == 1)
         reason += "; only --dims " + std::to_string(fitting.front()) + " fits "
             + displayName(options.file);
-    const std::string name = std::filesystem::path(options.file).filename().string();
-    if (const auto choice = chooseFormat(text ? *text : beginningOf(options.file), name, false);
+    const std::string name = pathFromText(options.file).filename().string();
+    if (const auto choice =
+            chooseFormat(text ? *text : beginningOf(pathFromText(options.file)), name, false);
         choice && !choice->others.empty())
         reason += "; it could be " + formatNames(choice->others) + " as well: say it with --from";
     return wrongUsage(reason, options.command);
@@ -274,7 +276,7 @@ Result<DriveProfile> profileOf(const std::string& file)
 {
     if (file.empty())
         return drivecomm::genericProfile();
-    return drivecomm::loadProfile(file);
+    return drivecomm::loadProfile(pathFromText(file));
 }
 
 std::string displayName(const std::string& file)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/doctor_output.h"
 
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/json_output.h"
 #include "app/common/console.h"
 #include "app/common/number_text.h"

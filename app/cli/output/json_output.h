@@ -2,8 +2,9 @@
 #pragma once
 
 #include "app/cli/output/json.h"
-#include "core/compensator/axis_compensator.h"
+#include "core/base/error.h"
 #include "core/csv/calibration_csv.h"
+#include "core/text/diagnostic.h"
 
 namespace axiscomp::app {
 
@@ -24,26 +25,5 @@ namespace axiscomp::app {
 [[nodiscard]] Json toJson(const CompensationTable& table);
 /// {"code", "message", "context", "diagnostics"}
 [[nodiscard]] Json toJson(const Error& error, const Json& diagnostics);
-/// {"index", "name", "unit", "homing", "state"}
-[[nodiscard]] Json toJson(const AxisInfo& axis);
-[[nodiscard]] Json toJson(const AxisStatus& status);
-[[nodiscard]] Json toJson(const FlashUse& use);
-/// {"crc", "noted", "date", "unit", "figures": [{"figure", "before", "predicted", "after",
-/// "tolerance", "verdict"}]}, what is not known null
-[[nodiscard]] Json toJson(const MeasuredFigures& measured);
-[[nodiscard]] Json unfinishedToJson(
-    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
-[[nodiscard]] Json toJson(const WritePlan& plan);
-[[nodiscard]] Json toJson(const SlotDeletion& plan);
-[[nodiscard]] Json toJson(const WriteReport& report);
-[[nodiscard]] Json toJson(const Proof& proof, int dimensions);
-/// {"path", "size", "maximumSize"}
-[[nodiscard]] Json toJson(const DriveFile& file);
-
-/// "tam://mc/..." of the set sources; the address where the drive has no such register.
-[[nodiscard]] std::vector<std::string> sourceTexts(
-    const std::string& drive, const CompensationSetup& setup);
-/// "Named", "Empty", ...
-[[nodiscard]] std::string_view slotReasonName(SlotReason reason);
 
 } // namespace axiscomp::app

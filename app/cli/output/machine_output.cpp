@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/machine_output.h"
 
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 
 namespace axiscomp::app {
 

@@ -4,7 +4,6 @@
 #include "app/common/arguments.h"
 #include "app/common/standard_streams.h"
 #include "core/io/local_file.h"
-#include "core/store/drive_store.h"
 
 namespace axiscomp::app {
 
@@ -29,7 +28,7 @@ Result<void> checkOutput(Environment& environment, const Output& output, bool is
 Result<void> writeOutput(Environment& environment, const Output& output, ByteView bytes)
 {
     if (!output.isStandardOutput())
-        return saveFile(output.file, bytes);
+        return saveFile(pathFromText(output.file), bytes);
     environment.console().print(asText(bytes));
     return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output/status_text.h"
 
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "core/table/position_unit.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/session/write_run.h"
 
-#include "app/cli/output/json_output.h"
+#include "app/cli/output/drive_json.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
 

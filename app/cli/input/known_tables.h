@@ -2,8 +2,7 @@
 #pragma once
 
 #include "app/cli/input/table_input.h"
-#include "app/cli/session/command_session.h"
-#include "core/compensator/known_tables.h"
+#include "core/metrology/fit/known_tables.h"
 
 namespace axiscomp::app {
 
@@ -12,9 +11,7 @@ namespace axiscomp::app {
 [[nodiscard]] Result<KnownTables> tablesOfFile(
     Environment& environment, const TableInputOptions& options, const std::string& unit);
 
-/// What an axis of a drive has to say of a measurement of it. Errors: NoTable, UnitMismatch, those
-/// of the link.
-[[nodiscard]] Result<AxisTables> tablesOfAxis(
-    Environment& environment, CommandSession& session, int axis, const std::string& unit);
+/// "note: ..." for each on standard error.
+void noteRemarks(Environment& environment, const std::vector<Text>& remarks);
 
 } // namespace axiscomp::app

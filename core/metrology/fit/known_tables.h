@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/metrology/fit/measured_state.h"
+#include "core/table/compensation_table.h"
+#include "core/table/table_layout.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace axiscomp {
+
+// Tables that may have been active while an axis was measured, in the unit of the measurement.
+
+/// Adds a table in the unit of the measurement, mm or deg. crc: as the drive has it; nothing: that
+/// of a drive with this unit. remarks: takes what is assumed of units, where that is wanted.
+/// Errors: UnitMismatch; those of elementCrc.
+[[nodiscard]] Result<void> addTable(KnownTables& known, const CompensationTable& table,
+    std::optional<std::uint32_t> crc, const std::string& unit, const TableLayout& layout,
+    std::vector<Text>* remarks);
+
+struct TablesOfFile {
+    KnownTables tables;
+    std::vector<Text> remarks; ///< what is assumed of units
+};
+/// name: of the file, as it is told. unit: of the measurement, mm or deg. The CRC of each table is
+/// that of a drive with this unit. Errors: UnitMismatch; those of elementCrc.
+[[nodiscard]] Result<TablesOfFile> tablesOfFile(const std::string& name,
+    std::vector<CompensationTable> tables, const std::string& unit, const TableLayout& layout);
+
+} // namespace axiscomp
