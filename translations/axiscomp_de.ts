@@ -131,10 +131,6 @@
         <translation>{variables}: dieses Gebietsschema ist nicht installiert</translation>
     </message>
     <message>
-        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation>sudo dpkg-reconfigure locales, oder export LC_ALL=C.UTF-8</translation>
-    </message>
-    <message>
         <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
         <translation>{variables}: die Kodierung {encoding} ist nicht UTF-8; Buchstaben außerhalb von ASCII können falsch aussehen</translation>
     </message>
@@ -353,10 +349,6 @@
     <message>
         <source>what draws PDF is not installed</source>
         <translation>was PDF zeichnet, ist nicht installiert</translation>
-    </message>
-    <message>
-        <source>write the report as HTML and print that</source>
-        <translation>den Bericht als HTML schreiben und dieses drucken</translation>
     </message>
     <message>
         <source>Program</source>
@@ -581,6 +573,22 @@
     <message>
         <source>not checked, because the temporary folder has no room for a copy</source>
         <translation>nicht geprüft, weil der temporäre Ordner keinen Platz für eine Kopie hat</translation>
+    </message>
+    <message>
+        <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}, or write the report as HTML and print that</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7652,6 +7660,10 @@
     <message>
         <source>{found}; {wayOut}</source>
         <translation>{found}; {wayOut}</translation>
+    </message>
+    <message>
+        <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
+        <translation>das Messgerät sendet eine Zeile von mehr als {count} Zeichen: seine Einstellungen und seine Baudrate prüfen</translation>
     </message>
 </context>
 <context>

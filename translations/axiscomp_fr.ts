@@ -56,7 +56,7 @@
     </message>
     <message>
         <source>set the clock (timedatectl says what it follows): flash operations are counted by it</source>
-        <translation>régler l&apos;horloge (timedatectl indique sa source) : les opérations flash sont comptées d&apos;après elle</translation>
+        <translation>régler l&apos;horloge (timedatectl indique sa source)&#xa0;: les opérations flash sont comptées d&apos;après elle</translation>
     </message>
     <message>
         <source>display</source>
@@ -68,11 +68,11 @@
     </message>
     <message>
         <source>none; the window needs one</source>
-        <translation>aucun ; la fenêtre en exige un</translation>
+        <translation>aucun&#xa0;; la fenêtre en exige un</translation>
     </message>
     <message>
         <source>start the window on the desktop, or over ssh -X; the command line does without</source>
-        <translation>lancer la fenêtre depuis le bureau ou par ssh -X ; la ligne de commande s&apos;en passe</translation>
+        <translation>lancer la fenêtre depuis le bureau ou par ssh -X&#xa0;; la ligne de commande s&apos;en passe</translation>
     </message>
     <message>
         <source>temporary folder</source>
@@ -116,7 +116,7 @@
     </message>
     <message>
         <source>{variables}: drives are reached without a proxy all the same</source>
-        <translation>{variables} : les variateurs sont malgré tout joints sans proxy</translation>
+        <translation>{variables}&#xa0;: les variateurs sont malgré tout joints sans proxy</translation>
     </message>
     <message>
         <source>no variable is set</source>
@@ -128,15 +128,11 @@
     </message>
     <message>
         <source>{variables}: this locale is not installed</source>
-        <translation>{variables} : ces paramètres régionaux ne sont pas installés</translation>
-    </message>
-    <message>
-        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation>sudo dpkg-reconfigure locales, ou export LC_ALL=C.UTF-8</translation>
+        <translation>{variables}&#xa0;: ces paramètres régionaux ne sont pas installés</translation>
     </message>
     <message>
         <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
-        <translation>{variables} : le codage {encoding} n&apos;est pas UTF-8 ; les lettres hors ASCII peuvent s&apos;afficher mal</translation>
+        <translation>{variables}&#xa0;: le codage {encoding} n&apos;est pas UTF-8&#xa0;; les lettres hors ASCII peuvent s&apos;afficher mal</translation>
     </message>
     <message>
         <source>export LC_ALL=C.UTF-8, or the locale of your language with UTF-8</source>
@@ -144,7 +140,7 @@
     </message>
     <message>
         <source>{variables}: {encoding}</source>
-        <translation>{variables} : {encoding}</translation>
+        <translation>{variables}&#xa0;: {encoding}</translation>
     </message>
     <message>
         <source>set {variable} to a folder of your own</source>
@@ -152,11 +148,11 @@
     </message>
     <message>
         <source>{folder} cannot be used: {nearest} is no folder</source>
-        <translation>{folder} n&apos;est pas utilisable : {nearest} n&apos;est pas un dossier</translation>
+        <translation>{folder} n&apos;est pas utilisable&#xa0;: {nearest} n&apos;est pas un dossier</translation>
     </message>
     <message>
         <source>{folder} cannot be used: you have no permission to look into {nearest}</source>
-        <translation>{folder} n&apos;est pas utilisable : droits insuffisants pour accéder à {nearest}</translation>
+        <translation>{folder} n&apos;est pas utilisable&#xa0;: droits insuffisants pour accéder à {nearest}</translation>
     </message>
     <message>
         <source>{folder} is on a file system that is read-only</source>
@@ -164,7 +160,7 @@
     </message>
     <message>
         <source>{folder} cannot be used: {nearest} belongs to {owner}, and you have no permission to change it</source>
-        <translation>{folder} n&apos;est pas utilisable : {nearest} appartient à {owner}, droits insuffisants pour le modifier</translation>
+        <translation>{folder} n&apos;est pas utilisable&#xa0;: {nearest} appartient à {owner}, droits insuffisants pour le modifier</translation>
     </message>
     <message>
         <source>{folder} has only {free} free</source>
@@ -216,7 +212,7 @@
     </message>
     <message>
         <source>&quot;{sign}&quot;; the command line writes and reads a point</source>
-        <translation>« {sign} » ; la ligne de commande écrit et lit un point</translation>
+        <translation>«&#xa0;{sign}&#xa0;»&#xa0;; la ligne de commande écrit et lit un point</translation>
     </message>
     <message>
         <source>translations</source>
@@ -228,7 +224,7 @@
     </message>
     <message>
         <source>none; the window was not used yet</source>
-        <translation>aucun ; la fenêtre n&apos;a pas encore été utilisée</translation>
+        <translation>aucun&#xa0;; la fenêtre n&apos;a pas encore été utilisée</translation>
     </message>
     <message>
         <source>{file} is not a file that you may read</source>
@@ -236,7 +232,7 @@
     </message>
     <message>
         <source>move it away; the window begins a new one</source>
-        <translation>le déplacer ailleurs ; la fenêtre en crée un nouveau</translation>
+        <translation>le déplacer ailleurs&#xa0;; la fenêtre en crée un nouveau</translation>
     </message>
     <message>
         <source>{file} is damaged</source>
@@ -244,7 +240,7 @@
     </message>
     <message>
         <source>{file}, connections: {number}</source>
-        <translation>{file}, connexions : {number}</translation>
+        <translation>{file}, connexions&#xa0;: {number}</translation>
     </message>
     <message>
         <source>drive profile</source>
@@ -264,11 +260,11 @@
     </message>
     <message>
         <source>open {drive} in a browser of this computer; if it does not answer there either, look at power, cable and network</source>
-        <translation>ouvrir {drive} dans un navigateur de cet ordinateur ; s&apos;il n&apos;y répond pas non plus, vérifier alimentation, câble et réseau</translation>
+        <translation>ouvrir {drive} dans un navigateur de cet ordinateur&#xa0;; s&apos;il n&apos;y répond pas non plus, vérifier alimentation, câble et réseau</translation>
     </message>
     <message>
         <source>look at power and cable; `axiscomp axes --find --any-baud` tries other speeds</source>
-        <translation>vérifier alimentation et câble ; `axiscomp axes --find --any-baud` essaie d&apos;autres débits</translation>
+        <translation>vérifier alimentation et câble&#xa0;; `axiscomp axes --find --any-baud` essaie d&apos;autres débits</translation>
     </message>
     <message>
         <source>address</source>
@@ -276,11 +272,11 @@
     </message>
     <message>
         <source>{drive}, serial number {serial}, axes: {axes}, profile {profile}; answered after {milliseconds}</source>
-        <translation>{drive}, numéro de série {serial}, axes : {axes}, profil {profile} ; a répondu en {milliseconds}</translation>
+        <translation>{drive}, numéro de série {serial}, axes&#xa0;: {axes}, profil {profile}&#xa0;; a répondu en {milliseconds}</translation>
     </message>
     <message>
         <source>{drive}; then: {error}</source>
-        <translation>{drive} ; ensuite : {error}</translation>
+        <translation>{drive}&#xa0;; ensuite&#xa0;: {error}</translation>
     </message>
     <message>
         <source>{unit}, {homing}, compensation {state}</source>
@@ -332,7 +328,7 @@
     </message>
     <message>
         <source>there is no TLS library: https drives cannot be reached</source>
-        <translation>aucune bibliothèque TLS : les variateurs en https ne sont pas accessibles</translation>
+        <translation>aucune bibliothèque TLS&#xa0;: les variateurs en https ne sont pas accessibles</translation>
     </message>
     <message>
         <source>install OpenSSL (sudo apt install libssl3)</source>
@@ -344,7 +340,7 @@
     </message>
     <message>
         <source>not installed; the command line does without</source>
-        <translation>non installée ; la ligne de commande s&apos;en passe</translation>
+        <translation>non installée&#xa0;; la ligne de commande s&apos;en passe</translation>
     </message>
     <message>
         <source>reports</source>
@@ -353,10 +349,6 @@
     <message>
         <source>what draws PDF is not installed</source>
         <translation>le module qui produit les PDF n&apos;est pas installé</translation>
-    </message>
-    <message>
-        <source>write the report as HTML and print that</source>
-        <translation>écrire le rapport en HTML et l&apos;imprimer</translation>
     </message>
     <message>
         <source>Program</source>
@@ -384,7 +376,7 @@
     </message>
     <message>
         <source>{hardware}: {problem}</source>
-        <translation>{hardware} : {problem}</translation>
+        <translation>{hardware}&#xa0;: {problem}</translation>
     </message>
     <message>
         <source>Serial ports</source>
@@ -404,7 +396,7 @@
     </message>
     <message>
         <source>sudo chown -R $USER {folder}; run this program without sudo</source>
-        <translation>sudo chown -R $USER {folder} ; lancer ce programme sans sudo</translation>
+        <translation>sudo chown -R $USER {folder}&#xa0;; lancer ce programme sans sudo</translation>
     </message>
     <message>
         <source>{folder} is yours, but its permissions keep you out</source>
@@ -412,11 +404,11 @@
     </message>
     <message>
         <source>{folder} is not there yet; the first write makes it</source>
-        <translation>{folder} n&apos;existe pas encore ; la première écriture le crée</translation>
+        <translation>{folder} n&apos;existe pas encore&#xa0;; la première écriture le crée</translation>
     </message>
     <message>
         <source>{folder} belongs to {owner}, and you are root: what is made there now belongs to root</source>
-        <translation>{folder} appartient à {owner}, et l&apos;utilisateur actuel est root : ce qui y est créé maintenant appartient à root</translation>
+        <translation>{folder} appartient à {owner}, et l&apos;utilisateur actuel est root&#xa0;: ce qui y est créé maintenant appartient à root</translation>
     </message>
     <message>
         <source>run this program without sudo</source>
@@ -432,7 +424,7 @@
     </message>
     <message>
         <source>on the network, where a database can be damaged: nothing is kept there, and no write begins</source>
-        <translation>sur le réseau, où une base de données peut être endommagée : rien n&apos;y est conservé, et aucune écriture ne commence</translation>
+        <translation>sur le réseau, où une base de données peut être endommagée&#xa0;: rien n&apos;y est conservé, et aucune écriture ne commence</translation>
     </message>
     <message>
         <source>set {variable} to a folder on this computer</source>
@@ -440,7 +432,7 @@
     </message>
     <message>
         <source>in memory: backups and journal are gone after a restart</source>
-        <translation>en mémoire : les sauvegardes et le journal de reprise sont perdus au redémarrage</translation>
+        <translation>en mémoire&#xa0;: les sauvegardes et le journal de reprise sont perdus au redémarrage</translation>
     </message>
     <message>
         <source>set {variable} to a folder on a disk</source>
@@ -460,11 +452,11 @@
     </message>
     <message>
         <source>none yet; the first write makes it</source>
-        <translation>aucune pour l&apos;instant ; la première écriture la crée</translation>
+        <translation>aucune pour l&apos;instant&#xa0;; la première écriture la crée</translation>
     </message>
     <message>
         <source>of an older version, {size}; the next command that needs it brings it up to date</source>
-        <translation>d&apos;une version plus ancienne, {size} ; la prochaine commande qui en a besoin la met à jour</translation>
+        <translation>d&apos;une version plus ancienne, {size}&#xa0;; la prochaine commande qui en a besoin la met à jour</translation>
     </message>
     <message>
         <source>a newer version of this program has written it</source>
@@ -484,7 +476,7 @@
     </message>
     <message>
         <source>the next command that needs it sets it aside and keeps what can be read; look what the drives hold, then `axiscomp status --reset-flash-count` for each</source>
-        <translation>la prochaine commande qui en a besoin la met de côté et conserve ce qui est lisible ; vérifier l&apos;état des variateurs, puis exécuter `axiscomp status --reset-flash-count` pour chacun</translation>
+        <translation>la prochaine commande qui en a besoin la met de côté et conserve ce qui est lisible&#xa0;; vérifier l&apos;état des variateurs, puis exécuter `axiscomp status --reset-flash-count` pour chacun</translation>
     </message>
     <message>
         <source>not checked, because programs write to it all the time</source>
@@ -536,7 +528,7 @@
     </message>
     <message>
         <source>that of the drive with serial number {drive} was damaged: its flash operations count as used up</source>
-        <translation>celui du variateur de numéro de série {drive} était endommagé : ses opérations flash sont toutes considérées comme utilisées</translation>
+        <translation>celui du variateur de numéro de série {drive} était endommagé&#xa0;: ses opérations flash sont toutes considérées comme utilisées</translation>
     </message>
     <message>
         <source>wait as long as the drive counts them, then `axiscomp status --reset-flash-count`</source>
@@ -560,11 +552,11 @@
     </message>
     <message>
         <source>{time} is still to come: the clock was set back since</source>
-        <translation>{time} est dans le futur : l&apos;horloge a été retardée depuis</translation>
+        <translation>{time} est dans le futur&#xa0;: l&apos;horloge a été retardée depuis</translation>
     </message>
     <message>
         <source>look at the clock: flash operations are counted by it</source>
-        <translation>vérifier l&apos;horloge : les opérations flash sont comptées d&apos;après elle</translation>
+        <translation>vérifier l&apos;horloge&#xa0;: les opérations flash sont comptées d&apos;après elle</translation>
     </message>
     <message>
         <source>backups</source>
@@ -572,7 +564,7 @@
     </message>
     <message>
         <source>files: {backups}, drives: {drives}, {size}</source>
-        <translation>fichiers : {backups}, variateurs : {drives}, {size}</translation>
+        <translation>fichiers&#xa0;: {backups}, variateurs&#xa0;: {drives}, {size}</translation>
     </message>
     <message>
         <source>State folder</source>
@@ -581,6 +573,22 @@
     <message>
         <source>not checked, because the temporary folder has no room for a copy</source>
         <translation>non vérifiée, car la place manque pour une copie dans le dossier temporaire</translation>
+    </message>
+    <message>
+        <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}, or write the report as HTML and print that</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7627,7 +7635,7 @@
     </message>
     <message>
         <source>you have no permission to use the port: you are in the group {group}, but this session is older than that</source>
-        <translation>droits insuffisants sur le port : l&apos;utilisateur est dans le groupe {group}, mais cette session a été ouverte avant</translation>
+        <translation>droits insuffisants sur le port&#xa0;: l&apos;utilisateur est dans le groupe {group}, mais cette session a été ouverte avant</translation>
     </message>
     <message>
         <source>log out and in again</source>
@@ -7647,11 +7655,15 @@
     </message>
     <message>
         <source>is the cable or the adapter plugged in?</source>
-        <translation>le câble ou l&apos;adaptateur est-il branché ?</translation>
+        <translation>le câble ou l&apos;adaptateur est-il branché&#xa0;?</translation>
     </message>
     <message>
         <source>{found}; {wayOut}</source>
-        <translation>{found} ; {wayOut}</translation>
+        <translation>{found}&#xa0;; {wayOut}</translation>
+    </message>
+    <message>
+        <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
+        <translation>l&apos;instrument envoie une ligne de plus de {count} caractères : vérifier ses réglages et sa vitesse</translation>
     </message>
 </context>
 <context>

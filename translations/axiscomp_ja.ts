@@ -131,10 +131,6 @@
         <translation>{variables}: このロケールはインストールされていません</translation>
     </message>
     <message>
-        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation>sudo dpkg-reconfigure locales、または export LC_ALL=C.UTF-8</translation>
-    </message>
-    <message>
         <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
         <translation>{variables}: エンコーディング {encoding} が UTF-8 ではないため、ASCII 以外の文字が正しく表示されないことがあります</translation>
     </message>
@@ -353,10 +349,6 @@
     <message>
         <source>what draws PDF is not installed</source>
         <translation>PDF を作成するモジュールがインストールされていません</translation>
-    </message>
-    <message>
-        <source>write the report as HTML and print that</source>
-        <translation>報告書を HTML で書き出し、それを印刷してください</translation>
     </message>
     <message>
         <source>Program</source>
@@ -581,6 +573,22 @@
     <message>
         <source>not checked, because the temporary folder has no room for a copy</source>
         <translation>一時フォルダにコピー用の空きがないため、検査していません</translation>
+    </message>
+    <message>
+        <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}, or write the report as HTML and print that</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7611,6 +7619,10 @@
     <message>
         <source>{found}; {wayOut}</source>
         <translation>{found}。{wayOut}</translation>
+    </message>
+    <message>
+        <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
+        <translation>測定器が {count} 文字を超える行を送信しています: 測定器の設定と通信速度を確認してください</translation>
     </message>
 </context>
 <context>

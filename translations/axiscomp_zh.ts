@@ -131,10 +131,6 @@
         <translation>{variables}：该区域设置未安装</translation>
     </message>
     <message>
-        <source>sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation>sudo dpkg-reconfigure locales，或 export LC_ALL=C.UTF-8</translation>
-    </message>
-    <message>
         <source>{variables}: its encoding {encoding} is not UTF-8, so that letters outside of ASCII may look wrong</source>
         <translation>{variables}：其编码 {encoding} 不是 UTF-8，ASCII 以外的字符可能显示有误</translation>
     </message>
@@ -353,10 +349,6 @@
     <message>
         <source>what draws PDF is not installed</source>
         <translation>未安装生成 PDF 的模块</translation>
-    </message>
-    <message>
-        <source>write the report as HTML and print that</source>
-        <translation>请将报告写成 HTML 再打印</translation>
     </message>
     <message>
         <source>Program</source>
@@ -581,6 +573,22 @@
     <message>
         <source>not checked, because the temporary folder has no room for a copy</source>
         <translation>未检查，因为临时文件夹没有存放副本的空间</translation>
+    </message>
+    <message>
+        <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>install the package {package}, or write the report as HTML and print that</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7611,6 +7619,10 @@
     <message>
         <source>{found}; {wayOut}</source>
         <translation>{found}；{wayOut}</translation>
+    </message>
+    <message>
+        <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
+        <translation>仪器发送的一行超过 {count} 个字符：请检查其设置和通信速率</translation>
     </message>
 </context>
 <context>
