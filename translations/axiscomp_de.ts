@@ -576,19 +576,19 @@
     </message>
     <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>sudo apt install locales und sudo dpkg-reconfigure locales, oder export LC_ALL=C.UTF-8</translation>
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>wenn der Antrieb denselben Fingerabdruck zeigt: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` vertraut ihm von da an</translation>
     </message>
     <message>
         <source>install the package {package}</source>
-        <translation type="unfinished"></translation>
+        <translation>das Paket {package} installieren</translation>
     </message>
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
-        <translation type="unfinished"></translation>
+        <translation>das Paket {package} installieren oder den Bericht als HTML schreiben und drucken</translation>
     </message>
 </context>
 <context>

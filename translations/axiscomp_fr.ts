@@ -576,19 +576,19 @@
     </message>
     <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>sudo apt install locales et sudo dpkg-reconfigure locales, ou export LC_ALL=C.UTF-8</translation>
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>si le variateur a la même empreinte : `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` lui fait confiance désormais</translation>
     </message>
     <message>
         <source>install the package {package}</source>
-        <translation type="unfinished"></translation>
+        <translation>installer le paquet {package}</translation>
     </message>
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
-        <translation type="unfinished"></translation>
+        <translation>installer le paquet {package}, ou écrire le rapport en HTML et l&apos;imprimer</translation>
     </message>
 </context>
 <context>

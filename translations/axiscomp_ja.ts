@@ -576,19 +576,19 @@
     </message>
     <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>sudo apt install locales と sudo dpkg-reconfigure locales、または export LC_ALL=C.UTF-8</translation>
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>ドライブの指紋が同じであれば、`axiscomp axes --drive {drive} --trust-certificate {fingerprint}` で以後信頼されます</translation>
     </message>
     <message>
         <source>install the package {package}</source>
-        <translation type="unfinished"></translation>
+        <translation>パッケージ {package} をインストールしてください</translation>
     </message>
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
-        <translation type="unfinished"></translation>
+        <translation>パッケージ {package} をインストールするか、レポートを HTML で保存して印刷してください</translation>
     </message>
 </context>
 <context>

@@ -576,19 +576,19 @@
     </message>
     <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
-        <translation type="unfinished"></translation>
+        <translation>sudo apt install locales 和 sudo dpkg-reconfigure locales，或 export LC_ALL=C.UTF-8</translation>
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>如果驱动器的指纹相同：`axiscomp axes --drive {drive} --trust-certificate {fingerprint}` 此后信任它</translation>
     </message>
     <message>
         <source>install the package {package}</source>
-        <translation type="unfinished"></translation>
+        <translation>请安装软件包 {package}</translation>
     </message>
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
-        <translation type="unfinished"></translation>
+        <translation>请安装软件包 {package}，或将报告写为 HTML 后打印</translation>
     </message>
 </context>
 <context>
