@@ -580,7 +580,7 @@
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation>ドライブの指紋が同じであれば、`axiscomp axes --drive {drive} --trust-certificate {fingerprint}` で以後信頼されます</translation>
+        <translation>ドライブのフィンガープリントが同じであれば、`axiscomp axes --drive {drive} --trust-certificate {fingerprint}` で以後信頼されます</translation>
     </message>
     <message>
         <source>install the package {package}</source>
