@@ -4,6 +4,7 @@
 #include "core/drive/axis_target.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
+#include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 
