@@ -6,6 +6,7 @@
 #   packaging/check-installation.sh [PACKAGES-FOLDER]
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+exec </dev/null # nobody answers a question
 packages=$(readlink -f "${1:-build/packages}")
 output=$PWD/build/installation
 

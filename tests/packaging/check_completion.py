@@ -24,6 +24,8 @@ programs = None
 # A line that is typed, and what is proposed for its last word: all of it, or at least these.
 EXACT = {
     "axiscomp unper": {"unpersist"},
+    "axiscomp doc": {"doctor"},
+    "axiscomp doctor --ti": {"--timeout"},
     "axiscomp write --persist": {"--persistent"},
     "axiscomp example --dims ": {"1", "2", "3"},
     "axiscomp fit --method ha": {"harmonic"},
