@@ -76,7 +76,9 @@ make_bare_system() {
     apt-config dump | grep -E '^Acquire::(https?|ftp)(::| )' >"$work/apt.conf" || true
     local sources=()
     mapfile -t sources < <(grep -ls bookworm /etc/apt/sources.list /etc/apt/sources.list.d/*.{list,sources} || true)
-    mmdebstrap --quiet --mode=root --variant=minbase --aptopt="$work/apt.conf" --skip=cleanup/apt/lists \
+    # It mounts there, too, and a mount that is left behind could not be deleted.
+    unshare --mount --pid --fork --kill-child --mount-proc --propagation private \
+        mmdebstrap --quiet --mode=root --variant=minbase --aptopt="$work/apt.conf" --skip=cleanup/apt/lists \
         bookworm "$root" "${sources[@]}"
     cp /etc/resolv.conf "$root/etc/resolv.conf"
     mkdir -p "$root/packages" "$home"
