@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Completion of axiscomp, axiscomp-virtualdrive for bash.
+# Completion of axiscomp, axiscomp-virtualdrive, axis-compensation-wizard for bash.
 # Written by make_completion.py of what the programs say with --help.
 
-_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report capture axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics"
+_axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report capture axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics doctor"
 
 _axiscomp_formats="csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong"
 
@@ -47,10 +47,13 @@ _axiscomp_options()
         apply) echo "--help --json --profile --trust-certificate --timeout --only --jobs --allow-missing --activate" ;;
         snapshot) echo "--help --json --drive --profile --trust-certificate --timeout --output --name" ;;
         metrics) echo "--help --json --drive --profile --trust-certificate --timeout --machine --prove --output" ;;
+        doctor) echo "--help --json --drive --profile --timeout" ;;
     esac
 }
 
 _axiscomp_virtualdrive_options="--help --version --http --serial --baud --name --axes --config --machine --program --program-after --instrument --state --fault --speed --unhomed --user --password-file --certificate --key --profile"
+
+_axis_compensation_wizard_options="--help --version --drive --profile --data --timeout"
 
 _axiscomp_commands_of()
 {
@@ -62,6 +65,7 @@ _axiscomp_options_of()
     case $1 in
         axiscomp) _axiscomp_options "$2" ;;
         axiscomp-virtualdrive) echo "$_axiscomp_virtualdrive_options" ;;
+        axis-compensation-wizard) echo "$_axis_compensation_wizard_options" ;;
     esac
 }
 
@@ -85,7 +89,7 @@ _axiscomp_value()
         "axiscomp compare --measured-with") echo "on" ;;
         "axiscomp-virtualdrive  --machine") echo "@files:json" ;;
         *" --dims") echo "1 2 3" ;;
-        *" --tables" | *" --set-in" | *" --snap" | *" --table" | *" --name" | *" --value-unit" | *" --target" | *" --scale" | *" --offset" | *" --zero" | *" --points" | *" --distance" | *" --within" | *" --speed" | *" --set-out" | *" --count" | *" --spacing" | *" --period" | *" --cycles" | *" --seed" | *" --overrun" | *" --feed" | *" --dwell" | *" --axis" | *" --unit" | *" --exclude" | *" --columns" | *" --skip-lines" | *" --tolerance" | *" --temperature" | *" --expansion" | *" --reference-temperature" | *" --reference-expansion" | *" --datum" | *" --trust-certificate" | *" --timeout" | *" --smoothness" | *" --harmonics" | *" --turn" | *" --home" | *" --gain" | *" --zero-at" | *" --pattern" | *" --request" | *" --encoder" | *" --window" | *" --average" | *" --rate" | *" --source1" | *" --source2" | *" --source3" | *" --map" | *" --position-unit" | *" --station" | *" --only" | *" --jobs" | *" --serial" | *" --baud" | *" --axes" | *" --program-after" | *" --instrument" | *" --user") echo "" ;;
+        *" --tables" | *" --set-in" | *" --snap" | *" --table" | *" --name" | *" --value-unit" | *" --target" | *" --scale" | *" --offset" | *" --zero" | *" --points" | *" --distance" | *" --within" | *" --speed" | *" --set-out" | *" --count" | *" --spacing" | *" --period" | *" --cycles" | *" --seed" | *" --overrun" | *" --feed" | *" --dwell" | *" --axis" | *" --unit" | *" --exclude" | *" --columns" | *" --skip-lines" | *" --tolerance" | *" --temperature" | *" --expansion" | *" --reference-temperature" | *" --reference-expansion" | *" --datum" | *" --trust-certificate" | *" --timeout" | *" --smoothness" | *" --harmonics" | *" --turn" | *" --home" | *" --gain" | *" --zero-at" | *" --pattern" | *" --request" | *" --encoder" | *" --window" | *" --average" | *" --rate" | *" --network" | *" --source1" | *" --source2" | *" --source3" | *" --map" | *" --position-unit" | *" --station" | *" --only" | *" --jobs" | *" --serial" | *" --baud" | *" --axes" | *" --program-after" | *" --instrument" | *" --user") echo "" ;;
         *" -o" | *" --output" | *" --uncertainty" | *" --dead-path" | *" --password-file") echo "@files" ;;
         *" --from" | *" --to" | *" --as") echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
         *" --profile") echo "@files:json" ;;
@@ -107,7 +111,7 @@ _axiscomp_value()
         *" --measured-with") echo "off on @files" ;;
         *" --onto") echo "drive @files" ;;
         *" --remove") echo "rigid rigid:X scale" ;;
-        *" --language") echo "en de" ;;
+        *" --language") echo "en de fr ja zh" ;;
         *" --plan" | *" --program") echo "@files:csv" ;;
         *" --reference") echo "- typed serial:/dev/" ;;
         *" --data") echo "@files:csv:TAMtbl" ;;
@@ -144,6 +148,7 @@ _axiscomp_argument()
         "config "*) echo "@files:TAMcfg" ;;
         "plan "*) echo "@files:toml" ;;
         "apply "*) echo "@files:toml" ;;
+        "axis-compensation-wizard "*) echo "@files:axcal:toml:TAMcfg:TAMtbl:csv" ;;
     esac
 }
 
@@ -204,3 +209,9 @@ _axiscomp_virtualdrive()
     _axiscomp_complete axiscomp-virtualdrive
 }
 complete -F _axiscomp_virtualdrive axiscomp-virtualdrive
+
+_axis_compensation_wizard()
+{
+    _axiscomp_complete axis-compensation-wizard
+}
+complete -F _axis_compensation_wizard axis-compensation-wizard
