@@ -429,10 +429,15 @@ std::vector<double> Comparison::metKnots(const Job& job, const Position& line) c
     for (std::size_t i = 0; i < places.size(); ++i)
         sums[i] = places[i] + moving.offset(job.knotPlaces[i]);
     const KnotSearch search(sums);
+    // Far beyond the knots of the other axes, a table that goes on may change their order.
+    const bool ascends =
+        std::ranges::adjacent_find(sums, std::ranges::greater_equal{}) == sums.end();
     const bool goesOn = command().behaviour.outside == Outside::Extrapolate && !moved.wrap;
     std::vector<double> met;
     const auto add = [&](double knot) {
-        const std::size_t i = search.firstAbove(knot);
+        const std::size_t i = ascends
+            ? search.firstAbove(knot)
+            : static_cast<std::size_t>(std::ranges::upper_bound(sums, knot) - sums.begin());
         double place = 0.0;
         const std::size_t cell = std::clamp<std::size_t>(i, 1, sums.size() - 1);
         if ((i == 0 || i == sums.size()) && goesOn)

@@ -388,6 +388,27 @@ private Q_SLOTS:
         }
     }
 
+    /// A cell below the knots of Y the command table, which goes on, is so steep along X that
+    /// x + c(x) turns back; the largest difference is where it meets a knot of the other table.
+    void whereACommandTableTurnsBackThePlacesAreFoundAsWell()
+    {
+        auto command = tableOver(
+            {evenAxis("X", "mm", 0, 1, 7), evenAxis("Y", "mm", 0, 1, 2)}, "X",
+            [](const Values&) { return 0.0; }, SignConvention::Command);
+        NeutralTable feedback = command;
+        feedback.sign = SignConvention::Feedback;
+        command.columns[0].values = {
+            0.15, 0.4, 0.35, 0, 0.3, -0.4, -0.1, -0.1, -0.4, -0.1, 0.1, -0.25, 0.35, 0.35};
+        feedback.columns[0].values = {
+            0.45, 0.05, 0.1, 0.4, -0.2, -0.15, 0.1, 0.15, 0.15, 0.4, -0.2, 0.25, 0.1, -0.25};
+        const auto difference =
+            conversionDifference(command, test::goingOn, feedback, test::goingOn);
+        VERIFY_RESULT(difference);
+        QVERIFY(std::abs(difference->columns[0].largest - 1.74375) < 1e-12);
+        QVERIFY(std::abs(difference->columns[0].where[0] - 5.09375) < 1e-12);
+        QCOMPARE(difference->columns[0].where[1], -1.0);
+    }
+
     void aLargePlaneIsComparedTheSameEachTime()
     {
         const auto a =
