@@ -107,6 +107,7 @@ row_write() {
     row 'writing it' "$(speed "$(bench bench_csv writeText)")"
 }
 
+# shellcheck disable=SC2016 # the backquotes are those of Markdown
 row_convert() {
     sample grid
     row '`axiscomp convert` of it to a .TAMtbl, the whole process' \
@@ -115,6 +116,7 @@ row_convert() {
         "$(process "$build/bin/axiscomp" convert "$sample" "$work/out.csv" --dims 3) ms"
 }
 
+# shellcheck disable=SC2016 # the backquotes are those of Markdown
 row_version() {
     row '`axiscomp --version`' "$(process "$build/bin/axiscomp" --version) ms"
 }
