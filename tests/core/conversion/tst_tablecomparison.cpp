@@ -209,6 +209,27 @@ private Q_SLOTS:
         QCOMPARE(ended->columns[0].largestInside, 0.0);
     }
 
+    /// Corrections of two axes that depend on each other, and are linear: the two conventions are
+    /// the same everywhere, but only at the place where both axes are moved to.
+    void aPositionThatMovesAlongTwoAxesIsFollowed()
+    {
+        auto e = tableOver({axisX({-10, 0, 10}), axisX({0, 5})}, "X",
+            [](const Values& p) { return 0.5 + 0.01 * p[0] + 0.02 * p[1]; });
+        e.axes[1].name = "Y";
+        addColumn(e, "Y", [](const Values& p) { return -0.2 + 0.03 * p[0] - 0.01 * p[1]; });
+        const auto c = convertSign(e, SignConvention::Command, test::goingOn);
+        VERIFY_RESULT(c);
+        for (const bool isFirst : {true, false}) {
+            const NeutralTable& a = isFirst ? e : c->table;
+            const NeutralTable& b = isFirst ? c->table : e;
+            const auto difference = conversionDifference(a, test::goingOn, b, test::goingOn);
+            VERIFY_RESULT(difference);
+            QCOMPARE(difference->columns.size(), std::size_t(2));
+            for (const ColumnDifference& column : difference->columns)
+                QVERIFY2(column.largest < 1e-11, std::to_string(column.largest).c_str());
+        }
+    }
+
     void anEndThatTheShiftLeavesIsNotInside()
     {
         // at the first knot the encoder is moved to -0.1, where e is not applied

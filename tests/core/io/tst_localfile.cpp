@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "tests/support/file_content.h"
 #include "tests/support/kill_points.h"
 #include "tests/support/test_registry.h"
@@ -93,6 +94,7 @@ private Q_SLOTS:
     void missingFolderIsNamed();
     void folderIsRefused_data();
     void folderIsRefused();
+    void whatCannotTakeThePlaceOfTheOldIsReported();
     void readOnlyFileIsRefused();
     void folderWithoutPermissionIsRefused();
     void fileInPlaceOfAFolderIsRefused();
@@ -249,6 +251,15 @@ void TestLocalFile::folderIsRefused()
     const auto saved = saveFile(m_path / name.toStdString(), asBytes("x"));
     VERIFY_ERROR(saved, ErrorCode::FileNotWritable);
     QCOMPARE(saved.error().context.english("reason"), std::string("it is a folder"));
+    QCOMPARE(entries(m_path), std::size_t{1});
+}
+
+/// The folder has come into being since it was looked at: the renaming fails.
+void TestLocalFile::whatCannotTakeThePlaceOfTheOldIsReported()
+{
+    fs::create_directory(m_path / "folder");
+    const std::error_code error = system::replaceFile(m_path / "folder", asBytes("new"));
+    QVERIFY2(error == std::errc::is_a_directory, error.message().c_str());
     QCOMPARE(entries(m_path), std::size_t{1});
 }
 
