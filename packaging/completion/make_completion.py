@@ -344,7 +344,8 @@ def zsh_action(value):
         parts.append(f"_files -g '*.(#i)({'|'.join(value.files)})(-.)'" if value.files else "_files")
     if not parts:
         return " "
-    return "{" + "; ".join(parts) + "}"
+    # A colon would begin the next part of the specification; the shell takes the backslash away.
+    return "{" + "; ".join(parts).replace(":", "\\:") + "}"
 
 
 def zsh_quoted(text):
