@@ -18,6 +18,7 @@
 #include "core/metrology/measuring_plan.h"
 #include "core/store/store_folder.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <functional>
@@ -65,6 +66,10 @@ void aFileIsReplacedWhole(const fs::path& folder)
         bytes[i] = static_cast<std::byte>(i * 2654435761U >> 13 & 0xffU);
     expect(saveFile(file, bytes).has_value(), "a large file is saved");
     expect(loadFile(file, bytes.size()) == bytes, "it is loaded as it was saved");
+    for (const std::size_t threads : {1U, 4U}) {
+        const auto content = loadContent(file, bytes.size(), threads);
+        expect(content && std::ranges::equal(content->view(), bytes), "by several threads, too");
+    }
     expect(saveFile(file, asBytes("a\r\nb\n\x1a")).has_value(), "it is replaced");
     expect(contentOf(file) == "a\r\nb\n\x1a", "line ends and Ctrl-Z stay");
     expect(entriesOf(folder) == 1, "no temporary file is left");
