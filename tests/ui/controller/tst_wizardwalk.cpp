@@ -217,9 +217,16 @@ bool fits(const WizardController& c)
     return true;
 }
 
+/// A write that was interrupted before its parameters were saved; writing once more saves them.
+bool isUnsaved(const WizardController& c)
+{
+    return c.unfinishedWrite().contains(QStringLiteral("its parameters may not be saved"));
+}
+
 bool mayWrite(const WizardController& c)
 {
-    if (!hasAxis(c) || isActive(c) || !c.setup().isDirty() || c.dataFile().isReading || !fits(c))
+    if (!hasAxis(c) || isActive(c) || c.dataFile().isReading || !fits(c)
+        || !(c.setup().isDirty() || isUnsaved(c)))
         return false;
     const bool isPersistent = c.setup().edited().persistency == Persistency::Persistent;
     const bool isNewTable = c.setup().edited().table.fileTable && c.setup().isDirty(Field::Table);
