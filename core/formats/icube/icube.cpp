@@ -3,6 +3,7 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
+#include "core/formats/wrap_range.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -19,17 +20,9 @@ constexpr std::string_view invalidFormat = "4900";
 constexpr std::string_view wrongRange = "4902";
 constexpr TextPattern twoNumbers =
     AXISCOMP_TEXT("Error", "two numbers such as 0.25,0.001: position and offset");
-constexpr std::string_view wrapKey = "wrap-range";
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
-constexpr std::array settings{
-    FormatSetting{.key = wrapKey,
-        .kind = FormatSetting::Kind::Number,
-        .meaning = AXISCOMP_TEXT("Error",
-            "of a rotary axis: the range after which its position begins again, such as 360"),
-        .forReading = true,
-        .forWriting = true},
-};
+constexpr std::array settings{wrapRangeSetting};
 constexpr std::array<std::string_view, 10> rules{
     "Each line is a position and the offset there, both in user units of the axis. The offset is "
     "added to the commanded position.",
@@ -216,8 +209,8 @@ std::vector<NeutralTable> parse(TextReading& source)
     table.sign = SignConvention::Command;
     table.axes.resize(1);
     table.columns.resize(1);
-    if (source.settings.has(wrapKey)) {
-        const double wrap = source.settings.number(wrapKey);
+    if (source.settings.has(wrapRangeKey)) {
+        const double wrap = source.settings.number(wrapRangeKey);
         table.axes[0].wrap = wrap;
         if (auto fault = rangeFault(points.positions, points.offsets, wrap))
             source.error(wrongRange, DiagnosticCode::NotPeriodic, points.lines.back(), 0,
@@ -233,20 +226,9 @@ std::vector<NeutralTable> parse(TextReading& source)
     return {std::move(table)};
 }
 
-Result<void> checkWrapSetting(const FormatSettings& given)
-{
-    const auto wrap = given.find(wrapKey);
-    if (wrap == given.end() || numberOf(wrap->second).value_or(1.0) > 0.0)
-        return {};
-    return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            AXISCOMP_TEXT("Error", "the setting wrap-range is {value}, expected more than 0")
-                .with("value", wrap->second)}});
-}
-
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    AXISCOMP_CHECK(checkWrapSetting(options.settings));
+    AXISCOMP_CHECK(checkWrapRange(options.settings));
     return readText(icube::format().facts, text, options, parse);
 }
 
@@ -284,23 +266,6 @@ auto refuse(Text reason, Text wayOut)
     return cannotHold(icube::format().facts, std::move(reason), std::move(wayOut));
 }
 
-/// The wrap range of the table and that of the setting, which must not contradict each other.
-Result<void> takeWrap(SourceAxis& axis, const SettingValues& values)
-{
-    if (!values.has(wrapKey))
-        return {};
-    const double wrap = values.number(wrapKey);
-    if (axis.wrap && std::abs(*axis.wrap - wrap) > 1e-12 * wrap)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the setting wrap-range is {value}, and the table repeats after {period}")
-                    .with("value", Quantity{toText(wrap)})
-                    .with("period", Quantity{roundedText(*axis.wrap)})}});
-    axis.wrap = wrap;
-    return {};
-}
-
 Result<void> checkWritable(const NeutralTable& table)
 {
     const std::vector<double>& positions = table.axes[0].knots;
@@ -328,11 +293,11 @@ Result<void> checkWritable(const NeutralTable& table)
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = icube::format().facts;
-    AXISCOMP_CHECK(checkWrapSetting(options.settings));
+    AXISCOMP_CHECK(checkWrapRange(options.settings));
     AXISCOMP_TRY(const auto values, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
     AXISCOMP_TRY(auto table, asOwnAxisTable(facts, tables.front(), values, written.remarks));
-    AXISCOMP_CHECK(takeWrap(table.axes[0], values));
+    AXISCOMP_CHECK(takeWrapRange(table.axes[0], values));
     AXISCOMP_CHECK(checkWritable(table));
     for (std::size_t i = 0; i < table.pointCount(); ++i)
         written.bytes +=

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/formats/table_format.h"
+
+namespace axiscomp {
+
+// Formats that do not say of a rotary axis after which range its position begins again.
+
+inline constexpr std::string_view wrapRangeKey = "wrap-range";
+inline constexpr FormatSetting wrapRangeSetting{.key = wrapRangeKey,
+    .kind = FormatSetting::Kind::Number,
+    .meaning = AXISCOMP_TEXT(
+        "Error", "of a rotary axis: the range after which its position begins again, such as 360"),
+    .forReading = true,
+    .forWriting = true};
+
+/// Errors: InvalidArgument for a range that is not above 0. One that is no number is left to
+/// SettingValues.
+[[nodiscard]] Result<void> checkWrapRange(const FormatSettings& given);
+
+/// Writing: the range of the table is that of the setting. Errors: InvalidArgument where the table
+/// says another one.
+[[nodiscard]] Result<void> takeWrapRange(SourceAxis& axis, const SettingValues& values);
+
+} // namespace axiscomp
