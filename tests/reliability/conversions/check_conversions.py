@@ -45,7 +45,7 @@ def read_csv(side, case):
     lines = [line for line in side["text"].splitlines() if line and not line.startswith("//")]
     n = case["dimensions"]
     header, *cells = csv.reader(lines)
-    units = [UNITS[re.search(r"\[(.*)\]", name)[1]] for name in header]
+    units = [UNITS[re.findall(r"\[([^][]*)\]", name)[-1]] for name in header]
     rows = [[float(cell) * unit for cell, unit in zip(line, units)] for line in cells]
     axes = [sorted({row[k] for row in rows}) for k in range(n)]
     place = {tuple(row[:n]): row[n:] for row in rows}
