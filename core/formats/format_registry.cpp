@@ -60,6 +60,7 @@ std::span<const TableFormat* const> tableFormats()
         &acs_2d::format(),
         &aerotech_1d::format(),
         &aerotech_2d::format(),
+        &fanuc::format(),
         &heidenhain_com::format(),
         &heidenhain_com_530::format(),
         &icube::format(),

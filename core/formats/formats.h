@@ -26,6 +26,9 @@ namespace aerotech_1d {
 namespace aerotech_2d {
 [[nodiscard]] const TableFormat& format(); ///< calibration file, :START2D
 }
+namespace fanuc {
+[[nodiscard]] const TableFormat& format(); ///< stored pitch error data
+}
 namespace heidenhain_com {
 [[nodiscard]] const TableFormat& format(); ///< .COM with the position in each line
 }

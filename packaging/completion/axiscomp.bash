@@ -4,7 +4,7 @@
 
 _axiscomp_commands="example inspect convert lookup formats targets runs judge fit compare report capture axes status write persist unpersist delete evaluate activate deactivate read files upload download monitor backup restore recover config plan apply snapshot metrics doctor"
 
-_axiscomp_formats="csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong"
+_axiscomp_formats="csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d fanuc heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong"
 
 _axiscomp_measurements="runs wide track points renishaw api-pos ecmc ecmc-report"
 
@@ -91,7 +91,7 @@ _axiscomp_value()
         *" --dims") echo "1 2 3" ;;
         *" --tables" | *" --set-in" | *" --snap" | *" --table" | *" --name" | *" --value-unit" | *" --target" | *" --scale" | *" --offset" | *" --zero" | *" --points" | *" --distance" | *" --within" | *" --speed" | *" --set-out" | *" --count" | *" --spacing" | *" --period" | *" --cycles" | *" --seed" | *" --overrun" | *" --feed" | *" --dwell" | *" --axis" | *" --unit" | *" --exclude" | *" --columns" | *" --skip-lines" | *" --tolerance" | *" --temperature" | *" --expansion" | *" --reference-temperature" | *" --reference-expansion" | *" --datum" | *" --trust-certificate" | *" --timeout" | *" --smoothness" | *" --harmonics" | *" --turn" | *" --home" | *" --gain" | *" --zero-at" | *" --pattern" | *" --request" | *" --encoder" | *" --window" | *" --average" | *" --rate" | *" --network" | *" --source1" | *" --source2" | *" --source3" | *" --map" | *" --position-unit" | *" --station" | *" --only" | *" --jobs" | *" --serial" | *" --baud" | *" --axes" | *" --program-after" | *" --instrument" | *" --user") echo "" ;;
         *" -o" | *" --output" | *" --uncertainty" | *" --dead-path" | *" --password-file") echo "@files" ;;
-        *" --from" | *" --to" | *" --as") echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
+        *" --from" | *" --to" | *" --as") echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d fanuc heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
         *" --profile") echo "@files:json" ;;
         *" --fill") echo "nearest plane smooth" ;;
         *" --sign" | *" --to-sign") echo "feedback command" ;;
@@ -135,7 +135,7 @@ _axiscomp_argument()
         "convert "*) echo "@files" ;;
         "lookup "0) echo "@files" ;;
         "lookup "*) echo "" ;;
-        "formats "*) echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
+        "formats "*) echo "csv tamtbl acs-1d acs-2d aerotech-1d aerotech-2d fanuc heidenhain-com heidenhain-com-530 icube isg-crosscomp isg-crosscomp2 isg-ssfk klipper klipper-twist kmotion-geo kmotion-linear linuxcnc pmac-1d pmac-2d power-pmac rapidcode rapidcode-header siemens-cec siemens-eec reprap softmc softmc-basic twincat-nc weihong" ;;
         "runs "*) echo "@files" ;;
         "judge "*) echo "@files" ;;
         "fit "*) echo "@files" ;;

@@ -48,6 +48,10 @@ QStringList settingsOf(const TableFormat& format, bool isWritten)
             settings += {option, "counts-per-unit=1000"};
         else if (isAxis && format.facts.name.starts_with("siemens"))
             settings += {option, QString::fromStdString(std::string(setting.key)) + "=X1"};
+        else if (setting.key == "reference-number")
+            settings += {option, "reference-number=100", option, "detection-unit=0.01"};
+        else if (setting.key == "interval")
+            settings += {option, "interval=10"};
         else if (setting.key == "any-distance")
             settings += {option, "any-distance=yes"};
         else if (isAxis

@@ -73,6 +73,9 @@ FormatSettings writeSettings(const FormatFacts& facts)
         settings["any-distance"] = "yes";
     if (facts.name == "acs-2d")
         settings = {{"source-axis-1", "0"}, {"source-axis-2", "1"}};
+    if (facts.name == "fanuc")
+        settings = {
+            {"reference-number", "100"}, {"detection-unit", "0.00001"}, {"largest-step", "1000"}};
     return settings;
 }
 
@@ -86,6 +89,9 @@ TableReadOptions readOptions(const FormatFacts& facts, int dimensions)
             options.settings[std::string(setting.key)] = "100000";
         else if (setting.key == "unit" && setting.forReading)
             options.settings["unit"] = "mm";
+    if (facts.name == "fanuc")
+        options.settings = {
+            {"reference-number", "100"}, {"interval", "10"}, {"detection-unit", "0.00001"}};
     if (!facts.holdsUnits && facts.name != "tamtbl") {
         options.settings["position-unit"] = "mm";
         options.settings["value-unit"] = "mm";

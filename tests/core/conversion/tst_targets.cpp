@@ -52,6 +52,9 @@ TableReadOptions readOptions(const FormatFacts& facts, int dimensions)
             options.settings[std::string(setting.key)] = "1000000";
         else if (setting.key == "unit" && setting.forReading)
             options.settings["unit"] = "mm";
+    if (facts.name == "fanuc")
+        options.settings = {
+            {"reference-number", "100"}, {"interval", "10"}, {"detection-unit", "0.00001"}};
     if (!facts.holdsUnits && facts.name != "tamtbl") {
         options.settings["position-unit"] = "mm";
         options.settings["value-unit"] = "mm";
@@ -150,7 +153,7 @@ QString farthest(const CompensationColumn& column, const Values& expected, doubl
 bool isOfAxesForThemselves(const TableFormat& format)
 {
     for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
-             "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
+             "fanuc", "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -272,6 +275,9 @@ private Q_SLOTS:
             asked.writing.settings["target-axis"] = "Z";
         if (to.facts.name == "heidenhain-com-530")
             asked.writing.settings["any-distance"] = "yes";
+        if (to.facts.name == "fanuc")
+            asked.writing.settings = {{"reference-number", "100"}, {"detection-unit", "0.00001"},
+                {"largest-step", "100000"}};
         if (to.facts.name == "acs-2d") {
             asked.writing.settings = {{"source-axis-1", "0"}, {"source-axis-2", "1"}};
             if (!axis)

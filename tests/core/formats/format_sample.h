@@ -74,6 +74,7 @@ struct FormatSample {
     std::string comment = {}; ///< how a line begins that says nothing; empty: there is none
     std::size_t spareBytes = 0; ///< at the end of the text, which nobody misses
     std::size_t warnedBytes = 0; ///< before these, whose lack may be a warning and no error
+    bool isOnlyNamed = false; ///< no content is taken for it: a person names the format
     std::vector<std::pair<std::string, Recognition>> recognised = {};
     std::vector<Applied> applied = {};
     std::vector<Problem> problems = {};

@@ -334,6 +334,29 @@ def read_twincat_nc(side, case):
                  wraps="Modulo:=TRUE" in side["text"])
 
 
+def read_fanuc(side, case):
+    said = side["settings"]
+    values = {int(number) - 10000: int(steps) for number, steps in re.findall(r"^N(\d+)P(-?\d+)$", side["text"], re.M)}
+    unit, _ = setting_units(side)
+    reference, interval = int(said["reference-number"]), float(said["interval"])
+    amounts = {0: 0}
+    if "wrap-range" in said:
+        count = len(values) - 1
+        if sum(values[reference + k] for k in range(1, count + 1)) or values[reference] != values[reference + count]:
+            raise ValueError("the turn does not close")
+        del values[reference]
+    for k in range(max(values) - reference):
+        amounts[k + 1] = amounts[k] + values[reference + k + 1]
+    for k in range(reference - min(values) + 1):
+        amounts[-k - 1] = amounts[-k] - values[reference - k]
+    step = int(said["magnification"]) * float(said["detection-unit"]) * unit
+    knots = sorted(amounts)
+    if len(knots) != len(values) + 1:
+        raise ValueError("numbers are missing")
+    return Table([[(float(said["reference-position"]) + k * interval) * unit for k in knots]],
+                 {BOTH: [amounts[k] * step for k in knots]}, step=step, wraps="wrap-range" in said)
+
+
 UNEVEN = {"isg-crosscomp", "isg-ssfk", "icube", "linuxcnc", "weihong", "heidenhain-com"}
 
 READERS = {"csv": read_csv, "acs-1d": read_acs_1d, "acs-2d": read_acs_2d, "aerotech-1d": read_aerotech_1d, "aerotech-2d": read_aerotech_2d,
@@ -343,7 +366,8 @@ READERS = {"csv": read_csv, "acs-1d": read_acs_1d, "acs-2d": read_acs_2d, "aerot
            "weihong": read_weihong, "heidenhain-com": read_heidenhain_com,
            "heidenhain-com-530": read_heidenhain_com_530,
            "kmotion-geo": read_kmotion_geo, "kmotion-linear": read_kmotion_linear,
-           "power-pmac": read_power_pmac, "twincat-nc": read_twincat_nc}
+           "power-pmac": read_power_pmac, "twincat-nc": read_twincat_nc,
+           "fanuc": read_fanuc}
 
 
 def lookup(axes, values, period, point, goes_on=False):

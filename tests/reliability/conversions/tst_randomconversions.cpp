@@ -6,6 +6,7 @@
 #include "core/conversion/conversion.h"
 #include "core/formats/formats.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -70,6 +71,12 @@ bool isPmac(const TableFormat& format)
     return format.facts.name.starts_with("pmac");
 }
 
+/// Its corrections are 0 at the reference position, which is 0 here.
+bool isFanuc(const TableFormat& format)
+{
+    return &format == &fanuc::format();
+}
+
 /// Its axes are X, Y and Z, whatever a table calls them.
 bool isKmotionGeo(const TableFormat& format)
 {
@@ -79,7 +86,7 @@ bool isKmotionGeo(const TableFormat& format)
 bool isOwnOnly(const TableFormat& format)
 {
     for (const std::string_view name : {"acs-1d", "aerotech-1d", "siemens-eec", "isg-ssfk", "icube",
-             "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
+             "fanuc", "kmotion-linear", "linuxcnc", "twincat-nc", "weihong"})
         if (format.facts.name == name)
             return true;
     return false;
@@ -87,13 +94,13 @@ bool isOwnOnly(const TableFormat& format)
 
 std::optional<Case> Cases::next()
 {
-    static const std::array<const TableFormat*, 22> formats{&calibration_csv::format(),
+    static const std::array<const TableFormat*, 23> formats{&calibration_csv::format(),
         &acs_1d::format(), &acs_2d::format(), &aerotech_1d::format(), &aerotech_2d::format(),
         &siemens_eec::format(), &siemens_cec::format(), &isg_ssfk::format(),
         &isg_crosscomp::format(), &isg_crosscomp2::format(), &softmc::format(), &icube::format(),
         &linuxcnc::format(), &rapidcode::format(), &pmac_1d::format(), &weihong::format(),
         &heidenhain_com::format(), &heidenhain_com_530::format(), &kmotion_geo::format(),
-        &kmotion_linear::format(), &power_pmac::format(), &twincat_nc::format()};
+        &kmotion_linear::format(), &power_pmac::format(), &twincat_nc::format(), &fanuc::format()};
     Case chosen;
     chosen.from = oneOf(formats);
     chosen.to = oneOf(formats);
@@ -124,14 +131,17 @@ SourceAxis Cases::axis(const Case& chosen, double distance)
     const bool isPmacCase = isPmac(*chosen.from) || isPmac(*chosen.to);
     const auto count = std::uniform_int_distribution<int>(3, 9)(m_random);
     double start = 0.5 * std::uniform_int_distribution<int>(-80, 80)(m_random);
+    const bool isFanucCase = isFanuc(*chosen.from) || isFanuc(*chosen.to);
     if (isPmacCase)
         start = 0.0;
+    else if (isFanucCase)
+        start = -distance * std::uniform_int_distribution<int>(0, count - 1)(m_random);
     if (chosen.isRotary) {
         constexpr std::array cells{4, 5, 6, 8, 9};
         const int turn = oneOf(cells);
         axis.wrap = 360.0;
         for (int i = 0; i <= turn; ++i)
-            axis.knots.push_back((isPmacCase ? 0.0 : -180.0) + i * (360.0 / turn));
+            axis.knots.push_back((isPmacCase || isFanucCase ? 0.0 : -180.0) + i * (360.0 / turn));
         return axis;
     }
     const bool isUneven = chosen.from->facts.knots == KnotRule::Any
@@ -171,6 +181,9 @@ NeutralTable Cases::table(const Case& chosen)
             column.values.push_back(factor * std::round(value(m_random) * 1e7) / 1e7);
         if (isPmac(*chosen.from) || isPmac(*chosen.to))
             column.values.front() = 0.0;
+        for (std::size_t i = 0; i < table.pointCount(); ++i)
+            if ((isFanuc(*chosen.from) || isFanuc(*chosen.to)) && table.axes[0].knots[i] == 0.0)
+                column.values[i] = 0.0;
         if (table.axes[0].wrap)
             column.values.back() = column.values.front();
         if (!chosen.hasDirections)
@@ -240,6 +253,14 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
             both["wrap-range"] = "360";
         return {both, both};
     }
+    if (isFanuc(format)) {
+        const FormatSettings both{{"reference-number", "100"}, {"detection-unit", "0.0001"},
+            {"magnification", maybe(0.5) ? "1" : "3"}, {"reference-position", "0"},
+            {"position-unit", chosen.isRotary ? "deg" : "mm"}};
+        FormatSettings writing = both;
+        writing["largest-step"] = "1000000";
+        return {writing, both};
+    }
     if (name == "rapidcode")
         return {{{"counts-per-unit", maybe(0.5) ? "20000" : "-4096"}, {"position-unit", position},
                     {"value-unit", position}},
@@ -255,11 +276,23 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
     return {};
 }
 
+/// What parameters of the control say beside a file of Fanuc.
+void addInterval(const TableFormat& format, const NeutralTable& held, FormatSettings& reading)
+{
+    if (!isFanuc(format))
+        return;
+    const SourceAxis& axis = held.axes.front();
+    const auto cells = static_cast<double>(axis.knots.size() - 1);
+    reading["interval"] = toText((axis.knots.back() - axis.knots.front()) / cells);
+    if (axis.wrap)
+        reading["wrap-range"] = toText(*axis.wrap);
+}
+
 /// Reads the table of the source's bytes, converts it, and says for the checker what both files
 /// are; nothing: one of the formats cannot hold it, which is an error and not silently wrong.
 std::optional<json> converted(Cases& cases, const Case& chosen, bool keepsSign)
 {
-    const auto from = cases.settings(chosen, *chosen.from);
+    auto from = cases.settings(chosen, *chosen.from);
     const auto to = cases.settings(chosen, *chosen.to);
     TableWriteOptions writing;
     writing.settings = from.writing;
@@ -267,6 +300,7 @@ std::optional<json> converted(Cases& cases, const Case& chosen, bool keepsSign)
     const auto source = chosen.from->write(original, writing);
     if (!source)
         return std::nullopt;
+    addInterval(*chosen.from, source->held.front(), from.reading);
     TableReadOptions reading;
     reading.dimensions = static_cast<int>(chosen.dimensions);
     reading.settings = from.reading;
@@ -303,6 +337,7 @@ std::optional<json> converted(Cases& cases, const Case& chosen, bool keepsSign)
         readingTo["modulo"] = "yes";
         readingTo["wrap-range"] = "its span";
     }
+    addInterval(*chosen.to, result->written.held.front(), readingTo);
     json line{{"from", side(*chosen.from, source->bytes, from.reading)},
         {"to", side(*chosen.to, result->written.bytes, readingTo)},
         {"dimensions", chosen.dimensions}, {"rotary", chosen.isRotary},

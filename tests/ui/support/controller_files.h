@@ -30,6 +30,8 @@ inline QString controllerFile(const QString& format)
         {QStringLiteral("aerotech-2d"),
             QStringLiteral(":START2D 2 1 1 2 10 5 3\n:START2D POSUNIT=METRIC CORUNIT=METRIC/1000\n"
                            ":START2D OFFSETCOL=5\n1 -1 2 -2 3 -3\n4 -4 5 -5 6 -6\n:END\n")},
+        {QStringLiteral("fanuc"),
+            QStringLiteral("%\nN03620P1000\nN10999P2\nN11000P-1\nN11001P1\nN11002P-2\n%\n")},
         {QStringLiteral("heidenhain-com"),
             QStringLiteral("BEGIN AXIS_Y.COM MM\n"
                            "NR   AXISPOS       BACKLASH      X             Y             Z\n"

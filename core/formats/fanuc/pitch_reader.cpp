@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/fanuc/pitch_data.h"
+#include "core/formats/formats.h"
+#include "core/formats/own_axis.h"
+#include "core/formats/wrap_range.h"
+#include "core/text/token_scanner.h"
+
+#include <algorithm>
+#include <map>
+
+namespace axiscomp::fanuc {
+
+namespace {
+
+constexpr std::int64_t directionsParameter = 3605;
+
+struct Value {
+    std::int64_t steps = 0;
+    std::size_t line = 0;
+};
+
+/// "N10033P2": the number behind N, and what follows it.
+struct NumberedBlock {
+    std::int64_t number = 0;
+    Token rest;
+};
+std::optional<NumberedBlock> numberedBlock(const Token& block)
+{
+    if (!sameLetters(block.text.substr(0, 1), "N"))
+        return std::nullopt;
+    const Token behind = trimmedToken(block.part(1));
+    const std::size_t end =
+        std::min(behind.text.find_first_not_of("0123456789"), behind.text.size());
+    const auto number = wholeNumberOf(behind.text.substr(0, end));
+    if (!number)
+        return std::nullopt;
+    return NumberedBlock{*number, trimmedToken(behind.part(end))};
+}
+
+bool isValueLetter(char c)
+{
+    return c == 'P' || c == 'p';
+}
+
+/// Whether bit 0 of a parameter is set, for one axis or in one of several:
+/// "A1P00000000A2P00000001".
+bool hasBitZero(std::string_view values)
+{
+    for (std::size_t at = 0; at < values.size(); ++at) {
+        if (!isValueLetter(values[at]))
+            continue;
+        const std::size_t end = std::min(values.find_first_not_of("01", at + 1), values.size());
+        if (values[end - 1] == '1')
+            return true;
+    }
+    return false;
+}
+
+class PitchReader {
+public:
+    PitchReader(TextReading& reading, const PitchSetup& setup, const PitchSections& sections)
+        : m_reading(reading)
+        , m_setup(setup)
+        , m_sections(sections)
+    {
+    }
+    [[nodiscard]] std::vector<NeutralTable> read();
+
+private:
+    void scan();
+    void takeBlock(const Token& block);
+    void takeNumbered(const Token& block, const NumberedBlock& numbered);
+    void takeValue(std::int64_t number, const Token& text);
+    void checkEnd(std::size_t lines);
+    [[nodiscard]] bool chooseNumbers();
+    [[nodiscard]] bool checkComplete();
+    [[nodiscard]] bool checkTurn();
+    [[nodiscard]] NeutralTable table();
+    [[nodiscard]] std::int64_t steps(std::int64_t number) const
+    {
+        return m_values.at(number).steps;
+    }
+
+    TextReading& m_reading;
+    DiagnosticList& m_diagnostics = m_reading.diagnostics;
+    PitchSetup m_setup;
+    PitchSections m_sections;
+    bool m_isInRecord = false;
+    bool m_hasRecord = false;
+    bool m_hasOthers = false; ///< numbers above those of points were said
+    std::int64_t m_first = 0;
+    std::int64_t m_last = 0;
+    std::map<std::int64_t, Value> m_values; ///< by number
+};
+
+void PitchReader::takeValue(std::int64_t number, const Token& text)
+{
+    const auto steps = readWholeNumber(
+        text, AXISCOMP_TEXT("Error", "a whole number of increments behind P"), m_diagnostics);
+    if (!steps)
+        return;
+    if (*steps < -largestValue || *steps > largestValue) {
+        m_diagnostics.error(DiagnosticCode::LimitExceeded, text.line, text.column, quoted(text),
+            AXISCOMP_TEXT("Error", "at most {most}").with("most", largestValue));
+        return;
+    }
+    const auto [at, isNew] = m_values.try_emplace(number, Value{*steps, text.line});
+    if (isNew)
+        return;
+    at->second = {*steps, text.line};
+    m_diagnostics.warning(DiagnosticCode::DuplicateValue, text.line, text.column,
+        AXISCOMP_TEXT("Error", "value {number} again").with("number", number),
+        AXISCOMP_TEXT("Error", "each value once; the last one counts"));
+}
+
+void PitchReader::takeNumbered(const Token& block, const NumberedBlock& numbered)
+{
+    const std::int64_t number = numbered.number - m_setup.firstRecord;
+    if (number < 0) { // a parameter
+        if (numbered.number == directionsParameter && hasBitZero(numbered.rest.text))
+            m_diagnostics.error(DiagnosticCode::Contradiction, block.line, block.column,
+                AXISCOMP_TEXT(
+                    "Error", "bit 0 of parameter 3605 is 1: values for each direction of motion"),
+                AXISCOMP_TEXT("Error",
+                    "one value for both directions; leave the line out if it is of another axis"));
+        return;
+    }
+    if (number >= mostNumbers) {
+        if (!m_hasOthers)
+            m_diagnostics.warning(DiagnosticCode::LeftOut, block.line, block.column,
+                AXISCOMP_TEXT("Error", "line N{number}").with("number", numbered.number),
+                AXISCOMP_TEXT("Error", "N{first} to N{last}, as the setting first-record says")
+                    .with("first", m_setup.firstRecord)
+                    .with("last", m_setup.firstRecord + mostNumbers - 1));
+        m_hasOthers = true;
+        return;
+    }
+    if (!numbered.rest || !isValueLetter(numbered.rest.text.front())) {
+        m_diagnostics.error(DiagnosticCode::Syntax, block.line, block.column, quoted(block),
+            AXISCOMP_TEXT("Error", "a line such as {example}")
+                .with("example", Verbatim{"N10033P2"}));
+        return;
+    }
+    takeValue(number, trimmedToken(numbered.rest.part(1)));
+}
+
+void PitchReader::takeBlock(const Token& block)
+{
+    if (block.text == "%") {
+        m_isInRecord = !m_isInRecord;
+        m_hasRecord = true;
+        return;
+    }
+    const auto numbered = numberedBlock(block);
+    const bool isComment = block.text.starts_with('(');
+    if (m_isInRecord && numbered)
+        takeNumbered(block, *numbered);
+    else if (m_isInRecord && !isComment)
+        m_diagnostics.error(DiagnosticCode::Syntax, block.line, block.column, quoted(block),
+            AXISCOMP_TEXT("Error", "a line such as {example}")
+                .with("example", Verbatim{"N10033P2"}));
+    else if (numbered)
+        m_diagnostics.error(DiagnosticCode::Syntax, block.line, block.column, quoted(block),
+            AXISCOMP_TEXT("Error", "a line % in front of it"));
+}
+
+void PitchReader::checkEnd(std::size_t lines)
+{
+    if (m_diagnostics.hasErrors())
+        return;
+    if (m_isInRecord)
+        m_diagnostics.error(DiagnosticCode::Syntax, lines, 0,
+            AXISCOMP_TEXT("Error", "lines without an end"),
+            AXISCOMP_TEXT("Error", "a line % behind the last one"));
+    else if (!m_hasRecord)
+        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
+            AXISCOMP_TEXT("Error", "lines such as {example} between two lines %")
+                .with("example", Verbatim{"N10033P2"}));
+}
+
+void PitchReader::scan()
+{
+    TextLines lines(m_reading.text);
+    std::vector<Token> blocks;
+    std::size_t last = 0;
+    while (const auto line = lines.next()) {
+        if (m_reading.isStopped())
+            return;
+        last = line->line;
+        splitCells(*line, ';', blocks); // the end of a block, where it is written
+        for (const Token& block : blocks)
+            if (block)
+                takeBlock(block);
+    }
+    checkEnd(last);
+}
+
+/// The numbers of the axis: as settings say, or all that the file has.
+bool PitchReader::chooseNumbers()
+{
+    if (m_values.empty() && !(m_sections.first && m_sections.last)) {
+        m_diagnostics.error(DiagnosticCode::TooFewPoints, 0, 0,
+            AXISCOMP_TEXT("Error", "no line from N{first} to N{last}")
+                .with("first", m_setup.firstRecord)
+                .with("last", m_setup.firstRecord + mostNumbers - 1),
+            AXISCOMP_TEXT("Error",
+                "pitch error data; the setting first-record says where their numbers begin"));
+        return false;
+    }
+    m_first = m_sections.first ? *m_sections.first : m_values.begin()->first;
+    m_last = m_sections.last ? *m_sections.last : m_values.rbegin()->first;
+    const std::int64_t reference = m_setup.reference;
+    if (m_first <= m_last && m_first <= reference + 1 && reference <= m_last)
+        return true;
+    m_diagnostics.error(DiagnosticCode::Contradiction, 0, 0,
+        AXISCOMP_TEXT("Error", "the numbers {first} to {last} for the axis")
+            .with("first", m_first)
+            .with("last", m_last),
+        AXISCOMP_TEXT("Error",
+            "numbers round that of the reference point, {number}, as the setting {key} says")
+            .with("number", reference)
+            .with("key", referenceNumberKey));
+    return false;
+}
+
+bool PitchReader::checkComplete()
+{
+    std::int64_t expected = m_first;
+    for (auto at = m_values.lower_bound(m_first); expected <= m_last; ++at, ++expected) {
+        if (at != m_values.end() && at->first == expected)
+            continue;
+        m_diagnostics.error(DiagnosticCode::MissingPoint,
+            at == m_values.end() ? 0 : at->second.line, 0,
+            AXISCOMP_TEXT("Error", "no value {number}").with("number", expected),
+            (m_sections.turn ? AXISCOMP_TEXT("Error", "the numbers {first} to {last} of one turn")
+                             : AXISCOMP_TEXT("Error",
+                                 "each number from {first} to {last}; first-number and last-number "
+                                 "choose those of one axis"))
+                .with("first", m_first)
+                .with("last", m_last));
+        return false;
+    }
+    const auto count = static_cast<std::size_t>(m_last - m_first + 1);
+    if (count > usualNumbers)
+        m_diagnostics.warning(DiagnosticCode::LimitExceeded, 0, 0,
+            AXISCOMP_COUNTED("Error", "{count} points", "1 point").with("count", count),
+            AXISCOMP_TEXT("Error", "at most {most} of an axis, as one source says")
+                .with("most", usualNumbers));
+    return true;
+}
+
+/// Of a rotary axis the values of a turn add up to 0, and the number of the reference point stands
+/// for the last section once more.
+bool PitchReader::checkTurn()
+{
+    std::int64_t sum = 0;
+    for (std::int64_t number = m_first; number <= m_last; ++number)
+        sum += steps(number);
+    if (sum != 0) {
+        m_diagnostics.error(DiagnosticCode::NotPeriodic, m_values.at(m_last).line, 0,
+            AXISCOMP_TEXT("Error", "the values {first} to {last}, which add up to {sum}")
+                .with("first", m_first)
+                .with("last", m_last)
+                .with("sum", sum),
+            AXISCOMP_TEXT("Error", "0 over one turn"));
+        return false;
+    }
+    const auto reference = m_values.find(m_setup.reference);
+    if (reference != m_values.end() && reference->second.steps == steps(m_last))
+        return true;
+    m_diagnostics.error(
+        reference == m_values.end() ? DiagnosticCode::MissingPoint : DiagnosticCode::NotPeriodic,
+        m_values.at(reference == m_values.end() ? m_last : m_setup.reference).line, 0,
+        AXISCOMP_TEXT("Error", "value {number}, of the reference point")
+            .with("number", m_setup.reference),
+        AXISCOMP_TEXT("Error", "the same as value {number}, which is the same section")
+            .with("number", m_last));
+    return false;
+}
+
+NeutralTable PitchReader::table()
+{
+    NeutralTable table;
+    table.sign = SignConvention::Command;
+    SourceAxis& axis = table.axes.emplace_back();
+    std::vector<double>& values = table.columns.emplace_back().values;
+    const std::int64_t below = m_setup.reference - m_first + 1;
+    std::int64_t sum = 0; // at the lower end, so that it is 0 at the reference position
+    for (std::int64_t k = 0; k < below; ++k)
+        sum -= steps(m_setup.reference - k);
+    for (std::int64_t k = -below;; ++k) {
+        axis.knots.push_back(m_setup.position + static_cast<double>(k) * m_sections.interval);
+        values.push_back(sum == 0 ? 0.0 : m_setup.amountOf(static_cast<double>(sum)));
+        const std::int64_t number = m_first + k + below;
+        if (number > m_last)
+            break;
+        sum += steps(number);
+    }
+    if (m_sections.turn) {
+        axis.wrap = *m_sections.turn;
+        axis.knots.back() = axis.knots.front() + *m_sections.turn;
+    }
+    takeOneUnit(table, m_reading.settings, m_diagnostics);
+    return table;
+}
+
+std::vector<NeutralTable> PitchReader::read()
+{
+    scan();
+    if (m_reading.isStopped() || m_diagnostics.hasErrors() || !chooseNumbers() || !checkComplete()
+        || (m_sections.turn && !checkTurn()))
+        return {};
+    return {table()};
+}
+
+std::vector<NeutralTable> parsePitchData(TextReading& reading)
+{
+    const FormatFacts& facts = fanuc::format().facts;
+    const auto setup = pitchSetup(facts, reading.settings);
+    const auto sections = setup ? pitchSections(facts, *setup, reading.settings)
+                                : Result<PitchSections>(fail(setup.error()));
+    if (!sections) // readFile has looked
+        return {};
+    return PitchReader(reading, *setup, *sections).read();
+}
+
+} // namespace
+
+Result<TableReading> readFile(
+    const TableFormat& format, std::string_view text, const TableReadOptions& options)
+{
+    AXISCOMP_CHECK(checkWrapRange(options.settings));
+    AXISCOMP_TRY(const auto settings, SettingValues::of(format.facts, options.settings, false));
+    AXISCOMP_TRY(const auto setup, pitchSetup(format.facts, settings));
+    AXISCOMP_CHECK(pitchSections(format.facts, setup, settings));
+    return readText(format.facts, text, options, parsePitchData);
+}
+
+} // namespace axiscomp::fanuc
