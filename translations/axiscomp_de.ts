@@ -7665,6 +7665,210 @@
         <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
         <translation>das Messgerät sendet eine Zeile von mehr als {count} Zeichen: seine Einstellungen und seine Baudrate prüfen</translation>
     </message>
+    <message>
+        <source>number of the reference point, parameter 3620</source>
+        <translation>Nummer des Referenzpunkts, Parameter 3620</translation>
+    </message>
+    <message>
+        <source>interval of the points, parameter 3624, in the unit of the positions</source>
+        <translation>Abstand der Punkte, Parameter 3624, in der Einheit der Positionen</translation>
+    </message>
+    <message>
+        <source>detection unit of the axis, in the unit of the positions, such as 0.001</source>
+        <translation>Erfassungseinheit der Achse, in der Einheit der Positionen, zum Beispiel 0.001</translation>
+    </message>
+    <message>
+        <source>magnification of the values, parameter 3623</source>
+        <translation>Vergrößerungsfaktor der Werte, Parameter 3623</translation>
+    </message>
+    <message>
+        <source>position of the reference point</source>
+        <translation>Position des Referenzpunkts</translation>
+    </message>
+    <message>
+        <source>lowest number of the axis, parameter 3621, instead of the lowest one in the file</source>
+        <translation>niedrigste Nummer der Achse, Parameter 3621, statt der niedrigsten in der Datei</translation>
+    </message>
+    <message>
+        <source>highest number of the axis, parameter 3622, instead of the highest one in the file</source>
+        <translation>höchste Nummer der Achse, Parameter 3622, statt der höchsten in der Datei</translation>
+    </message>
+    <message>
+        <source>what N of a line is for number 0</source>
+        <translation>was das N einer Zeile für Nummer 0 ist</translation>
+    </message>
+    <message>
+        <source>largest value that the controller takes for a number</source>
+        <translation>größter Wert, den die Steuerung für eine Nummer annimmt</translation>
+    </message>
+    <message>
+        <source>stored pitch error data of an axis (N10033P2)</source>
+        <translation>gespeicherte Steigungsfehlerdaten einer Achse (N10033P2)</translation>
+    </message>
+    <message>
+        <source>a whole number of increments behind P</source>
+        <translation>eine ganze Zahl von Inkrementen hinter P</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>höchstens {most}</translation>
+    </message>
+    <message>
+        <source>bit 0 of parameter 3605 is 1: values for each direction of motion</source>
+        <translation>Bit 0 von Parameter 3605 ist 1: Werte für jede Bewegungsrichtung</translation>
+    </message>
+    <message>
+        <source>one value for both directions; leave the line out if it is of another axis</source>
+        <translation>ein Wert für beide Richtungen; die Zeile weglassen, wenn sie zu einer anderen Achse gehört</translation>
+    </message>
+    <message>
+        <source>line N{number}</source>
+        <translation>Zeile N{number}</translation>
+    </message>
+    <message>
+        <source>N{first} to N{last}, as the setting first-record says</source>
+        <translation>N{first} bis N{last}, wie die Angabe first-record sagt</translation>
+    </message>
+    <message>
+        <source>a line such as {example}</source>
+        <translation>eine Zeile wie {example}</translation>
+    </message>
+    <message>
+        <source>a line % in front of it</source>
+        <translation>eine Zeile % davor</translation>
+    </message>
+    <message>
+        <source>lines without an end</source>
+        <translation>Zeilen ohne Ende</translation>
+    </message>
+    <message>
+        <source>a line % behind the last one</source>
+        <translation>eine Zeile % hinter der letzten</translation>
+    </message>
+    <message>
+        <source>lines such as {example} between two lines %</source>
+        <translation>Zeilen wie {example} zwischen zwei Zeilen %</translation>
+    </message>
+    <message>
+        <source>no line from N{first} to N{last}</source>
+        <translation>keine Zeile von N{first} bis N{last}</translation>
+    </message>
+    <message>
+        <source>pitch error data; the setting first-record says where their numbers begin</source>
+        <translation>Steigungsfehlerdaten; die Angabe first-record sagt, wo ihre Nummern beginnen</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} for the axis</source>
+        <translation>die Nummern {first} bis {last} für die Achse</translation>
+    </message>
+    <message>
+        <source>numbers round that of the reference point, {number}, as the setting {key} says</source>
+        <translation>Nummern um die des Referenzpunkts herum, {number}, wie die Angabe {key} sagt</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} of one turn</source>
+        <translation>die Nummern {first} bis {last} einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>each number from {first} to {last}; first-number and last-number choose those of one axis</source>
+        <translation>jede Nummer von {first} bis {last}; first-number und last-number wählen die einer Achse</translation>
+    </message>
+    <message>
+        <source>at most {most} of an axis, as one source says</source>
+        <translation>höchstens {most} einer Achse, wie eine Quelle sagt</translation>
+    </message>
+    <message>
+        <source>the values {first} to {last}, which add up to {sum}</source>
+        <translation>die Werte {first} bis {last}, deren Summe {sum} ist</translation>
+    </message>
+    <message>
+        <source>0 over one turn</source>
+        <translation>0 über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>value {number}, of the reference point</source>
+        <translation>Wert {number}, der des Referenzpunkts</translation>
+    </message>
+    <message>
+        <source>the same as value {number}, which is the same section</source>
+        <translation>derselbe wie Wert {number}, der denselben Abschnitt meint</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {turn}, expected 1 to {most} times the interval of {interval}</source>
+        <translation>die Angabe wrap-range ist {turn}, erwartet wird das 1- bis {most}-fache des Abstands {interval}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}, expected {least} to {most}</source>
+        <translation>die Angabe {key} des Formats {format} ist {value}, erwartet wird {least} bis {most}</translation>
+    </message>
+    <message>
+        <source>wrap-range says which numbers a rotary axis has; leave {key} and {key2} out</source>
+        <translation>wrap-range sagt, welche Nummern eine Rundachse hat; {key} und {key2} weglassen</translation>
+    </message>
+    <message>
+        <source>the reference position {position} is no point of it; its points are from {first} to {last}, {distance} apart</source>
+        <translation>die Referenzposition {position} ist kein Punkt von ihr; ihre Punkte liegen von {first} bis {last} im Abstand {distance}</translation>
+    </message>
+    <message>
+        <source>resample it with a point there, or check reference-position</source>
+        <translation>sie mit einem Punkt dort umrechnen oder reference-position prüfen</translation>
+    </message>
+    <message>
+        <source>its points would get the numbers {first} to {last}</source>
+        <translation>ihre Punkte bekämen die Nummern {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>choose a reference-number so that they are from 0 to {most}</source>
+        <translation>reference-number so wählen, dass sie von 0 bis {most} gehen</translation>
+    </message>
+    <message>
+        <source>the value {value} is too large</source>
+        <translation>der Wert {value} ist zu groß</translation>
+    </message>
+    <message>
+        <source>check detection-unit and the unit of the values</source>
+        <translation>detection-unit und die Einheit der Werte prüfen</translation>
+    </message>
+    <message>
+        <source>its value at the reference position is {value}, and the controller takes it to be 0 there</source>
+        <translation>ihr Wert an der Referenzposition ist {value}, und die Steuerung nimmt dort 0 an</translation>
+    </message>
+    <message>
+        <source>from {first} to {last} it changes by {count} increments of {increment}, and a value is at most {most}</source>
+        <translation>von {first} bis {last} ändert sie sich um {count} Inkremente zu {increment}, und ein Wert ist höchstens {most}</translation>
+    </message>
+    <message>
+        <source>set magnification={number}, the smallest that fits, or largest-step if the controller takes more</source>
+        <translation>magnification={number} setzen, den kleinsten passenden, oder largest-step, wenn die Steuerung mehr annimmt</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</source>
+        <translation>die Parameter der Achse setzen: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</source>
+        <translation>die Parameter der Achse setzen: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</translation>
+    </message>
+    <message>
+        <source>these are {count} points, and one source says that an axis has at most {most}</source>
+        <translation>das sind {count} Punkte, und eine Quelle sagt, dass eine Achse höchstens {most} hat</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>niemand hat veröffentlicht, dass die Nummern bei Zeile N{first} beginnen (first-record) und dass ein Wert höchstens {most} ist (largest-step): mit einer Datei dieser Steuerung vergleichen</translation>
+    </message>
+    <message>
+        <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
+        <translation>das Vorzeichen ist eine Annahme: ein Wert wird als Impulse an die Achse ausgegeben. Einen Punkt an der Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>where within its section a value is put out is not known: the correction is taken to be linear, and its place is in doubt by half an interval</source>
+        <translation>wo in seinem Abschnitt ein Wert ausgegeben wird, ist nicht bekannt: die Korrektur wird als linear angenommen, und ihr Ort ist um einen halben Abstand unsicher</translation>
+    </message>
+    <message>
+        <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
+        <translation>nach dem Laden die Versorgung aus- und einschalten und den Referenzpunkt anfahren; der Alarm PW1102 sagt, dass die Nummern nicht passen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10493,6 +10697,42 @@
     <message>
         <source>any distance</source>
         <translation>beliebiger Abstand</translation>
+    </message>
+    <message>
+        <source>reference number</source>
+        <translation>Referenznummer</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>detection unit</source>
+        <translation>Erfassungseinheit</translation>
+    </message>
+    <message>
+        <source>magnification</source>
+        <translation>Vergrößerungsfaktor</translation>
+    </message>
+    <message>
+        <source>reference position</source>
+        <translation>Referenzposition</translation>
+    </message>
+    <message>
+        <source>first number</source>
+        <translation>erste Nummer</translation>
+    </message>
+    <message>
+        <source>last number</source>
+        <translation>letzte Nummer</translation>
+    </message>
+    <message>
+        <source>first record</source>
+        <translation>erste Zeile</translation>
+    </message>
+    <message>
+        <source>largest step</source>
+        <translation>größter Wert</translation>
     </message>
 </context>
 <context>

@@ -580,7 +580,7 @@
     </message>
     <message>
         <source>if the drive has the same fingerprint: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` trusts it from then on</source>
-        <translation>si le variateur a la même empreinte : `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` lui fait confiance désormais</translation>
+        <translation>si le variateur a la même empreinte&#xa0;: `axiscomp axes --drive {drive} --trust-certificate {fingerprint}` lui fait confiance désormais</translation>
     </message>
     <message>
         <source>install the package {package}</source>
@@ -7665,6 +7665,210 @@
         <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
         <translation>l&apos;instrument envoie une ligne de plus de {count} caractères : vérifier ses réglages et sa vitesse</translation>
     </message>
+    <message>
+        <source>number of the reference point, parameter 3620</source>
+        <translation>numéro du point de référence, paramètre 3620</translation>
+    </message>
+    <message>
+        <source>interval of the points, parameter 3624, in the unit of the positions</source>
+        <translation>intervalle des points, paramètre 3624, dans l&apos;unité des positions</translation>
+    </message>
+    <message>
+        <source>detection unit of the axis, in the unit of the positions, such as 0.001</source>
+        <translation>unité de détection de l&apos;axe, dans l&apos;unité des positions, par exemple 0.001</translation>
+    </message>
+    <message>
+        <source>magnification of the values, parameter 3623</source>
+        <translation>facteur multiplicateur des valeurs, paramètre 3623</translation>
+    </message>
+    <message>
+        <source>position of the reference point</source>
+        <translation>position du point de référence</translation>
+    </message>
+    <message>
+        <source>lowest number of the axis, parameter 3621, instead of the lowest one in the file</source>
+        <translation>plus petit numéro de l&apos;axe, paramètre 3621, au lieu du plus petit du fichier</translation>
+    </message>
+    <message>
+        <source>highest number of the axis, parameter 3622, instead of the highest one in the file</source>
+        <translation>plus grand numéro de l&apos;axe, paramètre 3622, au lieu du plus grand du fichier</translation>
+    </message>
+    <message>
+        <source>what N of a line is for number 0</source>
+        <translation>ce que vaut N d&apos;une ligne pour le numéro 0</translation>
+    </message>
+    <message>
+        <source>largest value that the controller takes for a number</source>
+        <translation>plus grande valeur que la commande accepte pour un numéro</translation>
+    </message>
+    <message>
+        <source>stored pitch error data of an axis (N10033P2)</source>
+        <translation>données mémorisées d&apos;erreur de pas d&apos;un axe (N10033P2)</translation>
+    </message>
+    <message>
+        <source>a whole number of increments behind P</source>
+        <translation>un nombre entier d&apos;incréments après P</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>au plus {most}</translation>
+    </message>
+    <message>
+        <source>bit 0 of parameter 3605 is 1: values for each direction of motion</source>
+        <translation>le bit 0 du paramètre 3605 est à 1 : des valeurs pour chaque sens de déplacement</translation>
+    </message>
+    <message>
+        <source>one value for both directions; leave the line out if it is of another axis</source>
+        <translation>une seule valeur pour les deux sens ; omettre la ligne si elle concerne un autre axe</translation>
+    </message>
+    <message>
+        <source>line N{number}</source>
+        <translation>la ligne N{number}</translation>
+    </message>
+    <message>
+        <source>N{first} to N{last}, as the setting first-record says</source>
+        <translation>N{first} à N{last}, comme le réglage first-record l&apos;indique</translation>
+    </message>
+    <message>
+        <source>a line such as {example}</source>
+        <translation>une ligne telle que {example}</translation>
+    </message>
+    <message>
+        <source>a line % in front of it</source>
+        <translation>une ligne % avant elle</translation>
+    </message>
+    <message>
+        <source>lines without an end</source>
+        <translation>des lignes sans fin</translation>
+    </message>
+    <message>
+        <source>a line % behind the last one</source>
+        <translation>une ligne % après la dernière</translation>
+    </message>
+    <message>
+        <source>lines such as {example} between two lines %</source>
+        <translation>des lignes telles que {example} entre deux lignes %</translation>
+    </message>
+    <message>
+        <source>no line from N{first} to N{last}</source>
+        <translation>aucune ligne de N{first} à N{last}</translation>
+    </message>
+    <message>
+        <source>pitch error data; the setting first-record says where their numbers begin</source>
+        <translation>des données d&apos;erreur de pas ; le réglage first-record indique où commencent leurs numéros</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} for the axis</source>
+        <translation>les numéros {first} à {last} pour l&apos;axe</translation>
+    </message>
+    <message>
+        <source>numbers round that of the reference point, {number}, as the setting {key} says</source>
+        <translation>des numéros de part et d&apos;autre de celui du point de référence, {number}, comme le réglage {key} l&apos;indique</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} of one turn</source>
+        <translation>les numéros {first} à {last} d&apos;un tour</translation>
+    </message>
+    <message>
+        <source>each number from {first} to {last}; first-number and last-number choose those of one axis</source>
+        <translation>chaque numéro de {first} à {last} ; first-number et last-number choisissent ceux d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>at most {most} of an axis, as one source says</source>
+        <translation>au plus {most} par axe, selon une source</translation>
+    </message>
+    <message>
+        <source>the values {first} to {last}, which add up to {sum}</source>
+        <translation>les valeurs {first} à {last}, dont la somme est {sum}</translation>
+    </message>
+    <message>
+        <source>0 over one turn</source>
+        <translation>0 sur un tour</translation>
+    </message>
+    <message>
+        <source>value {number}, of the reference point</source>
+        <translation>la valeur {number}, celle du point de référence</translation>
+    </message>
+    <message>
+        <source>the same as value {number}, which is the same section</source>
+        <translation>la même que la valeur {number}, qui est celle du même segment</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {turn}, expected 1 to {most} times the interval of {interval}</source>
+        <translation>le réglage wrap-range est {turn}, attendu : 1 à {most} fois l&apos;intervalle de {interval}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}, expected {least} to {most}</source>
+        <translation>le réglage {key} du format {format} est {value}, attendu : {least} à {most}</translation>
+    </message>
+    <message>
+        <source>wrap-range says which numbers a rotary axis has; leave {key} and {key2} out</source>
+        <translation>wrap-range indique quels numéros a un axe rotatif ; omettre {key} et {key2}</translation>
+    </message>
+    <message>
+        <source>the reference position {position} is no point of it; its points are from {first} to {last}, {distance} apart</source>
+        <translation>la position de référence {position} n&apos;est pas un de ses points ; ils vont de {first} à {last}, espacés de {distance}</translation>
+    </message>
+    <message>
+        <source>resample it with a point there, or check reference-position</source>
+        <translation>la rééchantillonner avec un point à cet endroit ou vérifier reference-position</translation>
+    </message>
+    <message>
+        <source>its points would get the numbers {first} to {last}</source>
+        <translation>ses points recevraient les numéros {first} à {last}</translation>
+    </message>
+    <message>
+        <source>choose a reference-number so that they are from 0 to {most}</source>
+        <translation>choisir reference-number de sorte qu&apos;ils aillent de 0 à {most}</translation>
+    </message>
+    <message>
+        <source>the value {value} is too large</source>
+        <translation>la valeur {value} est trop grande</translation>
+    </message>
+    <message>
+        <source>check detection-unit and the unit of the values</source>
+        <translation>vérifier detection-unit et l&apos;unité des valeurs</translation>
+    </message>
+    <message>
+        <source>its value at the reference position is {value}, and the controller takes it to be 0 there</source>
+        <translation>sa valeur à la position de référence est {value}, et la commande y suppose 0</translation>
+    </message>
+    <message>
+        <source>from {first} to {last} it changes by {count} increments of {increment}, and a value is at most {most}</source>
+        <translation>de {first} à {last} elle change de {count} incréments de {increment}, et une valeur vaut au plus {most}</translation>
+    </message>
+    <message>
+        <source>set magnification={number}, the smallest that fits, or largest-step if the controller takes more</source>
+        <translation>régler magnification={number}, le plus petit qui convient, ou largest-step si la commande accepte davantage</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</source>
+        <translation>régler les paramètres de l&apos;axe : 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</source>
+        <translation>régler les paramètres de l&apos;axe : 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</translation>
+    </message>
+    <message>
+        <source>these are {count} points, and one source says that an axis has at most {most}</source>
+        <translation>ce sont {count} points, et une source indique qu&apos;un axe en a au plus {most}</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>personne n&apos;a publié que les numéros commencent à la ligne N{first} (first-record) ni qu&apos;une valeur vaut au plus {most} (largest-step) : comparer avec un fichier de cette commande</translation>
+    </message>
+    <message>
+        <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
+        <translation>le signe est une hypothèse : une valeur est émise vers l&apos;axe sous forme d&apos;impulsions. Vérifier un point sur la machine</translation>
+    </message>
+    <message>
+        <source>where within its section a value is put out is not known: the correction is taken to be linear, and its place is in doubt by half an interval</source>
+        <translation>l&apos;endroit du segment où une valeur est émise n&apos;est pas connu : la correction est supposée linéaire, et son emplacement est incertain d&apos;un demi-intervalle</translation>
+    </message>
+    <message>
+        <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
+        <translation>après le chargement, couper et remettre l&apos;alimentation et revenir au point de référence ; l&apos;alarme PW1102 indique que les numéros ne conviennent pas</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10493,6 +10697,42 @@
     <message>
         <source>any distance</source>
         <translation>pas quelconque</translation>
+    </message>
+    <message>
+        <source>reference number</source>
+        <translation>numéro de référence</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>intervalle</translation>
+    </message>
+    <message>
+        <source>detection unit</source>
+        <translation>unité de détection</translation>
+    </message>
+    <message>
+        <source>magnification</source>
+        <translation>facteur multiplicateur</translation>
+    </message>
+    <message>
+        <source>reference position</source>
+        <translation>position de référence</translation>
+    </message>
+    <message>
+        <source>first number</source>
+        <translation>premier numéro</translation>
+    </message>
+    <message>
+        <source>last number</source>
+        <translation>dernier numéro</translation>
+    </message>
+    <message>
+        <source>first record</source>
+        <translation>première ligne</translation>
+    </message>
+    <message>
+        <source>largest step</source>
+        <translation>plus grande valeur</translation>
     </message>
 </context>
 <context>

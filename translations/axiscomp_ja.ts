@@ -7624,6 +7624,210 @@
         <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
         <translation>測定器が {count} 文字を超える行を送信しています: 測定器の設定と通信速度を確認してください</translation>
     </message>
+    <message>
+        <source>number of the reference point, parameter 3620</source>
+        <translation>原点の番号 (パラメータ 3620)</translation>
+    </message>
+    <message>
+        <source>interval of the points, parameter 3624, in the unit of the positions</source>
+        <translation>補正点の間隔 (パラメータ 3624)、位置の単位で</translation>
+    </message>
+    <message>
+        <source>detection unit of the axis, in the unit of the positions, such as 0.001</source>
+        <translation>軸の検出単位、位置の単位で (0.001 など)</translation>
+    </message>
+    <message>
+        <source>magnification of the values, parameter 3623</source>
+        <translation>値の倍率 (パラメータ 3623)</translation>
+    </message>
+    <message>
+        <source>position of the reference point</source>
+        <translation>原点の位置</translation>
+    </message>
+    <message>
+        <source>lowest number of the axis, parameter 3621, instead of the lowest one in the file</source>
+        <translation>ファイル内の最小の番号の代わりに使う、軸の最小の番号 (パラメータ 3621)</translation>
+    </message>
+    <message>
+        <source>highest number of the axis, parameter 3622, instead of the highest one in the file</source>
+        <translation>ファイル内の最大の番号の代わりに使う、軸の最大の番号 (パラメータ 3622)</translation>
+    </message>
+    <message>
+        <source>what N of a line is for number 0</source>
+        <translation>番号 0 の行の N の値</translation>
+    </message>
+    <message>
+        <source>largest value that the controller takes for a number</source>
+        <translation>コントローラが 1 つの番号に受け付ける最大の値</translation>
+    </message>
+    <message>
+        <source>stored pitch error data of an axis (N10033P2)</source>
+        <translation>軸の記憶形ピッチ誤差補正データ (N10033P2)</translation>
+    </message>
+    <message>
+        <source>a whole number of increments behind P</source>
+        <translation>P の後に整数の増分</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>{most} 以下</translation>
+    </message>
+    <message>
+        <source>bit 0 of parameter 3605 is 1: values for each direction of motion</source>
+        <translation>パラメータ 3605 のビット 0 が 1 (運動方向ごとの値)</translation>
+    </message>
+    <message>
+        <source>one value for both directions; leave the line out if it is of another axis</source>
+        <translation>両方向に 1 つの値。別の軸の行であれば、その行を除いてください</translation>
+    </message>
+    <message>
+        <source>line N{number}</source>
+        <translation>行 N{number}</translation>
+    </message>
+    <message>
+        <source>N{first} to N{last}, as the setting first-record says</source>
+        <translation>設定 first-record が示す N{first} ～ N{last}</translation>
+    </message>
+    <message>
+        <source>a line such as {example}</source>
+        <translation>{example} のような行</translation>
+    </message>
+    <message>
+        <source>a line % in front of it</source>
+        <translation>その前に % の行</translation>
+    </message>
+    <message>
+        <source>lines without an end</source>
+        <translation>終わりのない行</translation>
+    </message>
+    <message>
+        <source>a line % behind the last one</source>
+        <translation>最後の行の後に % の行</translation>
+    </message>
+    <message>
+        <source>lines such as {example} between two lines %</source>
+        <translation>2 つの % の行の間に {example} のような行</translation>
+    </message>
+    <message>
+        <source>no line from N{first} to N{last}</source>
+        <translation>N{first} ～ N{last} の行がありません</translation>
+    </message>
+    <message>
+        <source>pitch error data; the setting first-record says where their numbers begin</source>
+        <translation>ピッチ誤差補正データ。番号の始まりは設定 first-record で指定します</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} for the axis</source>
+        <translation>軸の番号 {first} ～ {last}</translation>
+    </message>
+    <message>
+        <source>numbers round that of the reference point, {number}, as the setting {key} says</source>
+        <translation>設定 {key} が示す原点の番号 {number} を含む番号</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} of one turn</source>
+        <translation>1 回転分の番号 {first} ～ {last}</translation>
+    </message>
+    <message>
+        <source>each number from {first} to {last}; first-number and last-number choose those of one axis</source>
+        <translation>{first} ～ {last} のすべての番号。1 つの軸の番号は first-number と last-number で選びます</translation>
+    </message>
+    <message>
+        <source>at most {most} of an axis, as one source says</source>
+        <translation>ある資料によれば 1 軸あたり {most} 以下</translation>
+    </message>
+    <message>
+        <source>the values {first} to {last}, which add up to {sum}</source>
+        <translation>合計が {sum} になる値 {first} ～ {last}</translation>
+    </message>
+    <message>
+        <source>0 over one turn</source>
+        <translation>1 回転で 0</translation>
+    </message>
+    <message>
+        <source>value {number}, of the reference point</source>
+        <translation>原点の値 {number}</translation>
+    </message>
+    <message>
+        <source>the same as value {number}, which is the same section</source>
+        <translation>同じ区間である値 {number} と同じ値</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {turn}, expected 1 to {most} times the interval of {interval}</source>
+        <translation>設定 wrap-range が {turn} です。間隔 {interval} の 1 ～ {most} 倍が必要です</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}, expected {least} to {most}</source>
+        <translation>形式 {format} の設定 {key} が {value} です。{least} ～ {most} が必要です</translation>
+    </message>
+    <message>
+        <source>wrap-range says which numbers a rotary axis has; leave {key} and {key2} out</source>
+        <translation>回転軸の番号は wrap-range で決まります。{key} と {key2} を指定しないでください</translation>
+    </message>
+    <message>
+        <source>the reference position {position} is no point of it; its points are from {first} to {last}, {distance} apart</source>
+        <translation>原点位置 {position} がその点にありません。点は {first} ～ {last}、間隔 {distance} です</translation>
+    </message>
+    <message>
+        <source>resample it with a point there, or check reference-position</source>
+        <translation>そこを点に含めて再サンプリングするか、reference-position を確認してください</translation>
+    </message>
+    <message>
+        <source>its points would get the numbers {first} to {last}</source>
+        <translation>点の番号が {first} ～ {last} になります</translation>
+    </message>
+    <message>
+        <source>choose a reference-number so that they are from 0 to {most}</source>
+        <translation>0 ～ {most} に収まるように reference-number を選んでください</translation>
+    </message>
+    <message>
+        <source>the value {value} is too large</source>
+        <translation>値 {value} が大きすぎます</translation>
+    </message>
+    <message>
+        <source>check detection-unit and the unit of the values</source>
+        <translation>detection-unit と値の単位を確認してください</translation>
+    </message>
+    <message>
+        <source>its value at the reference position is {value}, and the controller takes it to be 0 there</source>
+        <translation>原点位置の値が {value} ですが、コントローラはそこを 0 とみなします</translation>
+    </message>
+    <message>
+        <source>from {first} to {last} it changes by {count} increments of {increment}, and a value is at most {most}</source>
+        <translation>{first} から {last} までの変化が {increment} の増分で {count} ですが、値は {most} 以下です</translation>
+    </message>
+    <message>
+        <source>set magnification={number}, the smallest that fits, or largest-step if the controller takes more</source>
+        <translation>収まる最小の magnification={number} を指定するか、コントローラがより大きい値を受け付ける場合は largest-step を指定してください</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</source>
+        <translation>軸のパラメータを設定してください: 3620 = {reference}、3621 = {first}、3622 = {last}、3623 = {magnification}、3624 = {interval}、3625 = {turn}</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</source>
+        <translation>軸のパラメータを設定してください: 3620 = {reference}、3621 = {first}、3622 = {last}、3623 = {magnification}、3624 = {interval}</translation>
+    </message>
+    <message>
+        <source>these are {count} points, and one source says that an axis has at most {most}</source>
+        <translation>{count} 点ありますが、ある資料によれば 1 軸は {most} 点以下です</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>番号が行 N{first} から始まること (first-record) と、値が {most} 以下であること (largest-step) は公開されていません。このコントローラのファイルと比べてください</translation>
+    </message>
+    <message>
+        <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
+        <translation>符号は推定です。値はパルスとして軸に出力されるものとしています。機械で 1 点を確認してください</translation>
+    </message>
+    <message>
+        <source>where within its section a value is put out is not known: the correction is taken to be linear, and its place is in doubt by half an interval</source>
+        <translation>値が区間内のどこで出力されるかは分かっていません。補正量は直線とみなし、その位置には間隔の半分の不確かさがあります</translation>
+    </message>
+    <message>
+        <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
+        <translation>読み込み後、電源を入れ直して原点復帰を行ってください。アラーム PW1102 は番号が合わないことを示します</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10442,6 +10646,42 @@
     <message>
         <source>any distance</source>
         <translation>任意の間隔</translation>
+    </message>
+    <message>
+        <source>reference number</source>
+        <translation>原点の番号</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>detection unit</source>
+        <translation>検出単位</translation>
+    </message>
+    <message>
+        <source>magnification</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>reference position</source>
+        <translation>原点の位置</translation>
+    </message>
+    <message>
+        <source>first number</source>
+        <translation>最初の番号</translation>
+    </message>
+    <message>
+        <source>last number</source>
+        <translation>最後の番号</translation>
+    </message>
+    <message>
+        <source>first record</source>
+        <translation>最初の行</translation>
+    </message>
+    <message>
+        <source>largest step</source>
+        <translation>最大の値</translation>
     </message>
 </context>
 <context>

@@ -7624,6 +7624,210 @@
         <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
         <translation>仪器发送的一行超过 {count} 个字符：请检查其设置和通信速率</translation>
     </message>
+    <message>
+        <source>number of the reference point, parameter 3620</source>
+        <translation>参考点的编号，参数 3620</translation>
+    </message>
+    <message>
+        <source>interval of the points, parameter 3624, in the unit of the positions</source>
+        <translation>点的间隔，参数 3624，以位置的单位表示</translation>
+    </message>
+    <message>
+        <source>detection unit of the axis, in the unit of the positions, such as 0.001</source>
+        <translation>轴的检测单位，以位置的单位表示，例如 0.001</translation>
+    </message>
+    <message>
+        <source>magnification of the values, parameter 3623</source>
+        <translation>值的倍率，参数 3623</translation>
+    </message>
+    <message>
+        <source>position of the reference point</source>
+        <translation>参考点的位置</translation>
+    </message>
+    <message>
+        <source>lowest number of the axis, parameter 3621, instead of the lowest one in the file</source>
+        <translation>轴的最小编号，参数 3621，代替文件中的最小编号</translation>
+    </message>
+    <message>
+        <source>highest number of the axis, parameter 3622, instead of the highest one in the file</source>
+        <translation>轴的最大编号，参数 3622，代替文件中的最大编号</translation>
+    </message>
+    <message>
+        <source>what N of a line is for number 0</source>
+        <translation>编号 0 所在行的 N 值</translation>
+    </message>
+    <message>
+        <source>largest value that the controller takes for a number</source>
+        <translation>控制器对一个编号接受的最大值</translation>
+    </message>
+    <message>
+        <source>stored pitch error data of an axis (N10033P2)</source>
+        <translation>轴的存储型螺距误差补偿数据 (N10033P2)</translation>
+    </message>
+    <message>
+        <source>a whole number of increments behind P</source>
+        <translation>P 后的整数增量</translation>
+    </message>
+    <message>
+        <source>at most {most}</source>
+        <translation>最多 {most}</translation>
+    </message>
+    <message>
+        <source>bit 0 of parameter 3605 is 1: values for each direction of motion</source>
+        <translation>参数 3605 的位 0 为 1：每个运动方向各有值</translation>
+    </message>
+    <message>
+        <source>one value for both directions; leave the line out if it is of another axis</source>
+        <translation>两个方向共用一个值；若该行属于另一轴，请删去该行</translation>
+    </message>
+    <message>
+        <source>line N{number}</source>
+        <translation>行 N{number}</translation>
+    </message>
+    <message>
+        <source>N{first} to N{last}, as the setting first-record says</source>
+        <translation>N{first} 至 N{last}，与设置 first-record 一致</translation>
+    </message>
+    <message>
+        <source>a line such as {example}</source>
+        <translation>形如 {example} 的行</translation>
+    </message>
+    <message>
+        <source>a line % in front of it</source>
+        <translation>其前应有一行 %</translation>
+    </message>
+    <message>
+        <source>lines without an end</source>
+        <translation>没有结尾的行</translation>
+    </message>
+    <message>
+        <source>a line % behind the last one</source>
+        <translation>最后一行之后应有一行 %</translation>
+    </message>
+    <message>
+        <source>lines such as {example} between two lines %</source>
+        <translation>两行 % 之间形如 {example} 的行</translation>
+    </message>
+    <message>
+        <source>no line from N{first} to N{last}</source>
+        <translation>没有 N{first} 至 N{last} 的行</translation>
+    </message>
+    <message>
+        <source>pitch error data; the setting first-record says where their numbers begin</source>
+        <translation>螺距误差补偿数据；其编号的起点由设置 first-record 给出</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} for the axis</source>
+        <translation>轴的编号 {first} 至 {last}</translation>
+    </message>
+    <message>
+        <source>numbers round that of the reference point, {number}, as the setting {key} says</source>
+        <translation>包含参考点编号 {number} 的编号，与设置 {key} 一致</translation>
+    </message>
+    <message>
+        <source>the numbers {first} to {last} of one turn</source>
+        <translation>一转的编号 {first} 至 {last}</translation>
+    </message>
+    <message>
+        <source>each number from {first} to {last}; first-number and last-number choose those of one axis</source>
+        <translation>{first} 至 {last} 的每个编号；用 first-number 和 last-number 选择一个轴的编号</translation>
+    </message>
+    <message>
+        <source>at most {most} of an axis, as one source says</source>
+        <translation>据某一资料，一个轴最多 {most} 个</translation>
+    </message>
+    <message>
+        <source>the values {first} to {last}, which add up to {sum}</source>
+        <translation>值 {first} 至 {last}，其和为 {sum}</translation>
+    </message>
+    <message>
+        <source>0 over one turn</source>
+        <translation>一转之和为 0</translation>
+    </message>
+    <message>
+        <source>value {number}, of the reference point</source>
+        <translation>参考点的值 {number}</translation>
+    </message>
+    <message>
+        <source>the same as value {number}, which is the same section</source>
+        <translation>与属于同一区段的值 {number} 相同</translation>
+    </message>
+    <message>
+        <source>the setting wrap-range is {turn}, expected 1 to {most} times the interval of {interval}</source>
+        <translation>设置 wrap-range 为 {turn}，应为间隔 {interval} 的 1 至 {most} 倍</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} is {value}, expected {least} to {most}</source>
+        <translation>格式 {format} 的设置 {key} 为 {value}，应为 {least} 至 {most}</translation>
+    </message>
+    <message>
+        <source>wrap-range says which numbers a rotary axis has; leave {key} and {key2} out</source>
+        <translation>回转轴的编号由 wrap-range 决定；请不要给出 {key} 和 {key2}</translation>
+    </message>
+    <message>
+        <source>the reference position {position} is no point of it; its points are from {first} to {last}, {distance} apart</source>
+        <translation>参考位置 {position} 不是其中的点；其点为 {first} 至 {last}，间距 {distance}</translation>
+    </message>
+    <message>
+        <source>resample it with a point there, or check reference-position</source>
+        <translation>重采样，使该处有一点，或检查 reference-position</translation>
+    </message>
+    <message>
+        <source>its points would get the numbers {first} to {last}</source>
+        <translation>其点的编号将为 {first} 至 {last}</translation>
+    </message>
+    <message>
+        <source>choose a reference-number so that they are from 0 to {most}</source>
+        <translation>选择 reference-number，使编号在 0 至 {most} 之内</translation>
+    </message>
+    <message>
+        <source>the value {value} is too large</source>
+        <translation>值 {value} 过大</translation>
+    </message>
+    <message>
+        <source>check detection-unit and the unit of the values</source>
+        <translation>检查 detection-unit 和值的单位</translation>
+    </message>
+    <message>
+        <source>its value at the reference position is {value}, and the controller takes it to be 0 there</source>
+        <translation>其在参考位置处的值为 {value}，而控制器在该处按 0 处理</translation>
+    </message>
+    <message>
+        <source>from {first} to {last} it changes by {count} increments of {increment}, and a value is at most {most}</source>
+        <translation>从 {first} 到 {last} 变化 {count} 个增量（每个 {increment}），而值最多为 {most}</translation>
+    </message>
+    <message>
+        <source>set magnification={number}, the smallest that fits, or largest-step if the controller takes more</source>
+        <translation>设置 magnification={number}（能容纳的最小值），或在控制器接受更大的值时设置 largest-step</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</source>
+        <translation>设置轴的参数：3620 = {reference}，3621 = {first}，3622 = {last}，3623 = {magnification}，3624 = {interval}，3625 = {turn}</translation>
+    </message>
+    <message>
+        <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</source>
+        <translation>设置轴的参数：3620 = {reference}，3621 = {first}，3622 = {last}，3623 = {magnification}，3624 = {interval}</translation>
+    </message>
+    <message>
+        <source>these are {count} points, and one source says that an axis has at most {most}</source>
+        <translation>共 {count} 个点，而据某一资料，一个轴最多 {most} 个</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>编号从行 N{first} 开始（first-record）以及值最多为 {most}（largest-step）均未公开：请与该控制器的文件比较</translation>
+    </message>
+    <message>
+        <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
+        <translation>符号是假定：值以脉冲形式输出到轴。请在机床上检查一个点</translation>
+    </message>
+    <message>
+        <source>where within its section a value is put out is not known: the correction is taken to be linear, and its place is in doubt by half an interval</source>
+        <translation>值在其区段内何处输出尚不清楚：修正量按线性处理，其位置有半个间隔的不确定性</translation>
+    </message>
+    <message>
+        <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
+        <translation>载入后断电再上电并返回参考点；报警 PW1102 表示编号不符</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10442,6 +10646,42 @@
     <message>
         <source>any distance</source>
         <translation>任意间距</translation>
+    </message>
+    <message>
+        <source>reference number</source>
+        <translation>参考点编号</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>间隔</translation>
+    </message>
+    <message>
+        <source>detection unit</source>
+        <translation>检测单位</translation>
+    </message>
+    <message>
+        <source>magnification</source>
+        <translation>倍率</translation>
+    </message>
+    <message>
+        <source>reference position</source>
+        <translation>参考位置</translation>
+    </message>
+    <message>
+        <source>first number</source>
+        <translation>首个编号</translation>
+    </message>
+    <message>
+        <source>last number</source>
+        <translation>末个编号</translation>
+    </message>
+    <message>
+        <source>first record</source>
+        <translation>首行</translation>
+    </message>
+    <message>
+        <source>largest step</source>
+        <translation>最大值</translation>
     </message>
 </context>
 <context>
