@@ -29,7 +29,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # each package has its own
 set(CPACK_PACKAGE_VENDOR "Axis Compensation Wizard")
 set(CPACK_PACKAGE_CONTACT "Axis Compensation Wizard maintainers <maintainers@axiscomp.example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/strip.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/strip.cmake ${CMAKE_CURRENT_LIST_DIR}/share_scripts.cmake)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL ${components})
@@ -123,6 +123,7 @@ arrays, drives, and every command of the program axiscomp as a function.")
 if(AXISCOMP_DOCUMENTATION)
   axiscomp_package(documentation doc "position error compensation for servo drives - documentation"
     NO_LIBRARIES ARCHITECTURE all
+    DEPENDS "libjs-sphinxdoc (>= 5.3)"
     SUGGESTS axis-compensation-wizard axiscomp
     DESCRIPTION
 "This package has the user guide, the reference of the command line, of the
