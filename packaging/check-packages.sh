@@ -4,6 +4,7 @@
 # depend on, and that the packed programs run.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+export QT_QPA_PLATFORM=${QT_QPA_PLATFORM:-offscreen}
 
 fail() {
     echo "$*" >&2
