@@ -122,7 +122,7 @@ until [ -s ready ]; do sleep 0.1; done
 export AXISCOMP_DRIVE=http://127.0.0.1:8123
 axiscomp capture --axis 0 --plan plan.csv --dwell 0.1 --average 3 --rate 50 -o before.csv \
     --reference 'Machine/Axes[0]/ReferencePosition' >capture.log
-axiscomp fit before.csv --lookup-at encoder -o table.csv --record x.axcal >fit.log
+axiscomp fit before.csv --lookup-at encoder --points 21 -o table.csv --record x.axcal >fit.log
 axiscomp report x.axcal -o x.html
 END
     expect "$(as_user <<<'axiscomp report x.axcal -o x.pdf 2>&1 || true')" "install the package axiscomp-report-pdf"
@@ -152,9 +152,13 @@ END
 # open_on_display FILE: as a double click does it; a picture of what is seen then.
 open_on_display() {
     as_user <<END
+rm -f /tmp/.X7-lock /tmp/.X11-unix/X7 # of the display before, which ended with its processes
 Xvfb :7 -screen 0 1280x800x24 >xvfb.log 2>&1 &
 export DISPLAY=:7
-until xdpyinfo >/dev/null 2>&1; do sleep 0.2; done
+for ((i = 0; i < 100; i++)); do
+    xdpyinfo >/dev/null 2>&1 && break
+    sleep 0.2
+done
 xdg-open $1 &
 for ((i = 0; i < 100; i++)); do
     xwininfo -root -tree | grep -q 'Axis Compensation Wizard' && break
