@@ -27,9 +27,8 @@ std::string sideBySide(bool isAngular, const Comparison& comparison)
     for (const Iso230Figure figure : allIso230Figures()) {
         const Value before = comparison.before[figure].value;
         const Value after = comparison.after[figure].value;
-        const Value predicted =
-            comparison.predicted ? (*comparison.predicted)[figure] : std::nullopt;
-        table.add({figureText(figure).words, fine(before), fine(predicted), fine(after),
+        table.add({figureText(figure).words, fine(before),
+            comparison.predicted ? fine((*comparison.predicted)[figure]) : "-", fine(after),
             fine(changeOf(before, after))});
     }
     return "Figures, in " + fine.unit() + "\n" + table.text();
