@@ -40,11 +40,6 @@ target_link_options(axiscomp_options INTERFACE ${AXISCOMP_SANITIZERS})
 if(WIN32)
   # UNICODE: only functions that take UTF-16 are meant.
   target_compile_definitions(axiscomp_options INTERFACE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
-  if(MINGW)
-    # GCC aligns the stack to 16 bytes there whatever it keeps in it (GCC bug 54412); vectors of AVX that
-    # core/table/lookup_batch.cpp has would end the program.
-    target_compile_options(axiscomp_options INTERFACE -Wa,-muse-unaligned-vector-move)
-  endif()
 endif()
 target_compile_definitions(axiscomp_options INTERFACE
   QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII QT_NO_CAST_TO_ASCII QT_NO_URL_CAST_FROM_STRING
