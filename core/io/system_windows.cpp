@@ -29,9 +29,10 @@ constexpr std::size_t longestComponent = 255;
 /// What is locked of a file may not be read by others; this is behind the end of all of them.
 constexpr DWORD lockedByteHigh = 0x40000000;
 
-/// Search indexers and virus scanners open what has just been written for a moment.
-constexpr int replacementTries = 20;
-constexpr DWORD replacementPause = 25; // ms
+/// Search indexers and virus scanners open what has just been written for a moment, and readers
+/// that come one after the other leave moments between them: tried often, for this long.
+constexpr ULONGLONG longestReplacement = 500; // ms
+constexpr DWORD replacementPause = 1; // ms
 
 /// ERROR_DISK_QUOTA_EXCEEDED, which MinGW does not have.
 constexpr DWORD diskQuotaExceeded = 1295;
@@ -221,7 +222,8 @@ public:
     bool close() { return m_file.close(); }
     bool moveTo(const std::wstring& name)
     {
-        for (int tries = 1;; ++tries) {
+        const ULONGLONG begin = ::GetTickCount64();
+        while (true) {
             if (::MoveFileExW(m_name.c_str(), name.c_str(),
                     MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH)) {
                 m_exists = false;
@@ -229,7 +231,7 @@ public:
             }
             const DWORD error = ::GetLastError();
             const bool mayPass = error == ERROR_SHARING_VIOLATION || error == ERROR_ACCESS_DENIED;
-            if (!mayPass || tries == replacementTries)
+            if (!mayPass || ::GetTickCount64() - begin >= longestReplacement)
                 return false;
             ::Sleep(replacementPause);
         }
@@ -507,6 +509,8 @@ bool mayReadAndWrite(const fs::path& file)
 /// A folder that is synchronised with a cloud counts as a disk.
 std::optional<FileSystemFacts> fileSystemOf(const fs::path& path)
 {
+    if (attributesOf(path) == INVALID_FILE_ATTRIBUTES) // its drive would be asked
+        return std::nullopt;
     const std::wstring name = nameOf(path);
     std::wstring volume(name.size() + MAX_PATH, L'\0');
     ULARGE_INTEGER freeBytes{};
