@@ -164,9 +164,9 @@ Result<InputStream> InputStream::open(const std::string& file)
         FILE_ATTRIBUTE_NORMAL, nullptr);
     if (opened != INVALID_HANDLE_VALUE)
         return InputStream(file, std::make_shared<Source>(opened, true));
-    const std::error_code error = state && state->kind == system::FileKind::Folder
-        ? std::make_error_code(std::errc::is_a_directory)
-        : codeOf(::GetLastError());
+    const std::error_code error = !state          ? state.error()
+        : state->kind == system::FileKind::Folder ? std::make_error_code(std::errc::is_a_directory)
+                                                  : codeOf(::GetLastError());
     return fail(ErrorCode::FileNotReadable, {{"file", file}, {"reason", fileErrorReason(error)}});
 }
 
