@@ -71,8 +71,13 @@ class Program:
                 "WINEPREFIX": str(prefix), "WINEDEBUG": "-all",
                 "WINEDLLOVERRIDES": "mscoree,mshtml,winemenubuilder.exe=",  # no downloads, no menus
             }
-            # Makes the prefix, which takes seconds and says things.
-            self.run(["--version"], Path("/"))
+            # Makes the prefix, and lets the server and the services of Wine stay between two commands: to start
+            # and to end them takes ten times as long as most of the commands. They keep what the program that
+            # starts them has as standard output, and nobody may wait for its end.
+            prefix.mkdir(exist_ok=True)
+            nothing = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+            for command in ([first_of(SERVER), f"-p{PATIENCE}"], self.command(["--version"])):
+                subprocess.run(command, env=self.environment, timeout=PATIENCE, check=False, **nothing)
 
     def other(self, path):
         """Another program for the same system."""
