@@ -228,6 +228,8 @@ class Comparison:
 
 def remove(folder):
     for file in folder.rglob("*"):
+        if file.is_symlink():  # Wine has one to /
+            continue
         with contextlib.suppress(OSError):
             file.chmod(0o700 if file.is_dir() else 0o600)
     shutil.rmtree(folder)
