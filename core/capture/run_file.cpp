@@ -112,15 +112,10 @@ Result<std::string> contentOf(const std::filesystem::path& file, const system::F
         return fail(ErrorCode::FileTooLarge,
             {{"file", file.string()}, {"size", state->size}, {"limit", mostRunFileBytes}});
     std::string content(static_cast<std::size_t>(state->size), '\0');
-    std::size_t done = 0;
-    while (done < content.size()) {
-        const auto count =
-            opened.readAt(done, std::as_writable_bytes(std::span(content)).subspan(done));
-        if (!count || *count == 0)
-            return notOurs(file,
-                fileErrorReason(count ? std::make_error_code(std::errc::io_error) : count.error()));
-        done += *count;
-    }
+    const auto count = opened.readAt(0, std::as_writable_bytes(std::span(content)));
+    if (!count || *count < content.size())
+        return notOurs(file,
+            fileErrorReason(count ? std::make_error_code(std::errc::io_error) : count.error()));
     return content;
 }
 

@@ -62,22 +62,6 @@ system::Outcome<system::FileState> stateOf(const system::Outcome<system::File>& 
     return file->state();
 }
 
-/// Reads from an offset on until the space is full or the file ends; gives what was read.
-system::Outcome<std::size_t> readAt(
-    const system::File& file, std::size_t offset, std::span<std::byte> space)
-{
-    std::size_t filled = 0;
-    while (filled < space.size()) {
-        const auto count = file.readAt(offset + filled, space.subspan(filled));
-        if (!count)
-            return count;
-        if (*count == 0)
-            break;
-        filled += *count;
-    }
-    return filled;
-}
-
 /// Several threads read pieces of the bytes. False: one of them came out short, or there was an
 /// error.
 bool readTogether(const system::File& file, std::size_t threads, std::span<std::byte> bytes)
@@ -87,7 +71,7 @@ bool readTogether(const system::File& file, std::size_t threads, std::span<std::
     shareWork((bytes.size() + piece - 1) / piece, threads, [&](std::size_t index) {
         const std::size_t offset = index * piece;
         const auto part = bytes.subspan(offset, std::min(piece, bytes.size() - offset));
-        if (readAt(file, offset, part) != part.size())
+        if (file.readAt(offset, part) != part.size())
             isWhole = false;
     });
     return isWhole;
@@ -108,7 +92,7 @@ std::error_code readAll(const system::File& file, std::uint64_t expected, std::u
         if (filled == content.size())
             content.resize(static_cast<std::size_t>(
                 std::min(maximumSize + 1, 2 * std::uint64_t{content.size()})));
-        const auto count = readAt(file, filled, {content.data() + filled, content.size() - filled});
+        const auto count = file.readAt(filled, {content.data() + filled, content.size() - filled});
         if (!count)
             return count.error();
         filled += *count;
@@ -236,7 +220,7 @@ Bytes loadBeginning(const std::filesystem::path& file, std::size_t mostBytes)
     if (!state || state->kind != FileKind::Ordinary)
         return {};
     Bytes bytes(mostBytes);
-    bytes.resize(readAt(*opened, 0, bytes).value_or(0));
+    bytes.resize(opened->readAt(0, bytes).value_or(0));
     return bytes;
 }
 

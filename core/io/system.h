@@ -53,7 +53,7 @@ public:
     ~File();
 
     [[nodiscard]] Outcome<FileState> state() const;
-    /// The bytes from a place on, at most as many as there is room for; 0 at the end. Several
+    /// The bytes from a place on until the room is full or the file ends; gives how many. Several
     /// threads may read at once.
     [[nodiscard]] Outcome<std::size_t> readAt(
         std::uint64_t place, std::span<std::byte> bytes) const;

@@ -217,14 +217,19 @@ Outcome<FileState> File::state() const
 
 Outcome<std::size_t> File::readAt(std::uint64_t place, std::span<std::byte> bytes) const
 {
-    ssize_t count = 0;
-    do {
-        count =
-            ::pread(descriptorOf(m_handle), bytes.data(), bytes.size(), static_cast<off_t>(place));
-    } while (count < 0 && errno == EINTR);
-    if (count < 0)
-        return failed();
-    return static_cast<std::size_t>(count);
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t count = ::pread(descriptorOf(m_handle), bytes.data() + filled,
+            bytes.size() - filled, static_cast<off_t>(place + filled));
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return failed();
+        if (count == 0)
+            break;
+        filled += static_cast<std::size_t>(count);
+    }
+    return filled;
 }
 
 std::error_code File::writeAt(std::uint64_t place, ByteView bytes)

@@ -333,12 +333,19 @@ Outcome<FileState> File::state() const
 /// The system lets one thread after the other read: the file is opened for one at a time.
 Outcome<std::size_t> File::readAt(std::uint64_t place, std::span<std::byte> bytes) const
 {
-    OVERLAPPED overlapped = overlappedAt(place);
-    DWORD count = 0;
-    if (!::ReadFile(handleOf(m_handle), bytes.data(), sizeOfNext(bytes.size()), &count, &overlapped)
-        && ::GetLastError() != ERROR_HANDLE_EOF)
-        return failed(lastError());
-    return std::size_t{count};
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        OVERLAPPED overlapped = overlappedAt(place + filled);
+        DWORD count = 0;
+        if (!::ReadFile(handleOf(m_handle), bytes.data() + filled,
+                sizeOfNext(bytes.size() - filled), &count, &overlapped)
+            && ::GetLastError() != ERROR_HANDLE_EOF)
+            return failed(lastError());
+        if (count == 0)
+            break;
+        filled += count;
+    }
+    return filled;
 }
 
 std::error_code File::writeAt(std::uint64_t place, ByteView bytes)
