@@ -48,18 +48,30 @@ private:
     std::exception_ptr m_failure;
 };
 
+/// Until all is done.
+void takeOnThreads(std::size_t threads, bool callerHelps, SharedWork& shared)
+{
+    {
+        std::vector<std::jthread> others;
+        try {
+            while (others.size() < threads)
+                others.emplace_back([&shared] { shared.take(); });
+        } catch (const std::system_error&) {
+            // No more threads are to be had: those that there are do the work.
+        }
+        if (callerHelps || others.empty())
+            shared.take();
+    }
+    shared.throwFailure();
+}
+
 } // namespace
 
 void forEachAtOnce(
     std::size_t count, std::size_t mostAtOnce, const std::function<void(std::size_t)>& work)
 {
-    std::atomic<std::size_t> next = 0;
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(count, mostAtOnce); ++i)
-        threads.emplace_back([&] {
-            for (std::size_t index = next++; index < count; index = next++)
-                work(index);
-        });
+    SharedWork shared(count, work);
+    takeOnThreads(std::min(count, mostAtOnce), false, shared);
 }
 
 void shareWork(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work)
@@ -67,17 +79,7 @@ void shareWork(std::size_t count, std::size_t threads, const std::function<void(
     if (threads == 0)
         threads = std::max(1U, std::thread::hardware_concurrency());
     SharedWork shared(count, work);
-    {
-        std::vector<std::jthread> others;
-        try {
-            for (std::size_t i = 1; i < std::min(count, threads); ++i)
-                others.emplace_back([&shared] { shared.take(); });
-        } catch (const std::system_error&) {
-            // No more threads are to be had: those that there are do the work.
-        }
-        shared.take();
-    }
-    shared.throwFailure();
+    takeOnThreads(std::max<std::size_t>(1, std::min(count, threads)) - 1, true, shared);
 }
 
 } // namespace axiscomp

@@ -70,6 +70,13 @@ private Q_SLOTS:
                     throw std::length_error("no room");
                 }));
             QVERIFY(begun >= 1 && begun <= static_cast<int>(threads));
+            begun = 0;
+            QVERIFY_THROWS_EXCEPTION(
+                std::length_error, forEachAtOnce(100'000, threads, [&](std::size_t) {
+                    ++begun;
+                    throw std::length_error("no room");
+                }));
+            QVERIFY(begun >= 1 && begun <= static_cast<int>(threads));
         }
     }
 };
