@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/drive/drive_link.h"
+#include "core/drive/forwarding_link.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -12,44 +12,19 @@ namespace axiscomp {
 
 /// A link that only looks, and only for so long: all of its exchanges together have one deadline,
 /// and nothing is written through it (NotAllowedNow).
-class LookingLink final : public DriveLink {
+class LookingLink final : public ForwardingLink<LookingLink> {
 public:
     LookingLink(std::unique_ptr<DriveLink> link, std::chrono::milliseconds together)
-        : m_link(std::move(link))
+        : ForwardingLink(std::move(link))
         , m_together(together)
         , m_deadline(Clock::now() + together)
     {
     }
 
-    [[nodiscard]] std::string endpoint() const override { return m_link->endpoint(); }
-    [[nodiscard]] Result<DriveIdentity> identify(const Exchange& exchange) override
-    {
-        return inTime(exchange, [&](const Exchange& rest) { return m_link->identify(rest); });
-    }
-    [[nodiscard]] Result<std::vector<RegisterReading>> readRegisters(
-        std::span<const std::string> paths, const Exchange& exchange) override
-    {
-        return inTime(
-            exchange, [&](const Exchange& rest) { return m_link->readRegisters(paths, rest); });
-    }
-    [[nodiscard]] Result<std::vector<RegisterReading>> readTree(
-        const std::string& prefix, const Exchange& exchange) override
-    {
-        return inTime(
-            exchange, [&](const Exchange& rest) { return m_link->readTree(prefix, rest); });
-    }
     [[nodiscard]] Result<void> writeRegisters(
         std::span<const RegisterWrite>, const Exchange&) override
     {
         return onlyLooks();
-    }
-    [[nodiscard]] Result<std::vector<DriveFile>> listFiles(const Exchange& exchange) override
-    {
-        return inTime(exchange, [&](const Exchange& rest) { return m_link->listFiles(rest); });
-    }
-    [[nodiscard]] Result<Bytes> download(const std::string& path, const Exchange& exchange) override
-    {
-        return inTime(exchange, [&](const Exchange& rest) { return m_link->download(path, rest); });
     }
     [[nodiscard]] Result<void> upload(const std::string&, ByteView, const Exchange&) override
     {
@@ -57,6 +32,7 @@ public:
     }
 
 private:
+    friend ForwardingLink;
     using Clock = std::chrono::steady_clock;
 
     static tl::unexpected<Error> onlyLooks()
@@ -67,7 +43,7 @@ private:
 
     /// A timeout says the whole time, since what was left of it says nothing.
     template <typename Call>
-    auto inTime(const Exchange& exchange, const Call& call) -> decltype(call(exchange))
+    auto around(const Exchange& exchange, const Call& call) -> decltype(call(exchange))
     {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(m_deadline - Clock::now());
@@ -82,7 +58,6 @@ private:
         return result;
     }
 
-    std::unique_ptr<DriveLink> m_link;
     std::chrono::milliseconds m_together;
     Clock::time_point m_deadline;
 };
