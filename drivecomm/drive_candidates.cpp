@@ -75,15 +75,21 @@ std::vector<SerialPort> serialPorts()
     return ports;
 }
 
+std::string placeOf(const std::string& endpoint)
+{
+    const auto parsed = parseEndpoint(endpoint);
+    if (!parsed)
+        return endpoint;
+    return parsed->kind == DriveEndpoint::Kind::Serial ? realDevice(parsed->device)
+                                                       : displayText(*parsed);
+}
+
 std::vector<DriveCandidate> candidatesAt(
     std::span<const SerialPort> ports, std::span<const std::string> otherThan, BaudRates rates)
 {
     std::set<std::string> taken;
-    for (const std::string& endpoint : otherThan) {
-        const auto parsed = parseEndpoint(endpoint);
-        if (parsed && parsed->kind == DriveEndpoint::Kind::Serial)
-            taken.insert(realDevice(parsed->device));
-    }
+    for (const std::string& endpoint : otherThan)
+        taken.insert(placeOf(endpoint));
     std::vector<DriveCandidate> candidates;
     for (const SerialPort& port : ports) {
         if (!taken.insert(realDevice(port.device)).second)

@@ -32,6 +32,10 @@ struct SerialPort {
 /// Those that Qt lists: USB adapters and built-in ports, but no ptys.
 [[nodiscard]] std::vector<SerialPort> serialPorts();
 
+/// What all addresses of one port have in common: the device that a link to it leads to, at any
+/// speed; of another address itself, without a password, and of what is none the text.
+[[nodiscard]] std::string placeOf(const std::string& endpoint);
+
 /// The ports that no address in otherThan names, under whatever name it knows them (a link in
 /// /dev/serial/by-id): one port must not be opened twice.
 [[nodiscard]] std::vector<DriveCandidate> candidatesAt(std::span<const SerialPort> ports,

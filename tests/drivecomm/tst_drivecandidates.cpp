@@ -96,6 +96,9 @@ void TestDriveCandidates::aPortIsTheSameUnderAnotherName()
     std::filesystem::create_symlink("/dev/null", link);
     const std::vector<SerialPort> ports{{"/dev/null", ""}};
     QVERIFY(candidatesAt(ports, Endpoints{"serial:" + link.string()}).empty());
+    QCOMPARE(placeOf("serial:" + link.string() + "?baud=9600"), std::string("/dev/null"));
+    QCOMPARE(placeOf("http://user:secret@192.168.1.20"), std::string("http://192.168.1.20"));
+    QCOMPARE(placeOf("no address"), std::string("no address"));
 }
 
 void TestDriveCandidates::portsOfThisMachineHaveAbsolutePaths()
