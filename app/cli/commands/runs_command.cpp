@@ -81,11 +81,6 @@ std::string runsText(const MeasurementInput& input)
     return text;
 }
 
-Json textOrNull(const std::string& text)
-{
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
 Json numberOrNothing(const std::optional<double>& value)
 {
     return value ? Json(*value) : Json(nullptr);

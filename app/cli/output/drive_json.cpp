@@ -21,11 +21,6 @@ Json numbers(const std::array<double, 3>& values, int count)
     return list;
 }
 
-Json textOrNull(const std::string& text)
-{
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
 Json setupJson(const std::string& drive, const CompensationSetup& setup)
 {
     return {{"dimensions", setup.dimensionality}, {"sources", sourceTexts(drive, setup)},

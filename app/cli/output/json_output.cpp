@@ -13,6 +13,11 @@ std::vector<std::string> englishOf(const std::vector<Text>& texts)
     return english;
 }
 
+Json textOrNull(const std::string& text)
+{
+    return text.empty() ? Json(nullptr) : Json(text);
+}
+
 std::string dump(const Json& json)
 {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

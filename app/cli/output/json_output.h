@@ -13,8 +13,11 @@ namespace axiscomp::app {
 /// Indented, with a line end. Text that is not UTF-8 is repaired rather than refused.
 [[nodiscard]] std::string dump(const Json& json);
 
-/// {"code", "line", "column", "message"}
 [[nodiscard]] std::vector<std::string> englishOf(const std::vector<Text>& texts);
+/// null where there is none
+[[nodiscard]] Json textOrNull(const std::string& text);
+
+/// {"code", "line", "column", "message"}
 [[nodiscard]] Json toJson(const Diagnostic& diagnostic);
 /// [{"name", "unit", "start", "distance", "size"}]
 [[nodiscard]] Json toJson(const Grid& grid);
