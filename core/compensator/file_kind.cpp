@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 
 namespace axiscomp {
 
@@ -26,14 +25,6 @@ bool endsWith(std::string_view fileName, std::string_view extension)
 {
     return fileName.size() >= extension.size()
         && sameLetters(fileName.substr(fileName.size() - extension.size()), extension);
-}
-
-std::optional<FileKind> kindOfName(std::string_view fileName)
-{
-    for (const NamedKind& named : namedKinds)
-        if (endsWith(fileName, named.extension))
-            return named.kind;
-    return std::nullopt;
 }
 
 /// What the program and TAM begin their own files with.
@@ -72,6 +63,14 @@ bool isTable(std::string_view beginning, const std::string& fileName)
 }
 
 } // namespace
+
+std::optional<FileKind> kindOfName(std::string_view fileName)
+{
+    for (const NamedKind& named : namedKinds)
+        if (endsWith(fileName, named.extension))
+            return named.kind;
+    return std::nullopt;
+}
 
 Result<FileKind> kindOfFile(std::string_view beginning, const std::string& fileName)
 {

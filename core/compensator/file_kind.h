@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ enum class FileKind { Record, MachineFile, Configuration, Table, Measurement };
 /// that no measurement is certain to be is a table: whoever reads it says what is wrong with it.
 /// beginning: at most the first 64 KiB. Errors: UnknownFormat.
 [[nodiscard]] Result<FileKind> kindOfFile(std::string_view beginning, const std::string& fileName);
+
+/// What the name alone tells.
+[[nodiscard]] std::optional<FileKind> kindOfName(std::string_view fileName);
 
 /// Of a file on this computer. Errors: UnknownFormat, FileNotReadable.
 [[nodiscard]] Result<FileKind> kindOfFile(const std::filesystem::path& file);

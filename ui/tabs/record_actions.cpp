@@ -2,6 +2,7 @@
 #include "ui/tabs/record_actions.h"
 
 #include "core/compensator/drive_record.h"
+#include "core/compensator/file_kind.h"
 #include "core/io/local_file.h"
 #include "core/metrology/report/record_report.h"
 #include "core/metrology/report/report_html.h"
@@ -179,7 +180,7 @@ void RecordActions::retranslate()
 
 bool RecordActions::isRecord(const QString& path)
 {
-    return QFileInfo(path).suffix().compare(ending, Qt::CaseInsensitive) == 0;
+    return kindOfName(path.toStdString()) == FileKind::Record;
 }
 
 void RecordActions::ask(
