@@ -571,10 +571,6 @@
         <translation>Zustandsordner</translation>
     </message>
     <message>
-        <source>not checked, because the temporary folder has no room for a copy</source>
-        <translation>nicht geprüft, weil der temporäre Ordner keinen Platz für eine Kopie hat</translation>
-    </message>
-    <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
         <translation>sudo apt install locales und sudo dpkg-reconfigure locales, oder export LC_ALL=C.UTF-8</translation>
     </message>
@@ -589,6 +585,18 @@
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
         <translation>das Paket {package} installieren oder den Bericht als HTML schreiben und drucken</translation>
+    </message>
+    <message>
+        <source>not checked: {reason}</source>
+        <translation>nicht geprüft: {reason}</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to another folder</source>
+        <translation>dort Platz schaffen oder {variable} auf einen anderen Ordner setzen</translation>
+    </message>
+    <message>
+        <source>not checked, because no copy could be made in the temporary folder</source>
+        <translation>nicht geprüft, da im temporären Ordner keine Kopie angelegt werden konnte</translation>
     </message>
 </context>
 <context>

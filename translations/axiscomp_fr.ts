@@ -571,10 +571,6 @@
         <translation>Dossier d&apos;état</translation>
     </message>
     <message>
-        <source>not checked, because the temporary folder has no room for a copy</source>
-        <translation>non vérifiée, car la place manque pour une copie dans le dossier temporaire</translation>
-    </message>
-    <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
         <translation>sudo apt install locales et sudo dpkg-reconfigure locales, ou export LC_ALL=C.UTF-8</translation>
     </message>
@@ -589,6 +585,18 @@
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
         <translation>installer le paquet {package}, ou écrire le rapport en HTML et l&apos;imprimer</translation>
+    </message>
+    <message>
+        <source>not checked: {reason}</source>
+        <translation>non vérifié : {reason}</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to another folder</source>
+        <translation>y libérer de la place ou indiquer un autre dossier dans {variable}</translation>
+    </message>
+    <message>
+        <source>not checked, because no copy could be made in the temporary folder</source>
+        <translation>non vérifiée, car aucune copie n&apos;a pu être créée dans le dossier temporaire</translation>
     </message>
 </context>
 <context>
@@ -7715,11 +7723,11 @@
     </message>
     <message>
         <source>bit 0 of parameter 3605 is 1: values for each direction of motion</source>
-        <translation>le bit 0 du paramètre 3605 est à 1 : des valeurs pour chaque sens de déplacement</translation>
+        <translation>le bit 0 du paramètre 3605 est à 1&#xa0;: des valeurs pour chaque sens de déplacement</translation>
     </message>
     <message>
         <source>one value for both directions; leave the line out if it is of another axis</source>
-        <translation>une seule valeur pour les deux sens ; omettre la ligne si elle concerne un autre axe</translation>
+        <translation>une seule valeur pour les deux sens&#xa0;; omettre la ligne si elle concerne un autre axe</translation>
     </message>
     <message>
         <source>line N{number}</source>
@@ -7755,7 +7763,7 @@
     </message>
     <message>
         <source>pitch error data; the setting first-record says where their numbers begin</source>
-        <translation>des données d&apos;erreur de pas ; le réglage first-record indique où commencent leurs numéros</translation>
+        <translation>des données d&apos;erreur de pas&#xa0;; le réglage first-record indique où commencent leurs numéros</translation>
     </message>
     <message>
         <source>the numbers {first} to {last} for the axis</source>
@@ -7771,7 +7779,7 @@
     </message>
     <message>
         <source>each number from {first} to {last}; first-number and last-number choose those of one axis</source>
-        <translation>chaque numéro de {first} à {last} ; first-number et last-number choisissent ceux d&apos;un axe</translation>
+        <translation>chaque numéro de {first} à {last}&#xa0;; first-number et last-number choisissent ceux d&apos;un axe</translation>
     </message>
     <message>
         <source>at most {most} of an axis, as one source says</source>
@@ -7795,19 +7803,19 @@
     </message>
     <message>
         <source>the setting wrap-range is {turn}, expected 1 to {most} times the interval of {interval}</source>
-        <translation>le réglage wrap-range est {turn}, attendu : 1 à {most} fois l&apos;intervalle de {interval}</translation>
+        <translation>le réglage wrap-range est {turn}, attendu&#xa0;: 1 à {most} fois l&apos;intervalle de {interval}</translation>
     </message>
     <message>
         <source>the setting {key} of the format {format} is {value}, expected {least} to {most}</source>
-        <translation>le réglage {key} du format {format} est {value}, attendu : {least} à {most}</translation>
+        <translation>le réglage {key} du format {format} est {value}, attendu&#xa0;: {least} à {most}</translation>
     </message>
     <message>
         <source>wrap-range says which numbers a rotary axis has; leave {key} and {key2} out</source>
-        <translation>wrap-range indique quels numéros a un axe rotatif ; omettre {key} et {key2}</translation>
+        <translation>wrap-range indique quels numéros a un axe rotatif&#xa0;; omettre {key} et {key2}</translation>
     </message>
     <message>
         <source>the reference position {position} is no point of it; its points are from {first} to {last}, {distance} apart</source>
-        <translation>la position de référence {position} n&apos;est pas un de ses points ; ils vont de {first} à {last}, espacés de {distance}</translation>
+        <translation>la position de référence {position} n&apos;est pas un de ses points&#xa0;; ils vont de {first} à {last}, espacés de {distance}</translation>
     </message>
     <message>
         <source>resample it with a point there, or check reference-position</source>
@@ -7843,11 +7851,11 @@
     </message>
     <message>
         <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</source>
-        <translation>régler les paramètres de l&apos;axe : 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</translation>
+        <translation>régler les paramètres de l&apos;axe&#xa0;: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}, 3625 = {turn}</translation>
     </message>
     <message>
         <source>set the parameters of the axis: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</source>
-        <translation>régler les paramètres de l&apos;axe : 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</translation>
+        <translation>régler les paramètres de l&apos;axe&#xa0;: 3620 = {reference}, 3621 = {first}, 3622 = {last}, 3623 = {magnification}, 3624 = {interval}</translation>
     </message>
     <message>
         <source>these are {count} points, and one source says that an axis has at most {most}</source>
@@ -7855,19 +7863,19 @@
     </message>
     <message>
         <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
-        <translation>personne n&apos;a publié que les numéros commencent à la ligne N{first} (first-record) ni qu&apos;une valeur vaut au plus {most} (largest-step) : comparer avec un fichier de cette commande</translation>
+        <translation>personne n&apos;a publié que les numéros commencent à la ligne N{first} (first-record) ni qu&apos;une valeur vaut au plus {most} (largest-step)&#xa0;: comparer avec un fichier de cette commande</translation>
     </message>
     <message>
         <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
-        <translation>le signe est une hypothèse : une valeur est émise vers l&apos;axe sous forme d&apos;impulsions. Vérifier un point sur la machine</translation>
+        <translation>le signe est une hypothèse&#xa0;: une valeur est émise vers l&apos;axe sous forme d&apos;impulsions. Vérifier un point sur la machine</translation>
     </message>
     <message>
         <source>where within its section a value is put out is not known: the correction is taken to be linear, and its place is in doubt by half an interval</source>
-        <translation>l&apos;endroit du segment où une valeur est émise n&apos;est pas connu : la correction est supposée linéaire, et son emplacement est incertain d&apos;un demi-intervalle</translation>
+        <translation>l&apos;endroit du segment où une valeur est émise n&apos;est pas connu&#xa0;: la correction est supposée linéaire, et son emplacement est incertain d&apos;un demi-intervalle</translation>
     </message>
     <message>
         <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
-        <translation>après le chargement, couper et remettre l&apos;alimentation et revenir au point de référence ; l&apos;alarme PW1102 indique que les numéros ne conviennent pas</translation>
+        <translation>après le chargement, couper et remettre l&apos;alimentation et revenir au point de référence&#xa0;; l&apos;alarme PW1102 indique que les numéros ne conviennent pas</translation>
     </message>
 </context>
 <context>

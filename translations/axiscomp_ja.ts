@@ -571,10 +571,6 @@
         <translation>状態フォルダ</translation>
     </message>
     <message>
-        <source>not checked, because the temporary folder has no room for a copy</source>
-        <translation>一時フォルダにコピー用の空きがないため、検査していません</translation>
-    </message>
-    <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
         <translation>sudo apt install locales と sudo dpkg-reconfigure locales、または export LC_ALL=C.UTF-8</translation>
     </message>
@@ -589,6 +585,18 @@
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
         <translation>パッケージ {package} をインストールするか、レポートを HTML で保存して印刷してください</translation>
+    </message>
+    <message>
+        <source>not checked: {reason}</source>
+        <translation>検査していません: {reason}</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to another folder</source>
+        <translation>そこに空きを作るか、{variable} に別のフォルダを設定してください</translation>
+    </message>
+    <message>
+        <source>not checked, because no copy could be made in the temporary folder</source>
+        <translation>一時フォルダにコピーを作成できなかったため、検査していません</translation>
     </message>
 </context>
 <context>

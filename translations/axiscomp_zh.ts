@@ -571,10 +571,6 @@
         <translation>状态文件夹</translation>
     </message>
     <message>
-        <source>not checked, because the temporary folder has no room for a copy</source>
-        <translation>未检查，因为临时文件夹没有存放副本的空间</translation>
-    </message>
-    <message>
         <source>sudo apt install locales and sudo dpkg-reconfigure locales, or export LC_ALL=C.UTF-8</source>
         <translation>sudo apt install locales 和 sudo dpkg-reconfigure locales，或 export LC_ALL=C.UTF-8</translation>
     </message>
@@ -589,6 +585,18 @@
     <message>
         <source>install the package {package}, or write the report as HTML and print that</source>
         <translation>请安装软件包 {package}，或将报告写为 HTML 后打印</translation>
+    </message>
+    <message>
+        <source>not checked: {reason}</source>
+        <translation>未检查：{reason}</translation>
+    </message>
+    <message>
+        <source>make room there, or set {variable} to another folder</source>
+        <translation>请在该处腾出空间，或将 {variable} 设为其他文件夹</translation>
+    </message>
+    <message>
+        <source>not checked, because no copy could be made in the temporary folder</source>
+        <translation>未检查，因为无法在临时文件夹中创建副本</translation>
     </message>
 </context>
 <context>

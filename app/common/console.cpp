@@ -57,7 +57,7 @@ std::string withoutPasswords(std::string_view text)
     for (std::size_t place = result.find(scheme); place != std::string::npos;
          place = result.find(scheme, place + 1)) {
         const std::size_t begin = place + scheme.size();
-        const std::size_t end = result.find_first_of(" \t\r\n\"'", begin);
+        const std::size_t end = result.find_first_of(" \t\r\n", begin);
         const std::size_t at = result.substr(0, end).rfind('@');
         constexpr std::string_view example = "user:password"; // of a sentence that says what to do
         if (at != std::string::npos && at >= begin && result.substr(begin, at - begin) != example)

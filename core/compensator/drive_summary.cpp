@@ -31,6 +31,30 @@ std::optional<MeasuredFigures> measuredWith(
     return known ? *std::move(known) : std::nullopt;
 }
 
+Result<void> readAxes(
+    AxisCompensator& compensator, const OperationOptions& options, std::vector<AxisSummary>& rows)
+{
+    OperationOptions quiet = options;
+    quiet.progress = {};
+    AXISCOMP_TRY(auto axes, compensator.axes(quiet));
+    for (AxisInfo& axis : axes) {
+        AxisSummary row{.axis = std::move(axis)};
+        if (row.axis.hasCompensation()) {
+            auto status = compensator.status(row.axis.index, quiet);
+            if (!status && endsSummary(status.error()))
+                return fail(std::move(status).error());
+            if (status) {
+                row.axis = status->axis;
+                row.status = *std::move(status);
+            } else {
+                row.problem = std::move(status).error();
+            }
+        }
+        rows.push_back(std::move(row));
+    }
+    return {};
+}
+
 Result<DriveSummary> summarizeDrive(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, const OperationOptions& options)
 {
@@ -38,24 +62,12 @@ Result<DriveSummary> summarizeDrive(AxisCompensator& compensator,
     quiet.progress = {};
     DriveSummary summary;
     AXISCOMP_TRY(summary.drive, compensator.identify(quiet));
-    AXISCOMP_TRY(auto axes, compensator.axes(quiet));
+    AXISCOMP_CHECK(readAxes(compensator, quiet, summary.axes));
     const DriveStore store(storeRoot);
-    for (AxisInfo& axis : axes) {
-        AxisSummary& row = summary.axes.emplace_back();
-        row.axis = std::move(axis);
+    for (AxisSummary& row : summary.axes) {
         row.lastWrite = lastWriteOf(store, summary.drive.serialNumber, row.axis.index);
-        if (!row.axis.hasCompensation())
-            continue;
-        auto status = compensator.status(row.axis.index, quiet);
-        if (!status && endsSummary(status.error()))
-            return fail(std::move(status).error());
-        if (status) {
-            row.axis = status->axis;
-            row.measured = measuredWith(*status, storeRoot);
-            row.status = *std::move(status);
-        } else {
-            row.problem = std::move(status).error();
-        }
+        if (row.status)
+            row.measured = measuredWith(*row.status, storeRoot);
     }
     auto use = compensator.flashUse(quiet);
     if (!use && endsSummary(use.error()))

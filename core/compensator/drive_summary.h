@@ -20,12 +20,12 @@ class AxisCompensator;
 /// What can be said of one axis among others.
 struct AxisSummary {
     AxisInfo axis;
-    std::optional<AxisStatus> status; ///< none: no compensation registers, or the problem
-    std::optional<Error> problem; ///< why the axis could not be read
+    std::optional<AxisStatus> status{}; ///< none: no compensation registers, or the problem
+    std::optional<Error> problem{}; ///< why the axis could not be read
     /// Of the newest backup that this computer has: one is kept before each write.
-    std::optional<WallTime> lastWrite;
+    std::optional<WallTime> lastWrite{};
     /// With the table that the axis has now, as far as this computer knows.
-    std::optional<MeasuredFigures> measured;
+    std::optional<MeasuredFigures> measured{};
 };
 
 /// All axes of one drive.
@@ -39,6 +39,11 @@ struct DriveSummary {
 /// nothing.
 [[nodiscard]] std::optional<MeasuredFigures> measuredWith(
     const AxisStatus& status, const std::filesystem::path& storeRoot);
+
+/// Reads the axes one after the other, without what this computer knows of them; changes nothing.
+/// rows: added to, also when the link fails in between. Errors: those of the link, Cancelled.
+[[nodiscard]] Result<void> readAxes(
+    AxisCompensator& compensator, const OperationOptions& options, std::vector<AxisSummary>& rows);
 
 /// Reads all axes of a drive; changes nothing, also where a write did not end. Errors: those of the
 /// link, Cancelled; what is wrong with one axis stands at that axis.

@@ -25,11 +25,8 @@ Result<void> askWithin(
     answer.latency = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
     DriveStore store(question.storeRoot);
     AxisCompensator compensator(link, question.profile, store);
-    AXISCOMP_TRY(auto summary,
-        summarizeDrive(compensator, question.storeRoot,
-            {.timeout = question.timeLimit, .stop = question.stop, .progress = {}}));
-    answer.axes = std::move(summary.axes);
-    return {};
+    return readAxes(compensator,
+        {.timeout = question.timeLimit, .stop = question.stop, .progress = {}}, answer.axes);
 }
 
 Text wayOutOf(const DriveAnswer& answer)

@@ -61,8 +61,10 @@ FolderFacts folderFacts(const fs::path& path)
 
 fs::path temporaryFolder()
 {
-    const char* const folder = std::getenv("TMPDIR");
-    return folder != nullptr && *folder != '\0' ? folder : "/tmp";
+    for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"})
+        if (const char* const folder = std::getenv(name))
+            return folder;
+    return "/tmp";
 }
 
 } // namespace axiscomp

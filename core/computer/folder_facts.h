@@ -34,7 +34,8 @@ struct FolderFacts {
 /// Looks without making anything.
 [[nodiscard]] FolderFacts folderFacts(const std::filesystem::path& path);
 
-/// $TMPDIR, /tmp
+/// Where programs put theirs, as std::filesystem::temp_directory_path, but also what is none:
+/// $TMPDIR, $TMP, $TEMP, $TEMPDIR, /tmp
 [[nodiscard]] std::filesystem::path temporaryFolder();
 
 } // namespace axiscomp

@@ -35,7 +35,7 @@ Finding folderFinding(const FolderFacts& folder)
     const Text name = AXISCOMP_TEXT("Doctor", "folder");
     const Text path = Verbatim{folder.path.string()};
     const bool isThere = folder.kind == FolderFacts::Kind::Folder;
-    if (isThere && !folder.isOwn && !folder.isRoot)
+    if (isThere && !folder.isOwn && !folder.isRoot && !folder.mayUse)
         return {name, Grade::Problem,
             AXISCOMP_TEXT("Doctor", "{folder} belongs to {owner}")
                 .with("folder", path)
@@ -54,6 +54,11 @@ Finding folderFinding(const FolderFacts& folder)
         return {name, Grade::Ok,
             AXISCOMP_TEXT("Doctor", "{folder} is not there yet; the first write makes it")
                 .with("folder", path)};
+    if (!folder.isOwn && !folder.isRoot)
+        return {name, Grade::Note,
+            AXISCOMP_TEXT("Doctor", "{folder} belongs to {owner}")
+                .with("folder", path)
+                .with("owner", folder.owner)};
     if (!folder.isOwn)
         return {name, Grade::Note,
             AXISCOMP_TEXT("Doctor",
@@ -128,6 +133,11 @@ Finding databaseFinding(const StoreCondition& condition)
         return {name, Grade::Note,
             AXISCOMP_TEXT("Doctor", "not checked, because programs write to it all the time"),
             AXISCOMP_TEXT("Doctor", "try again when they have finished")};
+    case Database::NotCopied:
+        return {name, Grade::Note,
+            AXISCOMP_TEXT("Doctor", "not checked: {reason}").with("reason", condition.reason),
+            AXISCOMP_TEXT("Doctor", "make room there, or set {variable} to another folder")
+                .with("variable", Verbatim{"TMPDIR"})};
     case Database::Unreadable:
         return {name, Grade::Problem, condition.reason};
     }
@@ -220,7 +230,7 @@ FindingSection storeFindings(
     if (!condition) {
         section.findings.push_back({AXISCOMP_TEXT("Doctor", "database"), Grade::Note,
             AXISCOMP_TEXT(
-                "Doctor", "not checked, because the temporary folder has no room for a copy")});
+                "Doctor", "not checked, because no copy could be made in the temporary folder")});
         return section;
     }
     section.findings.push_back(databaseFinding(*condition));

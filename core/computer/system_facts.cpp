@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/computer/system_facts.h"
 
+#include "core/io/local_file.h"
+#include "core/io/system.h"
+#include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include <langinfo.h>
 #include <locale.h>
 #include <sqlite3.h>
-#include <strings.h>
-#include <sys/stat.h>
 #include <sys/utsname.h>
 #include <zlib.h>
 
@@ -21,16 +22,13 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::streamsize mostOfAFile = 64 * 1024;
+constexpr std::size_t mostShown = 500; ///< characters of what others have written
 
 /// Of a small file of the system; empty where it cannot be read.
-std::string beginningOf(const char* file)
+std::string systemText(const char* file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(static_cast<std::size_t>(mostOfAFile), '\0');
-    stream.read(text.data(), mostOfAFile);
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
-    return text;
+    constexpr std::size_t mostOfAFile = 64 * 1024;
+    return std::string(asText(loadBeginning(file, mostOfAFile)));
 }
 
 /// What follows "KEY" in the line that begins with it.
@@ -58,7 +56,7 @@ std::uint64_t memoryOf(std::string_view text, std::string_view key)
 std::string variable(const char* name)
 {
     const char* const value = std::getenv(name);
-    return value != nullptr ? value : "";
+    return value != nullptr ? shownText(value, mostShown) : "";
 }
 
 } // namespace
@@ -76,22 +74,22 @@ std::string distributionOf(std::string_view osRelease)
             ++n;
         name.push_back(value[n]);
     }
-    return name;
+    return shownText(name, mostShown);
 }
 
 SystemFacts systemFacts()
 {
     SystemFacts facts;
-    facts.distribution = distributionOf(beginningOf("/etc/os-release"));
+    facts.distribution = distributionOf(systemText("/etc/os-release"));
     if (facts.distribution.empty())
-        facts.distribution = distributionOf(beginningOf("/usr/lib/os-release"));
+        facts.distribution = distributionOf(systemText("/usr/lib/os-release"));
     utsname names{};
     if (::uname(&names) == 0) {
         facts.kernel = std::string(names.sysname) + " " + names.release;
         facts.architecture = names.machine;
     }
     facts.cores = std::thread::hardware_concurrency();
-    const std::string memory = beginningOf("/proc/meminfo");
+    const std::string memory = systemText("/proc/meminfo");
     facts.memory = memoryOf(memory, "MemTotal:");
     facts.freeMemory = memoryOf(memory, "MemAvailable:");
     return facts;
@@ -99,8 +97,7 @@ SystemFacts systemFacts()
 
 bool LocaleFacts::isUtf8() const
 {
-    return ::strcasecmp(encoding.c_str(), "UTF-8") == 0
-        || ::strcasecmp(encoding.c_str(), "UTF8") == 0;
+    return sameLetters(encoding, "UTF-8") || sameLetters(encoding, "UTF8");
 }
 
 LocaleFacts localeFacts()
@@ -131,9 +128,8 @@ DisplayFacts displayFacts()
 ClockFacts clockFacts()
 {
     ClockFacts facts{std::chrono::system_clock::now()};
-    struct stat status { };
-    if (::stat("/proc/self/exe", &status) == 0)
-        facts.program = std::chrono::system_clock::from_time_t(status.st_mtim.tv_sec);
+    if (const auto program = system::stateOf("/proc/self/exe"))
+        facts.program = program->lastChange;
     return facts;
 }
 

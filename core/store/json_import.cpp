@@ -5,6 +5,7 @@
 #include "core/store/backup_json.h"
 #include "core/store/store_folder.h"
 #include "core/store/store_records.h"
+#include "core/store/store_repair.h"
 #include "core/store/trusted_certificates.h"
 
 #include <algorithm>
@@ -298,7 +299,7 @@ bool hasStore(const fs::path& root)
 {
     const std::vector<fs::path> files = filesIn(root);
     return std::ranges::any_of(files, [](const fs::path& file) {
-        return file.filename().string().starts_with("axiscomp.db");
+        return file.filename().string().starts_with(databaseName);
     }) || !oldFiles(root).empty();
 }
 

@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Database = StoreCondition::Database;
 
-constexpr std::string_view databaseName = "axiscomp.db";
 /// What belongs to a database beside it; the shared memory is made anew from the log.
 constexpr std::array copiedEndings{"", "-wal", "-journal"};
 /// A copy is taken again when a program has written meanwhile.
@@ -91,26 +90,23 @@ Database databaseOf(StoreIdentity identity)
 }
 
 /// Throws what SQLite finds wrong.
-void checkCopy(const fs::path& copy, StoreCondition& condition)
+void checkCopy(const fs::path& copy, const fs::path& root, StoreCondition& condition)
 {
-    if (isMissing(copy))
-        throw sqlite::Failure::damage("its log is there, but not the database");
-    if (std::error_code error; fs::file_size(copy, error) == 0 && !error)
-        throw sqlite::Failure::damage("the file is empty");
+    checkStoreFile(copy);
     sqlite::Connection connection(copy, std::chrono::milliseconds{0});
     condition.database = databaseOf(storeIdentity(connection));
     if (condition.database == Database::Newer || condition.database == Database::Foreign)
         return;
-    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
-        throw sqlite::Failure::damage(found);
+    checkStorePages(connection);
     for (JournalEntry& entry : records::journals(connection))
         condition.unfinished.push_back({std::move(entry)});
-    condition.flashLoss = records::drivesWithFlashLoss(connection);
+    condition.flashLoss = records::drivesWithFlashLoss(connection, root);
 }
 
 void lookAtDatabase(const fs::path& root, const fs::path& scratch, StoreCondition& condition)
 {
-    const fs::path database = root / databaseName;
+    const fs::path usual = root / databaseName;
+    const fs::path database = recoveredFile(usual).value_or(usual);
     const fs::path copy = scratch / databaseName;
     const DatabaseMoment moment = momentOf(database);
     if (moment == DatabaseMoment{})
@@ -124,12 +120,15 @@ void lookAtDatabase(const fs::path& root, const fs::path& scratch, StoreConditio
     condition.isWritable = isMissing(database) || system::mayReadAndWrite(database);
     const auto copied = copyDatabase(database, copy);
     if (!copied || !*copied) {
-        condition.database = copied ? Database::Busy : Database::Unreadable;
+        const bool isForLackOfRoom = !copied && copied.error().code == ErrorCode::FileNotWritable;
+        condition.database = copied ? Database::Busy
+            : isForLackOfRoom       ? Database::NotCopied
+                                    : Database::Unreadable;
         condition.reason = copied ? Text() : textOf(copied.error());
         return;
     }
     try {
-        checkCopy(copy, condition);
+        checkCopy(copy, root, condition);
     } catch (const sqlite::Failure& failure) {
         condition.database = failure.isDamage() ? Database::Damaged : Database::Unreadable;
         condition.reason =

@@ -22,10 +22,11 @@ struct StoreCondition {
         Foreign, ///< of another program
         Damaged, ///< whoever opens it next sets it aside and recovers what can be read
         Busy, ///< programs write to it all the time, so that it could not be looked at
+        NotCopied, ///< it could not be looked at, for the copy could not be written
         Unreadable,
     };
     Database database = Database::None;
-    Text reason{}; ///< of Damaged and Unreadable
+    Text reason{}; ///< of Damaged, NotCopied and Unreadable
     std::uint64_t bytes = 0; ///< of the database and its log
     std::optional<WallTime> lastChange{}; ///< of the database
     bool isWritable = true; ///< by this user, where there is one

@@ -7,7 +7,6 @@
 #include "core/store/store_repair.h"
 #include "core/store/store_schema.h"
 
-#include <charconv>
 #include <string>
 #include <utility>
 
@@ -22,17 +21,6 @@ using sqlite::Transaction;
 
 constexpr int mostReplacements = 3;
 
-/// Of quick_check: the disk or the memory failed, which does not damage anything.
-bool isReadError(std::string_view found)
-{
-    constexpr std::string_view words = "error code=";
-    const std::size_t at = found.find(words);
-    int code = 0;
-    if (at != std::string_view::npos)
-        std::from_chars(found.data() + at + words.size(), found.data() + found.size(), code);
-    return (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM;
-}
-
 tl::unexpected<Error> unusable(const fs::path& file, const Text& reason)
 {
     return fail(ErrorCode::FileNotReadable, {{"file", file.string()}, {"reason", reason}});
@@ -41,11 +29,6 @@ tl::unexpected<Error> unusable(const fs::path& file, const Text& reason)
 tl::unexpected<Error> notWritable(const fs::path& file, const Text& reason)
 {
     return fail(ErrorCode::FileNotWritable, {{"file", file.string()}, {"reason", reason}});
-}
-
-bool hasLog(const fs::path& database)
-{
-    return !isMissing(withEnding(database, "-wal")) || !isMissing(withEnding(database, "-journal"));
 }
 
 Result<void> checkOrdinaryFiles(const fs::path& database)
@@ -59,7 +42,7 @@ Result<void> checkOrdinaryFiles(const fs::path& database)
 
 StoreDatabase::StoreDatabase(fs::path root, std::chrono::milliseconds longestWait)
     : m_root(std::move(root))
-    , m_file(m_root / "axiscomp.db")
+    , m_file(m_root / databaseName)
     , m_longestWait(longestWait)
 {
 }
@@ -135,11 +118,9 @@ Result<void> StoreDatabase::openLocked()
     try {
         if (std::exchange(m_isDamaged, false) && isStillInPlace())
             throw sqlite::Failure::damage("found while it was used");
-        if (isMissing(m_file)) {
-            if (hasLog(m_file))
-                throw sqlite::Failure::damage("its log is there, but not the database");
+        checkStoreFile(m_file);
+        if (isMissing(m_file))
             AXISCOMP_CHECK(makeStore(m_file));
-        }
         AXISCOMP_CHECK(openFile());
     } catch (const sqlite::Failure& failure) {
         m_connection.reset();
@@ -162,8 +143,6 @@ Result<void> StoreDatabase::openLocked()
 /// Throws what SQLite finds wrong.
 Result<void> StoreDatabase::openFile()
 {
-    if (std::error_code error; fs::file_size(m_file, error) == 0 && !error)
-        throw sqlite::Failure::damage("the file is empty"); // SQLite would take it for a new one
     m_connection = std::make_unique<sqlite::Connection>(m_file, m_longestWait);
     sqlite::Connection& connection = *m_connection;
     const StoreIdentity identity = storeIdentity(connection);
@@ -176,10 +155,7 @@ Result<void> StoreDatabase::openFile()
             m_file, AXISCOMP_TEXT("Error", "it is the database of another program; move it away"));
     if (connection.isReadOnly())
         return notWritable(m_file, AXISCOMP_TEXT("Error", "the file is read-only"));
-    if (const std::string found = connection.text("PRAGMA quick_check(1)"); found != "ok")
-        throw sqlite::Failure{.code = isReadError(found) ? SQLITE_IOERR : SQLITE_CORRUPT,
-            .systemError = std::make_error_code(std::errc::io_error),
-            .message = found};
+    checkStorePages(connection);
     connection.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     if (connection.text("PRAGMA journal_mode") != "wal")
         return notWritable(

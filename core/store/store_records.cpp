@@ -3,6 +3,7 @@
 
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
+#include "core/store/store_folder.h"
 
 #include <algorithm>
 #include <array>
@@ -197,15 +198,18 @@ DriveStore::FlashHistory flashHistory(
     return history;
 }
 
-std::vector<std::int32_t> drivesWithFlashLoss(Connection& database)
+std::vector<std::int32_t> drivesWithFlashLoss(
+    Connection& database, const std::filesystem::path& root)
 {
-    std::vector<std::int32_t> drives;
-    for (Statement row(database,
-             "SELECT serial FROM drive WHERE EXISTS (SELECT * FROM flash_loss WHERE flash_loss.id "
-             "> accepted_loss AND (flash_loss.serial IS NULL OR flash_loss.serial = drive.serial)) "
-             "ORDER BY serial");
-         row.next();)
+    std::vector<std::int32_t> drives = drivesIn(root);
+    for (Statement row(database, "SELECT serial FROM drive"); row.next();)
         drives.push_back(row.as<std::int32_t>(0));
+    std::ranges::sort(drives);
+    const auto again = std::ranges::unique(drives);
+    drives.erase(again.begin(), again.end());
+    std::erase_if(drives, [&](std::int32_t serialNumber) {
+        return !flashHistory(database, serialNumber, root).damagedRecord;
+    });
     return drives;
 }
 

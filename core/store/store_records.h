@@ -39,8 +39,9 @@ void acceptFlashLoss(sqlite::Connection& database, std::int32_t serialNumber);
     sqlite::Connection& database, std::int32_t serialNumber, const std::filesystem::path& root);
 
 /// The drives whose flash operations count as used up (FlashHistory::damagedRecord), of those that
-/// are known.
-[[nodiscard]] std::vector<std::int32_t> drivesWithFlashLoss(sqlite::Connection& database);
+/// the database knows or that have a folder below root, in their order.
+[[nodiscard]] std::vector<std::int32_t> drivesWithFlashLoss(
+    sqlite::Connection& database, const std::filesystem::path& root);
 
 void addOwnTable(sqlite::Connection& database, std::int32_t serialNumber, int axis,
     const DriveStore::OwnTable& table);

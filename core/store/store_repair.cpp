@@ -9,10 +9,14 @@
 #include "core/store/store_schema.h"
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
+
+#include <sqlite3.h>
 
 namespace axiscomp {
 
@@ -93,6 +97,29 @@ Result<void> buildStore(
     return renameFile(building, name);
 }
 
+/// Of quick_check: the disk or the memory failed, which does not damage anything.
+bool isReadError(std::string_view found)
+{
+    constexpr std::string_view words = "error code=";
+    const std::size_t at = found.find(words);
+    int code = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(found.data() + at + words.size(), found.data() + found.size(), code);
+    return (code & 0xff) == SQLITE_IOERR || (code & 0xff) == SQLITE_NOMEM;
+}
+
+bool hasLog(const fs::path& database)
+{
+    return !isMissing(withEnding(database, "-wal")) || !isMissing(withEnding(database, "-journal"));
+}
+
+} // namespace
+
+fs::path withEnding(fs::path file, std::string_view ending)
+{
+    return file += ending;
+}
+
 std::optional<fs::path> recoveredFile(const fs::path& database)
 {
     const std::string beginning = database.filename().string() + recoveredEnding;
@@ -102,11 +129,20 @@ std::optional<fs::path> recoveredFile(const fs::path& database)
     return std::nullopt;
 }
 
-} // namespace
-
-fs::path withEnding(fs::path file, std::string_view ending)
+void checkStoreFile(const fs::path& database)
 {
-    return file += ending;
+    if (isMissing(database) && hasLog(database))
+        throw sqlite::Failure::damage("its log is there, but not the database");
+    if (std::error_code error; fs::file_size(database, error) == 0 && !error)
+        throw sqlite::Failure::damage("the file is empty");
+}
+
+void checkStorePages(Connection& database)
+{
+    if (const std::string found = database.text("PRAGMA quick_check(1)"); found != "ok")
+        throw sqlite::Failure{.code = isReadError(found) ? SQLITE_IOERR : SQLITE_CORRUPT,
+            .systemError = std::make_error_code(std::errc::io_error),
+            .message = found};
 }
 
 Result<void> makeStore(const fs::path& database)

@@ -58,20 +58,20 @@ std::vector<SerialPortFacts> portFacts()
 struct KnownDrive {
     std::string endpoint; ///< may have a password
     std::string shown;
+    std::string place; ///< the same for two names of one serial port
 };
 
-/// Those of the options, and the connections of the window: each once, with the password that the
-/// options have.
+/// Those of the options, and the connections of the window: each place once, with the password that
+/// the options have.
 std::vector<KnownDrive> knownDrives(
     const std::vector<std::string>& given, const std::vector<std::string>& remembered)
 {
     std::vector<KnownDrive> drives;
     for (const auto* endpoints : {&given, &remembered})
         for (const std::string& endpoint : *endpoints) {
-            std::string shown = shownEndpoint(endpoint);
-            if (shown.empty()
-                || std::ranges::find(drives, shown, &KnownDrive::shown) == drives.end())
-                drives.push_back({endpoint, std::move(shown)});
+            std::string place = drivecomm::placeOf(endpoint);
+            if (std::ranges::find(drives, place, &KnownDrive::place) == drives.end())
+                drives.push_back({endpoint, shownEndpoint(endpoint), std::move(place)});
         }
     return drives;
 }

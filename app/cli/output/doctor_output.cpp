@@ -56,11 +56,6 @@ std::string lineOf(const Finding& finding)
     return finding.wayOut.isEmpty() ? found : found + " -> " + reportText(finding.wayOut);
 }
 
-Json orNull(const std::string& text)
-{
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
 Json timeJson(const std::optional<WallTime>& time)
 {
     return time ? Json(secondText(*time).text) : Json(nullptr);
@@ -73,7 +68,7 @@ Json findingsJson(const std::vector<FindingSection>& sections)
         for (const Finding& finding : section.findings)
             all.push_back({{"section", section.title.english()}, {"name", finding.name.english()},
                 {"grade", gradeName(finding.grade)}, {"found", finding.found.english()},
-                {"wayOut", orNull(finding.wayOut.english())}});
+                {"wayOut", textOrNull(finding.wayOut.english())}});
     return all;
 }
 
@@ -84,8 +79,8 @@ Json programJson(const ProgramFacts& program)
         libraries.push_back({{"name", library.name}, {"version", library.version},
             {"builtWith", library.builtWith}});
     return {{"version", program.version}, {"buildType", program.buildType}, {"path", program.path},
-        {"libraries", std::move(libraries)}, {"tls", orNull(program.tls)},
-        {"window", orNull(program.window)}, {"drawsPdf", program.drawsPdf}};
+        {"libraries", std::move(libraries)}, {"tls", textOrNull(program.tls)},
+        {"window", textOrNull(program.window)}, {"drawsPdf", program.drawsPdf}};
 }
 
 std::string_view kindName(FolderFacts::Kind kind)
@@ -133,11 +128,12 @@ Json systemJson(const ComputerFacts& computer)
 {
     const SystemFacts& system = computer.system;
     const DisplayFacts& display = computer.display;
-    return {{"distribution", orNull(system.distribution)}, {"kernel", system.kernel},
+    return {{"distribution", textOrNull(system.distribution)}, {"kernel", system.kernel},
         {"architecture", system.architecture}, {"cores", system.cores}, {"memory", system.memory},
         {"freeMemory", system.freeMemory}, {"time", secondText(computer.clock.now).text},
-        {"programMade", timeJson(computer.clock.program)}, {"display", orNull(display.display)},
-        {"waylandDisplay", orNull(display.waylandDisplay)}, {"platform", orNull(display.platform)},
+        {"programMade", timeJson(computer.clock.program)}, {"display", textOrNull(display.display)},
+        {"waylandDisplay", textOrNull(display.waylandDisplay)},
+        {"platform", textOrNull(display.platform)},
         {"temporaryFolder", folderJson(computer.temporary)},
         {"runtimeFolder", computer.runtime ? folderJson(*computer.runtime) : Json(nullptr)},
         {"proxies", computer.proxies}};
@@ -171,6 +167,8 @@ std::string_view databaseName(StoreCondition::Database database)
         return "Damaged";
     case StoreCondition::Database::Busy:
         return "Busy";
+    case StoreCondition::Database::NotCopied:
+        return "NotCopied";
     case StoreCondition::Database::Unreadable:
         break;
     }
@@ -191,7 +189,7 @@ Json storeJson(const StoreCondition& store)
     for (const auto& file : store.setAside)
         setAside.push_back(file.string());
     return {{"database", databaseName(store.database)}, {"bytes", store.bytes},
-        {"reason", orNull(store.reason.english())}, {"lastChange", timeJson(store.lastChange)},
+        {"reason", textOrNull(store.reason.english())}, {"lastChange", timeJson(store.lastChange)},
         {"unfinishedWrites", std::move(writes)}, {"damagedJournals", std::move(journals)},
         {"damagedFlashRecords", store.flashLoss}, {"setAside", std::move(setAside)},
         {"drives", store.drives}, {"backups", store.backups}, {"backupBytes", store.backupBytes}};
@@ -215,8 +213,8 @@ std::string_view settingsStateName(WindowSettings::State state)
 Json configurationJson(const ConfigurationFacts& facts)
 {
     return {{"windowSettings", facts.window.file}, {"state", settingsStateName(facts.window.state)},
-        {"connections", facts.window.drives.size()}, {"profile", orNull(facts.profile)},
-        {"profileFile", orNull(facts.profileFile)},
+        {"connections", facts.window.drives.size()}, {"profile", textOrNull(facts.profile)},
+        {"profileFile", textOrNull(facts.profileFile)},
         {"profileError",
             facts.profileError ? toJson(*facts.profileError, Json::array()) : Json(nullptr)},
         {"trustedCertificates", facts.certificates}};
@@ -228,8 +226,8 @@ Json portsJson(const std::vector<SerialPortFacts>& ports)
     for (const SerialPortFacts& port : ports) {
         const auto& obstacle = port.access.obstacle;
         all.push_back({{"device", port.device}, {"description", port.description},
-            {"usbId", orNull(port.usbId)}, {"usable", !obstacle.has_value()},
-            {"group", obstacle ? orNull(obstacle->group) : Json(nullptr)}});
+            {"usbId", textOrNull(port.usbId)}, {"usable", !obstacle.has_value()},
+            {"group", obstacle ? textOrNull(obstacle->group) : Json(nullptr)}});
     }
     return all;
 }
@@ -244,7 +242,7 @@ Json driveJson(const DriveAnswer& answer)
         axes.push_back(std::move(axis));
     }
     const auto& drive = answer.drive;
-    return {{"endpoint", orNull(answer.endpoint)}, {"profile", orNull(answer.profile)},
+    return {{"endpoint", textOrNull(answer.endpoint)}, {"profile", textOrNull(answer.profile)},
         {"drive", drive ? Json(drive->name) : Json(nullptr)},
         {"serialNumber", drive ? Json(drive->serialNumber) : Json(nullptr)},
         {"milliseconds", drive ? Json(answer.latency.count()) : Json(nullptr)},

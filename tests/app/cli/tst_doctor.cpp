@@ -325,6 +325,8 @@ void TestDoctor::theHomeFolderIsNotNamed()
     QCOMPARE(withoutSecrets("/x", ""), "/x");
     QCOMPARE(withoutSecrets("/x", "/"), "/x");
     QCOMPARE(withoutSecrets("a\nhttp://u:p@host", ""), "a http://host");
+    QCOMPARE(withoutSecrets("DISPLAY=http://u:it's@host and http://u:a\"b@host", ""),
+        "DISPLAY=http://host and http://host");
     Sandbox box;
     box.setVariable("HOME", box.path());
     const ProgramRun run = box.run({"doctor", "--json"});

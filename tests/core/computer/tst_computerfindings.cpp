@@ -227,6 +227,8 @@ void TestComputerFindings::aFolderOfRootHasItsCommand()
     facts.mode = 0700;
     QCOMPARE(folderIn(facts).grade, Grade::Ok);
     facts.isOwn = false;
+    QCOMPARE(folderIn(facts).grade, Grade::Note); // as long as it works, no command
+    QVERIFY(folderIn(facts).wayOut.isEmpty());
     facts.isRoot = true; // who may do everything, and leaves what the user may not change
     QCOMPARE(folderIn(facts).grade, Grade::Note);
 }
@@ -273,6 +275,7 @@ void TestComputerFindings::whatTheDatabaseIsDecidesTheGrade_data()
     QTest::newRow("foreign") << Database::Foreign << Grade::Problem;
     QTest::newRow("damaged") << Database::Damaged << Grade::Problem;
     QTest::newRow("busy") << Database::Busy << Grade::Note;
+    QTest::newRow("not copied") << Database::NotCopied << Grade::Note;
     QTest::newRow("unreadable") << Database::Unreadable << Grade::Problem;
 }
 

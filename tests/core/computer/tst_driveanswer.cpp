@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/computer/drive_answer.h"
+#include "core/drive/forwarding_link.h"
 #include "core/drive/looking_link.h"
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/demo_link.h"
@@ -44,6 +45,28 @@ AxisSummary axisIn(CompensationState state, CompensationFault fault)
     return row;
 }
 
+/// Is lost after so many exchanges.
+class LinkThatIsLost final : public ForwardingLink<LinkThatIsLost> {
+public:
+    LinkThatIsLost(std::unique_ptr<DriveLink> link, int exchanges)
+        : ForwardingLink(std::move(link))
+        , m_left(exchanges)
+    {
+    }
+
+private:
+    friend ForwardingLink;
+    template <typename Call>
+    auto around(const Exchange& exchange, const Call& call) -> decltype(call(exchange))
+    {
+        if (m_left-- <= 0)
+            return tl::unexpected(errorOf(ErrorCode::ConnectionLost));
+        return call(exchange);
+    }
+
+    int m_left;
+};
+
 std::vector<Finding> findingsOf(const DriveAnswer& answer)
 {
     return driveFindings({answer}).findings;
@@ -65,6 +88,7 @@ private Q_SLOTS:
     void whatDoesNotAnswerSaysWhereToLook();
     void anUnknownCertificateSaysHowToTrustIt();
     void whatStopsInTheMiddleSaysBoth();
+    void axesThatWereReadStayWhenTheDriveIsLost();
     void anAxisInErrorSaysWhatToDo();
     void anErrorOfTheDriveIsSaidOnce();
     void withoutADriveItSaysHowToGiveOne();
@@ -190,6 +214,28 @@ void TestDriveAnswer::whatStopsInTheMiddleSaysBoth()
     const std::string found = finding.found.english();
     QVERIFY2(found.find("Mill, serial number 1559") == 0, found.c_str());
     QVERIFY2(found.find("was lost") != std::string::npos, found.c_str());
+}
+
+void TestDriveAnswer::axesThatWereReadStayWhenTheDriveIsLost()
+{
+    const QTemporaryDir folder;
+    const DriveProfile& profile = drivecomm::genericProfile();
+    std::vector<std::size_t> axes;
+    for (int exchanges = 1; axes.empty() || axes.back() < 2; ++exchanges) {
+        QVERIFY(exchanges < 100);
+        const DriveAnswer answer = askDrive("demo:", "demo:",
+            {.linkFactory = [&](const std::string&) -> Result<std::unique_ptr<DriveLink>> {
+                 AXISCOMP_TRY(auto link, drivecomm::makeDemoLink(profile));
+                 return std::make_unique<LinkThatIsLost>(std::move(link), exchanges);
+             },
+                .profile = profile,
+                .storeRoot = folder.path().toStdString(),
+                .timeLimit = 1h});
+        QVERIFY(answer.drive);
+        QCOMPARE(answer.error.has_value(), answer.axes.size() < 2);
+        axes.push_back(answer.axes.size());
+    }
+    QVERIFY(std::ranges::find(axes, std::size_t{1}) != axes.end());
 }
 
 void TestDriveAnswer::anAxisInErrorSaysWhatToDo()

@@ -67,7 +67,10 @@ private Q_SLOTS:
     void aWriteThatDidNotEndIsListedAlsoFromTheLog();
     void aWriteThatIsBeingDoneIsToldApart();
     void aJournalOfAnOlderVersionCountsToo();
+    void whatAReplacementHasBuiltCountsInPlaceOfTheDatabase();
+    void withoutRoomForACopyNothingIsSaidOfTheDatabase();
     void lossesAndBackupsAreCounted();
+    void aLossOfAllDrivesCountsForOneThatTheDatabaseDoesNotKnow();
     void theCopyIsAStateFolderOfItsOwn();
 
 private:
@@ -180,6 +183,35 @@ void TestStoreCondition::aJournalOfAnOlderVersionCountsToo()
     QVERIFY2(said.find("journal-axis2.json") != std::string::npos, said.c_str());
 }
 
+/// As a program leaves it that is ended between setting the damaged one aside and renaming this.
+void TestStoreCondition::whatAReplacementHasBuiltCountsInPlaceOfTheDatabase()
+{
+    {
+        DriveStore store(m_root);
+        VERIFY_RESULT(store.openJournal(entryFor(1)));
+    }
+    fs::rename(m_file, m_file.string() + ".recovered-2026-11-21T08-02-23Z");
+    for (const bool isDamagedThere : {false, true}) {
+        if (isDamagedThere)
+            write(m_file, "damaged");
+        const auto before = contentsBelow(m_root);
+        const StoreCondition condition = look();
+        QCOMPARE(condition.database, Database::Usable);
+        QCOMPARE(condition.unfinished.size(), std::size_t{1});
+        QVERIFY(contentsBelow(m_root) == before);
+    }
+}
+
+void TestStoreCondition::withoutRoomForACopyNothingIsSaidOfTheDatabase()
+{
+    fill();
+    fs::remove_all(m_scratch);
+    const StoreCondition condition = look();
+    QCOMPARE(condition.database, Database::NotCopied);
+    QVERIFY2(condition.reason.english().find(m_scratch.string()) != std::string::npos,
+        condition.reason.english().c_str());
+}
+
 void TestStoreCondition::lossesAndBackupsAreCounted()
 {
     fill();
@@ -197,6 +229,16 @@ void TestStoreCondition::lossesAndBackupsAreCounted()
     QCOMPARE(condition.drives, std::size_t{1});
     VERIFY_RESULT(DriveStore(m_root).acceptFlashLoss(serial));
     QVERIFY(look().flashLoss.empty());
+}
+
+void TestStoreCondition::aLossOfAllDrivesCountsForOneThatTheDatabaseDoesNotKnow()
+{
+    fill();
+    sqlite::Connection(m_file, 0ms)
+        .run("DELETE FROM drive; INSERT INTO flash_loss (serial, file) VALUES (NULL, 'x')");
+    write(m_root / "1559" / "backups" / "2026-11-21T08-02-23Z-axis0.json", "{}");
+    QVERIFY(DriveStore(m_root).flashHistory(serial)->damagedRecord.has_value());
+    QCOMPARE(look().flashLoss, std::vector<std::int32_t>{serial});
 }
 
 void TestStoreCondition::theCopyIsAStateFolderOfItsOwn()
