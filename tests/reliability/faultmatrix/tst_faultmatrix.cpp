@@ -133,8 +133,8 @@ void TestFaultMatrix::runRow(std::span<const MatrixFault> faults)
             // of each scenario, each with one fault; together all of them.
             const bool isFew = faults[f].step == MatrixFault::Step::WriteRequest;
             const bool isChosenOnWire = (isFew || m_choice.has(number, faults.size()))
-                && m_choice.has(static_cast<std::size_t>(at) + 2 * s, 3);
-            if (a == 0 ? !m_choice.has(number, 6) : !isChosenOnWire)
+                && m_choice.has(static_cast<std::size_t>(at) + 2 * s, 4);
+            if (a == 0 ? !m_choice.has(number, 9) : !isChosenOnWire)
                 continue;
             const std::size_t afterwards = number / faults.size() + number;
             for (std::size_t n = 0; n < (m_choice.isAll() && a == 0 ? 4U : 1U); ++n)
@@ -178,7 +178,7 @@ void TestFaultMatrix::everyExchangeOfPuttingBackCanFail()
         QVERIFY(write.exchangesToPutBack > 0);
         for (int at = 1; at <= write.exchangesToPutBack; ++at)
             for (std::size_t n = 0; n < 4; ++n) {
-                if (!m_choice.has(static_cast<std::size_t>(at) + s + n, 4))
+                if (!m_choice.has(static_cast<std::size_t>(at) + s + n, 6))
                     continue;
                 cases.push_back({std::string(writeScenarios()[s].name) + ", step "
                         + std::to_string(at) + " of " + std::to_string(write.exchangesToPutBack)
@@ -223,7 +223,7 @@ void TestFaultMatrix::aCutTransferLeavesTheOldOrTheNewState()
         cuts.push_back({&scenario, heldStatesOf(scenario, longTable), cutIn(transfer.exchange)});
         for (std::size_t n = 0; n < cutPositions; ++n) {
             const bool isEdge = n < 2 || n + 2 >= cutPositions;
-            if (!isEdge && !m_choice.has(n + s, 16))
+            if (!isEdge && !m_choice.has(n + s, 24))
                 continue;
             const auto byte = static_cast<int>(1 + n * (transfer.bytes - 1) / (cutPositions - 1));
             cases.push_back({std::string(scenario.name) + ", byte " + std::to_string(byte) + " of "
