@@ -139,7 +139,12 @@ std::string HelpPage::make_option(const CLI::Option* option, bool isPositional) 
 /// The text of an argument is how it looks in the usage line, where that is not its name.
 std::string HelpPage::make_option_usage(const CLI::Option* option) const
 {
-    return option->get_option_text().empty() ? option->get_name(true) : option->get_option_text();
+    if (!option->get_option_text().empty())
+        return option->get_option_text();
+    std::string usage = option->get_name(true);
+    if (option->get_items_expected_max() > 1)
+        usage += "...";
+    return option->get_required() ? usage : "[" + usage + "]";
 }
 
 std::string HelpPage::make_subcommands(const CLI::App* app, CLI::AppFormatMode /*mode*/) const

@@ -37,8 +37,9 @@ const char* programDescription()
 const char* programFooter()
 {
     return AXISCOMP_HELP("Help",
-        "ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the "
-        "program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.");
+        "ENDPOINT is http://host[:port], https://host[:port], serial:DEVICE[?baud=N] or demo: (a "
+        "virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp "
+        "COMMAND --help` has more.");
 }
 
 std::span<const CommandGroup> commandGroups()

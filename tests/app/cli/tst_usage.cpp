@@ -126,6 +126,25 @@ private Q_SLOTS:
         }
     }
 
+    void theUsageTellsWhatMayBeMissingOrRepeated_data()
+    {
+        QTest::addColumn<QByteArray>("arguments");
+        QTest::newRow("inspect") << QByteArray("FILE");
+        QTest::newRow("judge") << QByteArray("FILE...");
+        QTest::newRow("compare") << QByteArray("BEFORE AFTER");
+        QTest::newRow("formats") << QByteArray("[NAME]");
+        QTest::newRow("lookup") << QByteArray("FILE [X [Y [Z]]]");
+    }
+    void theUsageTellsWhatMayBeMissingOrRepeated()
+    {
+        QFETCH(const QByteArray, arguments);
+        const QByteArray command = QTest::currentDataTag();
+        const ProgramRun run = Sandbox().run({command, "--help"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("usage: axiscomp " + command + " [options] " + arguments + "\n"),
+            run.out.constData());
+    }
+
     void wrongUsageIsOneSentenceWithAHint_data()
     {
         QTest::addColumn<QStringList>("arguments");
