@@ -17,6 +17,14 @@ struct Joined {
     QStringList replaced;
 };
 
+QStringList replacedIn(const std::filesystem::path& folder, const MachineSnapshot& snapshot)
+{
+    QStringList names;
+    for (const std::string& file : replacedFiles(snapshot, folder))
+        names += QString::fromStdString(file);
+    return names;
+}
+
 } // namespace
 
 MachineSaving::MachineSaving(const DriveProfile& profile, const DriveList& drives)
@@ -109,8 +117,7 @@ void MachineSaving::join()
                 drives.push_back(std::move(*drive));
             AXISCOMP_TRY(auto snapshot, joinSnapshots(name, std::move(drives)));
             Joined result;
-            for (const std::string& file : replacedFiles(snapshot, folder))
-                result.replaced += QString::fromStdString(file);
+            result.replaced = replacedIn(folder, snapshot);
             result.snapshot = std::make_shared<const MachineSnapshot>(std::move(snapshot));
             return result;
         });
@@ -134,19 +141,27 @@ void MachineSaving::replace()
         write();
 }
 
+/// A file that has appeared since it was asked is not replaced: it is asked again.
 void MachineSaving::write()
 {
     enter(Stage::Saving);
-    const auto saved = inBackground<Result<void>>(
-        [snapshot = m_snapshot, folder = QFileInfo(m_folder).filesystemAbsoluteFilePath()] {
-            return saveSnapshot(*snapshot, folder);
+    const auto saved = inBackground<Result<QStringList>>(
+        [snapshot = m_snapshot, folder = QFileInfo(m_folder).filesystemAbsoluteFilePath(),
+            asked = m_replaced]() -> Result<QStringList> {
+            QStringList replaced = replacedIn(folder, *snapshot);
+            const auto wasAskedFor = [&](const QString& name) { return asked.contains(name); };
+            if (!std::ranges::all_of(replaced, wasAskedFor))
+                return replaced;
+            AXISCOMP_CHECK(saveSnapshot(*snapshot, folder));
+            return QStringList{};
         });
-    whenDone(saved, this, [this, number = m_number](const Result<void>& result) {
+    whenDone(saved, this, [this, number = m_number](const Result<QStringList>& notAskedFor) {
         if (number != m_number)
             return;
-        if (!result)
-            return giveUp(result.error());
-        enter(Stage::Saved);
+        if (!notAskedFor)
+            return giveUp(notAskedFor.error());
+        m_replaced = *notAskedFor;
+        enter(m_replaced.isEmpty() ? Stage::Saved : Stage::Asking);
     });
 }
 

@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -496,6 +497,31 @@ private Q_SLOTS:
         saving.replace();
         QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Saved);
         QVERIFY(content().startsWith("version = 1\n"));
+    }
+
+    void aFileThatAppearsAfterTheQuestionIsAskedForToo()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth("persistent = true\n")));
+        QVERIFY(all.apply());
+        const QByteArray mine = "mine\n";
+        QVERIFY(QDir().mkpath(all.bench.path(QStringLiteral("saved"))));
+        static_cast<void>(all.bench.file(QStringLiteral("saved/machine.toml"), mine));
+        MachineSaving& saving = all.machine().saving();
+        saving.save({QStringLiteral("http://x")}, {}, all.bench.path(QStringLiteral("saved")));
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Asking);
+        QCOMPARE(saving.replaced(), QStringList(QStringLiteral("machine.toml")));
+        const QString table = QString::fromStdString(saving.snapshot()->files.front().name);
+        const QString file = all.bench.file(QStringLiteral("saved/") + table, mine);
+        saving.replace();
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Asking);
+        QCOMPARE(saving.replaced(), (QStringList{table, QStringLiteral("machine.toml")}));
+        QFile opened(file);
+        QVERIFY(opened.open(QIODevice::ReadOnly));
+        QCOMPARE(opened.readAll(), mine);
+        saving.replace();
+        QTRY_COMPARE(saving.stage(), MachineSaving::Stage::Saved);
     }
 
     void aMachineWithoutOneOfItsDrivesIsNotSaved()
