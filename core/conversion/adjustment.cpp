@@ -4,9 +4,12 @@
 #include "core/formats/units.h"
 #include "core/neutral/controller_lookup.h"
 #include "core/neutral/table_motion.h"
+#include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace axiscomp {
 
@@ -49,6 +52,36 @@ Result<void> checkAdjustment(const NeutralTable& table, const Adjustment& adjust
     return {};
 }
 
+/// The values at a position. Of the two directions of a table the mean counts, so that the reversal
+/// stays.
+double valueAt(const NeutralTable& table, std::size_t column, std::span<const double> position)
+{
+    const CompensationColumn& own = table.columns[column];
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        const CompensationColumn& other = table.columns[n];
+        const bool isPair = own.direction != Direction::Both && other.direction != Direction::Both
+            && other.target == own.target;
+        if (n != column && !isPair)
+            continue;
+        sum += unitFactor(other.unit, own.unit).value_or(1.0)
+            * ControllerLookup(table, n, {.outside = Outside::Hold}).at(position);
+        ++count;
+    }
+    return sum / count;
+}
+
+/// By how much each column is shifted.
+std::vector<double> shiftsOf(const NeutralTable& table, const Adjustment& adjustment)
+{
+    std::vector<double> shifts(table.columns.size(), adjustment.offset);
+    if (!adjustment.zero.empty())
+        for (std::size_t n = 0; n < shifts.size(); ++n)
+            shifts[n] = -valueAt(table, n, adjustment.zero);
+    return shifts;
+}
+
 } // namespace
 
 Result<NeutralTable> adjusted(
@@ -64,10 +97,9 @@ Result<NeutralTable> adjusted(
     for (CompensationColumn& column : table.columns)
         for (double& value : column.values)
             value *= adjustment.scale;
+    const std::vector<double> shifts = shiftsOf(table, adjustment);
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
-        double shift = adjustment.offset;
-        if (!adjustment.zero.empty())
-            shift = -ControllerLookup(table, n, {.outside = Outside::Hold}).at(adjustment.zero);
+        const double shift = shifts[n];
         if (shift == 0.0)
             continue;
         CompensationColumn& column = table.columns[n];

@@ -9,7 +9,8 @@
 namespace axiscomp {
 
 /// How values are changed before anything else is done with them: multiplied by scale, then offset
-/// added, or else shifted so that they are 0 at a position.
+/// added, or else shifted so that they are 0 at a position; of two directions the mean is, so that
+/// the reversal stays.
 struct Adjustment {
     double scale = 1.0; ///< finite, not 0
     double offset = 0.0; ///< finite, in the unit of the values

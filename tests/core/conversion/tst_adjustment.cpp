@@ -67,6 +67,19 @@ private Q_SLOTS:
         QCOMPARE(remarks.size(), std::size_t{2});
     }
 
+    void ofTwoDirectionsTheMeanIsZeroAndTheReversalStays()
+    {
+        NeutralTable table = line();
+        table.columns.push_back(test::columnOf("X", "mm", {0.001, 0.003, 0.005, 0}));
+        table.columns[0].direction = Direction::Positive;
+        table.columns[1].direction = Direction::Negative;
+        std::vector<Text> remarks;
+        const auto shifted = adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {0.0}}, remarks);
+        QCOMPARE(valuesOf(shifted), (Values{2, 4, 6, 1}));
+        QVERIFY(test::largestDifference(shifted->columns[1].values, {-0.002, 0, 0.002, -0.003})
+            < 1e-15);
+    }
+
     void nothingIsDoneUnasked()
     {
         std::vector<Text> remarks;
