@@ -7,12 +7,18 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace axiscomp::fanuc {
 
 namespace {
 
 constexpr std::int64_t directionsParameter = 3605;
+constexpr std::int64_t referenceParameter = 3620;
+constexpr std::int64_t firstParameter = 3621;
+constexpr std::int64_t lastParameter = 3622;
+constexpr std::int64_t magnificationParameter = 3623;
 
 struct Value {
     std::int64_t steps = 0;
@@ -56,6 +62,20 @@ bool hasBitZero(std::string_view values)
     return false;
 }
 
+/// The numbers of a parameter, one for each axis: "A1P40A2P0", or "P40" of one axis.
+std::vector<std::int64_t> axisNumbers(std::string_view values)
+{
+    std::vector<std::int64_t> numbers;
+    for (std::size_t at = 0; at < values.size(); ++at) {
+        if (!isValueLetter(values[at]))
+            continue;
+        const std::size_t end =
+            std::min(values.find_first_not_of("0123456789", at + 1), values.size());
+        numbers.push_back(wholeNumberOf(values.substr(at + 1, end - at - 1)).value_or(-1));
+    }
+    return numbers;
+}
+
 class PitchReader {
 public:
     PitchReader(TextReading& reading, const PitchSetup& setup, const PitchSections& sections)
@@ -70,9 +90,11 @@ private:
     void scan();
     void takeBlock(const Token& block);
     void takeNumbered(const Token& block, const NumberedBlock& numbered);
+    void takeParameter(const Token& block, const NumberedBlock& numbered);
     void takeValue(std::int64_t number, const Token& text);
     void checkEnd(std::size_t lines);
     [[nodiscard]] bool chooseNumbers();
+    [[nodiscard]] bool checkParameters();
     [[nodiscard]] bool checkComplete();
     [[nodiscard]] bool checkTurn();
     [[nodiscard]] NeutralTable table();
@@ -91,6 +113,11 @@ private:
     std::int64_t m_first = 0;
     std::int64_t m_last = 0;
     std::map<std::int64_t, Value> m_values; ///< by number
+    struct Parameter {
+        std::vector<std::int64_t> numbers;
+        std::size_t line = 0;
+    };
+    std::map<std::int64_t, Parameter> m_parameters; ///< by number
 };
 
 void PitchReader::takeValue(std::int64_t number, const Token& text)
@@ -113,16 +140,24 @@ void PitchReader::takeValue(std::int64_t number, const Token& text)
         AXISCOMP_TEXT("Error", "each value once; the last one counts"));
 }
 
+void PitchReader::takeParameter(const Token& block, const NumberedBlock& numbered)
+{
+    if (numbered.number == directionsParameter && hasBitZero(numbered.rest.text))
+        m_diagnostics.error(DiagnosticCode::Contradiction, block.line, block.column,
+            AXISCOMP_TEXT(
+                "Error", "bit 0 of parameter 3605 is 1: values for each direction of motion"),
+            AXISCOMP_TEXT("Error",
+                "one value for both directions; leave the line out if it is of another axis"));
+    auto numbers = axisNumbers(numbered.rest.text);
+    if (!numbers.empty())
+        m_parameters[numbered.number] = {std::move(numbers), block.line};
+}
+
 void PitchReader::takeNumbered(const Token& block, const NumberedBlock& numbered)
 {
     const std::int64_t number = numbered.number - m_setup.firstRecord;
-    if (number < 0) { // a parameter
-        if (numbered.number == directionsParameter && hasBitZero(numbered.rest.text))
-            m_diagnostics.error(DiagnosticCode::Contradiction, block.line, block.column,
-                AXISCOMP_TEXT(
-                    "Error", "bit 0 of parameter 3605 is 1: values for each direction of motion"),
-                AXISCOMP_TEXT("Error",
-                    "one value for both directions; leave the line out if it is of another axis"));
+    if (number < 0) {
+        takeParameter(block, numbered);
         return;
     }
     if (number >= mostNumbers) {
@@ -223,6 +258,55 @@ bool PitchReader::chooseNumbers()
     return false;
 }
 
+/// That one of the axes whose parameters are in the file is the one that the settings describe.
+bool PitchReader::checkParameters()
+{
+    const std::map<std::int64_t, std::int64_t> expected{{referenceParameter, m_setup.reference},
+        {firstParameter, m_sections.turn ? m_setup.reference : m_first}, {lastParameter, m_last},
+        {magnificationParameter, m_setup.magnification}};
+    std::size_t axes = 0;
+    for (const auto& [number, value] : expected) {
+        const auto said = m_parameters.find(number);
+        if (said == m_parameters.end())
+            continue;
+        axes = std::max(axes, said->second.numbers.size());
+        if (std::ranges::find(said->second.numbers, value) != said->second.numbers.end())
+            continue;
+        m_diagnostics.error(DiagnosticCode::Contradiction, said->second.line, 0,
+            AXISCOMP_TEXT("Error", "parameter {number}, which is {value} for no axis")
+                .with("number", number)
+                .with("value", value),
+            AXISCOMP_TEXT("Error",
+                "the reference point, numbers and magnification of one axis, as the settings say"));
+        return false;
+    }
+    const auto isOfAxis = [&](std::size_t axis) {
+        return std::ranges::all_of(expected, [&](const auto& parameter) {
+            const auto said = m_parameters.find(parameter.first);
+            if (said == m_parameters.end())
+                return true;
+            const auto& numbers = said->second.numbers;
+            return axis < numbers.size() && numbers[axis] == parameter.second;
+        });
+    };
+    bool isOne = axes == 0;
+    for (std::size_t axis = 0; axis < axes; ++axis)
+        isOne = isOne || isOfAxis(axis);
+    const bool areChosen = (m_sections.first && m_sections.last) || m_sections.turn
+        || (m_parameters.contains(firstParameter) && m_parameters.contains(lastParameter));
+    if (isOne && (axes < 2 || areChosen))
+        return true;
+    m_diagnostics.error(DiagnosticCode::Contradiction,
+        m_parameters.lower_bound(referenceParameter)->second.line, 0,
+        AXISCOMP_TEXT(
+            "Error", "parameters 3620 to 3623 of several axes, and numbers {first} to {last}")
+            .with("first", m_first)
+            .with("last", m_last),
+        AXISCOMP_TEXT(
+            "Error", "the numbers of one axis; first-number and last-number choose them"));
+    return false;
+}
+
 bool PitchReader::checkComplete()
 {
     std::int64_t expected = m_first;
@@ -307,8 +391,8 @@ NeutralTable PitchReader::table()
 std::vector<NeutralTable> PitchReader::read()
 {
     scan();
-    if (m_reading.isStopped() || m_diagnostics.hasErrors() || !chooseNumbers() || !checkComplete()
-        || (m_sections.turn && !checkTurn()))
+    if (m_reading.isStopped() || m_diagnostics.hasErrors() || !chooseNumbers() || !checkParameters()
+        || !checkComplete() || (m_sections.turn && !checkTurn()))
         return {};
     return {table()};
 }

@@ -123,7 +123,8 @@ Result<void> PitchWriter::checkAmounts() const
             "its value at the reference position is {value}, and the controller takes it to be 0 "
             "there")
             .with("value", quantity(atReference)),
-        AXISCOMP_TEXT("Error", "subtract this value from all values"));
+        AXISCOMP_TEXT(
+            "Error", "shift all values so that it is 0 there; convert does that with --zero"));
 }
 
 bool PitchWriter::fits(std::int64_t magnification) const

@@ -281,7 +281,10 @@ bool FileReader::place(const Token& token, Row& row)
         : kind == Header::Kind::Position       ? &row.position
         : isFirst                              ? nullptr
                                                : &row.values[n];
-    if (place && !*place) {
+    // A value that begins before the header of its column would be one of the column before.
+    const bool isBeside = n + 1 < m_headers.size() && m_headers[n].name.column != token.column
+        && m_headers[n + 1].name.column < token.column + token.text.size();
+    if (place && !*place && !isBeside) {
         *place = token;
         return true;
     }

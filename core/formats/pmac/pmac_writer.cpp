@@ -91,7 +91,8 @@ Result<std::vector<double>> entriesOf(const FormatFacts& facts, const NeutralTab
             AXISCOMP_TEXT("Error",
                 "its value at position 0 is {value}, and the controller takes it to be 0 there")
                 .with("value", Quantity{roundedText(numbers.fromFile(entries[0]))}),
-            AXISCOMP_TEXT("Error", "subtract this value from all values"));
+            AXISCOMP_TEXT(
+                "Error", "shift all values so that it is 0 there; convert does that with --zero"));
     return entries;
 }
 

@@ -7,7 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
+#include <vector>
 
 namespace axiscomp::power_pmac {
 
@@ -83,14 +86,48 @@ bool startsWith(std::string_view text, std::string_view begin)
     return text.size() >= begin.size() && sameLetters(text.substr(0, begin.size()), begin);
 }
 
-/// The statements of a line, without comments.
-std::vector<Token> statementsOf(const Token& line)
-{
-    const Token code = line.part(0, line.text.find("//"));
-    std::vector<Token> statements;
-    splitCells(code, ';', statements);
-    return statements;
-}
+/// The statements of a text, line by line, without comments: // to the end of a line, and from /*
+/// to
+/// */, which may be lines below.
+class Statements {
+public:
+    explicit Statements(std::string_view text) : m_lines(text) { }
+
+    /// Of the next line; nothing behind the last one.
+    [[nodiscard]] std::optional<std::vector<Token>> next()
+    {
+        const auto line = m_lines.next();
+        if (!line)
+            return std::nullopt;
+        std::vector<Token> statements;
+        for (std::size_t at = 0; at < line->text.size();)
+            at = m_isInComment ? endOfComment(*line, at) : endOfCode(*line, at, statements);
+        return statements;
+    }
+    /// Whether a comment has not ended.
+    [[nodiscard]] bool isInComment() const { return m_isInComment; }
+
+private:
+    std::size_t endOfComment(const Token& line, std::size_t at)
+    {
+        const std::size_t end = line.text.find("*/", at);
+        m_isInComment = end == std::string_view::npos;
+        return m_isInComment ? line.text.size() : end + 2;
+    }
+    std::size_t endOfCode(const Token& line, std::size_t at, std::vector<Token>& statements)
+    {
+        const std::size_t end =
+            std::min({line.text.find("//", at), line.text.find("/*", at), line.text.size()});
+        std::vector<Token> cells;
+        splitCells(line.part(at, end - at), ';', cells);
+        std::ranges::copy(cells, std::back_inserter(statements));
+        m_isInComment = line.text.substr(end, 2) == "/*";
+        return m_isInComment ? end + 2 : line.text.size();
+    }
+
+    TextLines m_lines;
+    bool m_isInComment = false;
+};
 
 /// "3]..." behind an opening bracket: the number, and what follows the closing one.
 struct Index {
@@ -372,14 +409,18 @@ std::optional<NeutralTable> Reader::table(std::int64_t tableNumber, const Defini
 
 std::vector<NeutralTable> Reader::read()
 {
-    TextLines lines(m_reading.text);
+    Statements lines(m_reading.text);
     while (const auto line = lines.next()) {
         if (m_reading.isStopped())
             return {};
-        for (const Token& statement : statementsOf(*line))
+        for (const Token& statement : *line)
             if (statement)
                 take(statement);
     }
+    if (lines.isInComment())
+        m_diagnostics.error(DiagnosticCode::Syntax, 0, 0,
+            AXISCOMP_TEXT("Error", "a comment without an end"),
+            AXISCOMP_TEXT("Error", "{sign} behind it").with("sign", Verbatim{"*/"}));
     if (m_definitions.empty() && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             AXISCOMP_TEXT("Error", "assignments to {name}").with("name", Verbatim{"CompTable[0]"}));
@@ -409,9 +450,9 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
 
 Recognition recognise(std::string_view text)
 {
-    TextLines lines(text);
+    Statements lines(text);
     while (const auto line = lines.next())
-        for (const Token& statement : statementsOf(*line))
+        for (const Token& statement : *line)
             if (startsWith(statement.text, prefix))
                 return Recognition::Certain;
     return Recognition::No;

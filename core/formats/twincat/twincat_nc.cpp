@@ -125,6 +125,8 @@ struct Definition {
     Token count;
     bool isModulo = false;
     std::vector<Element> elements;
+    bool hasBrackets = false; ///< each element stands in brackets
+    bool isNewElement = false; ///< a bracket has been opened
 };
 
 class Reader {
@@ -205,17 +207,24 @@ void Reader::assignParameter(const Token& name, const Token& value)
 
 void Reader::assignElement(const Token& name, const Token& value)
 {
-    std::vector<Element>& elements = m_definitions.back().elements;
+    Definition& definition = m_definitions.back();
+    std::vector<Element>& elements = definition.elements;
     const bool isPosition = isOneOf(name, {"Position", "fPos"});
     if (!isPosition && !isOneOf(name, {"Compensation", "fCompensation"})) {
         m_diagnostics.warning(DiagnosticCode::UnknownKey, name.line, name.column, quoted(name), {});
         return;
     }
-    const bool isNew =
-        elements.empty() || (isPosition ? elements.back().position : elements.back().compensation);
-    if (isNew)
+    const auto numberOf = [&](Element& element) -> Token& {
+        return isPosition ? element.position : element.compensation;
+    };
+    const bool isThere = !elements.empty() && numberOf(elements.back());
+    if (definition.hasBrackets && !definition.isNewElement && isThere)
+        m_diagnostics.error(DiagnosticCode::Contradiction, name.line, name.column, quoted(name),
+            AXISCOMP_TEXT("Error", "one position and one compensation in each pair of brackets"));
+    if (elements.empty() || (definition.hasBrackets ? definition.isNewElement : isThere))
         elements.emplace_back();
-    (isPosition ? elements.back().position : elements.back().compensation) = value;
+    definition.isNewElement = false;
+    numberOf(elements.back()) = value;
 }
 
 void Reader::assign(const Token& name, const Token& value)
@@ -249,6 +258,11 @@ void Reader::scan()
             begin(Inside::Parameters, *word);
         } else if (sameLetters(word->text, elementType)) {
             begin(Inside::Elements, *word);
+        } else if (word->text == "(" && m_inside == Inside::Elements) {
+            m_definitions.back().hasBrackets = true;
+            m_definitions.back().isNewElement = true;
+            last = {};
+            continue;
         } else if (word->text == ":") {
             m_declared = last.text;
         } else if (word->text == ";") {

@@ -112,6 +112,17 @@ void describeProblems(test::FormatSample& sample)
     row("both directions", with("%\n", "%\nN03605A1P00000000A2P00000001\n"),
         "2:1 Contradiction bit 0 of parameter 3605 is 1: values for each direction of motion|one "
         "value for both directions");
+    row("another reference point in the file", with("%\n", "%\nN03620A1P38A2P0\n"),
+        "2:0 Contradiction parameter 3620, which is 40 for no axis|the reference point, numbers "
+        "and "
+        "magnification of one axis, as the settings say");
+    row("another magnification in the file", with("%\n", "%\nN03620P40\nN03623P10\n"),
+        "3:0 Contradiction parameter 3623, which is 1 for no axis|");
+    row("numbers of two axes", with("%\n", "%\nN03621A1P33A2P45\nN03622A1P44A2P49\n"),
+        "2:0 Contradiction parameters 3620 to 3623 of several axes, and numbers 33 to 49|the "
+        "numbers of one axis; first-number and last-number choose them");
+    row("parameters of two axes without their numbers", with("%\n", "%\nN03620A1P40A2P60\n"),
+        "2:0 Contradiction parameters 3620 to 3623 of several axes, and numbers 33 to 49|");
     const auto ofSettings = [&](const char* name, const std::string& text, const char* line,
                                 const FormatSettings& settings) {
         sample.problem(name, text, line, {}, settings);

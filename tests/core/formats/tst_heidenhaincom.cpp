@@ -168,6 +168,8 @@ void describe(test::FormatSample& sample)
     row("no position", with("-85.0000", "        "), "4:1 Syntax 1    ");
     row("two values in a column", with("+0.0021", "+0 1"),
         "4:51 Syntax 1|a value below the header");
+    row("a value that begins before its header", with(" +0.0021", "+0.0021"),
+        "4:47 Syntax +0.0021|a value below the header");
     row("a value left of the headers", with("1    -85", "1 -85.0"), "4:3 Syntax -85.0");
     row("the line begins later", with("\n1    -85.0000", "\n    1-85.0000"),
         "4:5 Syntax 1-85.0000");

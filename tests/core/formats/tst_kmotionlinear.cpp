@@ -22,7 +22,7 @@ void describe(test::FormatSample& sample)
                    "points 1000000, columns 1, tables 1, bytes 67108864; holds";
     sample.text = file;
     sample.reading = test::readingWith({{"position-unit", "mm"}});
-    sample.spareBytes = file.size() - file.find("\n4,-1") - 5; // of the last number
+    sample.spareBytes = 1; // the end of the last line
     sample.recognises(Recognition::Certain, {file, "\r\n" + file});
     sample.recognises(Recognition::No,
         {with("5\n", "6\n"), with("5\n", "4\n"), with("1,-178.1", "2,-178.1"), "0,0\n1,0.5\n2,1\n",
@@ -47,7 +47,10 @@ void describe(test::FormatSample& sample)
     row("not finite", with("-178.1", "inf"), "5:3 NotANumber inf|a position to command");
     row("corrections instead of positions", "3\n10\n0\n0,0\n1,0.002\n2,-0.001\n",
         "6:0 NotMonotonic -0.001 after 0.002|strictly increasing positions to command; a list of");
-    row("positions without a difference", with("\n2\n-180", "\n1e-30\n-180"), "0:0 NotFinite");
+    row("increasing corrections", "3\n10\n0\n0,0\n1,0.1\n2,0.2\n",
+        "5:0 Contradiction 0.1 to command, to reach 10|at most half a range away; a list of");
+    row("positions without a difference", with("\n2\n-180", "\n1e-30\n-180"),
+        "5:0 Contradiction -178.1 to command");
 
     NeutralTable table = test::commandTable(
         {test::evenAxis("", "mm", -8, 0.5, 33)}, {test::waveColumn("#1", "mm", 33, 0.0)});

@@ -56,6 +56,10 @@ void describe(test::FormatSample& sample)
         "data[0]=0,12.5,-3\n"
         "COMPTABLE[ 0 ].DATA[3] = 4,8");
     sample.applies({{{60000}, 4.8}}, continued);
+    const std::string commented =
+        with("Sys.", "/* before\nCompTable[0].Data[0] = 7,8,9;\n*/ Sys. /* CompTable[1] */");
+    sample.applies({{{-75000}, 6.25}, {{60000}, 4.8}}, commented);
+    sample.recognises(Recognition::No, {"/*\nCompTable[0].Nx[0] = 1;\n*/\n"});
     sample.warning("an unknown element", file + "CompTable[0].Wrap = 3;\n",
         {"9:1 UnknownKey CompTable[0].Wrap = 3|"});
     sample.warning("a third target", file + "CompTable[0].Target[2]=Motor[3].CompPos;\n",
@@ -75,6 +79,8 @@ void describe(test::FormatSample& sample)
 
     const auto row = sample.problemRow();
     row("no table", "Sys.CompEnable = 1;\n", "0:0 Syntax |assignments to CompTable[0]");
+    row("a comment without an end", file + "/* CompTable[1]\n",
+        "0:0 Syntax a comment without an end|*/ behind it");
     row("two sources", with("Nx[1] = 0", "Nx[1] = 3"),
         "3:0 LimitExceeded a table of several sources|one source: in which order");
     row("no segments", with("CompTable[0].Nx[0] = 4; ", ""),

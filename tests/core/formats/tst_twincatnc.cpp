@@ -71,6 +71,10 @@ void describe(test::FormatSample& sample)
     row("more elements", with("=4", "=3"), "3:24 Contradiction 4 elements|3, as NoOfTableElements");
     row("another range", with("30.0,\n", "40.0,\n"),
         "2:0 Contradiction positions from 0 to 30|from 0 to 40, as MinPosition");
+    row("a number in the brackets of its neighbour",
+        with("(Position:=0.0, Compensation:=0.0), (Position := 10.0, Compensation := 0.1)",
+            "(Position:=0.0), (Compensation:=0.0, Position := 10.0, Compensation := 0.1)"),
+        "5:60 Contradiction Compensation|one position and one compensation in each pair");
     row("another direction", with("WorkDirectionBoth", "WorkDirectionPositive"),
         "3:38 Contradiction WorkDirectionPositive|WorkDirectionBoth");
     row("neither true nor false", with("FALSE", "PERHAPS"), "3:65 Syntax PERHAPS|TRUE or FALSE");
