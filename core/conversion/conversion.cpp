@@ -4,6 +4,7 @@
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
+#include "core/neutral/lookup_note.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 
@@ -172,6 +173,9 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     table.sign = m_request.sourceSign.value_or(table.sign);
     AXISCOMP_TRY(
         table, withTargets(std::move(table), m_request.targets, isTriamec(*m_request.from)));
+    if (!isTriamec(*m_request.from) || m_request.to != &calibration_csv::format()) {
+        AXISCOMP_TRY(table, withUnitsOfValues(table, m_remarks));
+    }
     AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
     conversion.source = table;
     if (m_request.dropsWrap)
@@ -259,6 +263,16 @@ Result<void> checkSignStated(
                     .with("entry", Verbatim{std::string(entry)})}});
 }
 
+/// What a person says of the sign of a file, where nobody has published that of its format, holds
+/// for a file that is written for the same controller.
+ConversionRequest withBothSigns(ConversionRequest request)
+{
+    const bool isOne = request.from == request.to && request.from->facts.needsSign();
+    if (isOne && !request.targetSign)
+        request.targetSign = request.sourceSign;
+    return request;
+}
+
 /// Within one format every number keeps its sign, whichever it is.
 Result<void> checkSigns(const ConversionRequest& request)
 {
@@ -269,11 +283,31 @@ Result<void> checkSigns(const ConversionRequest& request)
     return checkSignStated(request.to->facts, request.targetSign.has_value(), "--to-sign", {});
 }
 
+/// The positions of a table that is looked up at the set position are other places than those of
+/// the encoder, from which the sign is converted.
+Result<void> checkLookup(const NeutralTable& table, const ConversionRequest& request)
+{
+    if (isTriamec(*request.to))
+        return {};
+    AXISCOMP_TRY(const auto lookupAt, lookupInNotes(table.notes));
+    if (lookupAt != LookupAt::Set)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the table was made for a drive that looks it up at the set position (lookup: "
+                "set), "
+                "and controllers of the format {format} do not: fit it for the position of the "
+                "encoder, the conversion does the rest")
+                .with("format", request.to->facts.name)}});
+}
+
 } // namespace
 
 Result<Conversion> convertTables(
-    std::span<const NeutralTable> tables, const ConversionRequest& request)
+    std::span<const NeutralTable> tables, const ConversionRequest& asked)
 {
+    const ConversionRequest request = withBothSigns(asked);
     if (request.to->write == nullptr)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
@@ -284,6 +318,7 @@ Result<Conversion> convertTables(
     Converter converter(request, conversion.remarks);
     std::vector<NeutralTable> prepared;
     for (const NeutralTable& table : tables) {
+        AXISCOMP_CHECK(checkLookup(table, request));
         conversion.tables.emplace_back();
         AXISCOMP_TRY(auto result, converter.prepare(table, conversion.tables.back()));
         prepared.push_back(std::move(result));

@@ -57,10 +57,11 @@ struct Conversion {
     std::vector<Text> remarks; ///< for the user: assumptions, losses, what to do
 };
 
-/// In this order: adjust the values, merge directions, resample, convert the sign, check that the
-/// target can hold it, write, and compare what the file says with the source under both
-/// controllers' rules. Errors: of each of these steps; SignNotStated before any of them where the
-/// sign of one of two formats is assumed and the request does not state it.
+/// In this order: take values without a unit in that of their positions, adjust the values, merge
+/// directions, resample, convert the sign, check that the target can hold it, write, and compare
+/// what the file says with the source under both controllers' rules. Errors: of each of these
+/// steps; SignNotStated before any of them where the sign of one of two formats is assumed and the
+/// request does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

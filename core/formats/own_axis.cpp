@@ -28,8 +28,8 @@ Text contradiction(const SettingValues& settings)
 /// What positions and values are written in; empty when nobody says it.
 std::string chosenUnit(const NeutralTable& table, const SettingValues& settings)
 {
-    for (const std::string& unit : {settings.text(positionKey), settings.text(valueKey),
-             table.axes.front().unit, table.columns.front().unit})
+    for (const std::string& unit :
+        {settings.text(positionKey), settings.text(valueKey), table.axes.front().unit})
         if (!unit.empty())
             return unit;
     return {};

@@ -105,6 +105,35 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
                 .with("key", Verbatim{"value-unit"}));
 }
 
+Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Text>& remarks)
+{
+    NeutralTable known = table;
+    for (CompensationColumn& column : known.columns) {
+        const auto own = ownAxis(known, column);
+        const std::string& unit = known.axes[own.value_or(0)].unit;
+        if (column.unit.empty() && !unit.empty()) {
+            column.unit = unit;
+            remarkOnce(remarks,
+                AXISCOMP_TEXT("Error",
+                    "the values for {column} have no unit; they are taken to be in {unit}, as the "
+                    "positions are")
+                    .with("column", columnText(known, column))
+                    .with("unit", unit));
+        } else if (own && unit.empty() && !column.unit.empty()) {
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the values for {column} are in {unit}, and the positions that they are "
+                        "added to have no unit; state it in the header, as X [mm], or as the "
+                        "setting {key} of the file that is read")
+                        .with("column", columnText(known, column))
+                        .with("unit", column.unit)
+                        .with("key", Verbatim{"position-unit"})}});
+        }
+    }
+    return known;
+}
+
 Result<NeutralTable> inUnits(const NeutralTable& table, std::string_view lengthUnit,
     std::string_view angleUnit, std::vector<Text>& remarks)
 {
@@ -145,8 +174,9 @@ Result<NeutralTable> inSettingUnits(
     }
     for (CompensationColumn& column : converted.columns) {
         const auto own = ownAxis(converted, column);
-        const std::string ownUnit = own ? converted.axes[*own].unit : std::string();
-        const std::string wanted = valueUnit.empty() ? ownUnit : valueUnit;
+        const std::string& corrected = converted.axes[own.value_or(0)].unit;
+        const bool canBe = own || column.unit.empty() || unitFactor(column.unit, corrected);
+        const std::string wanted = !valueUnit.empty() ? valueUnit : canBe ? corrected : column.unit;
         if (wanted.empty())
             continue;
         if (column.unit.empty())

@@ -13,6 +13,12 @@ void remarkOnce(std::vector<Text>& remarks, Text remark);
 /// warning that nobody says it.
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
 
+/// Before numbers are converted: values without a unit get that of the positions that they correct,
+/// which is added to remarks. Errors: InvalidArgument for values with a unit that correct positions
+/// without one, since the controller adds one to the other.
+[[nodiscard]] Result<NeutralTable> withUnitsOfValues(
+    const NeutralTable& table, std::vector<Text>& remarks);
+
 /// Writing a format whose lengths and angles have a fixed unit each: positions and values in these.
 /// A unit that the table does not say is taken to be the fixed one, which is added to remarks
 /// (once). Errors: InvalidArgument for a unit that is neither a length nor an angle.
@@ -20,9 +26,10 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
     std::string_view angleUnit, std::vector<Text>& remarks);
 
 /// Writing a format that says no units: the settings position-unit and value-unit are what the
-/// numbers shall be in; without them positions stay, and the values of an axis's own correction get
-/// the unit of its positions, since the controller adds one to the other. The units are added to
-/// remarks. Errors: InvalidArgument for units that cannot be converted.
+/// numbers shall be in; without them positions stay, and the values get the unit of the positions
+/// that they correct, since the controller adds one to the other; of another axis that of the first
+/// source, where it can be. The units are added to remarks. Errors: InvalidArgument for units that
+/// cannot be converted.
 [[nodiscard]] Result<NeutralTable> inSettingUnits(
     const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 

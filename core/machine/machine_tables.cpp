@@ -5,7 +5,8 @@
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
 #include "core/io/local_file.h"
-#include "core/metrology/fit/lookup_note.h"
+#include "core/neutral/lookup_note.h"
+#include "core/table/table_units.h"
 
 #include <algorithm>
 #include <thread>
@@ -25,13 +26,6 @@ Error fileError(const std::filesystem::path& file, const TableImport& import)
         {}};
 }
 
-/// "drive": the numbers are in the drive's own unit, whatever the file says.
-void takeUnit(std::string& unit, const std::string& stated)
-{
-    if (!stated.empty())
-        unit = stated == "drive" ? std::string() : stated;
-}
-
 Result<CompensationTable> chosenTable(const MachineAxis& axis, const CalibrationData& data)
 {
     std::vector<TableName> names;
@@ -49,9 +43,7 @@ Result<CompensationTable> chosenTable(const MachineAxis& axis, const Calibration
                     .with("known", tableList(names))}});
     }
     CompensationTable table = data.tables[index];
-    takeUnit(table.unit, axis.valueUnit);
-    for (GridAxis& gridAxis : table.grid.axes)
-        takeUnit(gridAxis.unit, axis.positionUnit);
+    takeStatedUnits(table, axis.valueUnit, axis.positionUnit);
     return table;
 }
 

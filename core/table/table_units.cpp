@@ -2,6 +2,7 @@
 #include "core/table/table_units.h"
 
 #include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -47,21 +48,37 @@ void scaleAxis(GridAxis& axis, double factor, const std::string& unit)
     axis.unit = unit;
 }
 
-/// What a person has to know of the unit of the values, where there is something.
-std::optional<Text> valueRemark(
-    const std::string& before, const std::string& drive, const CompensationTable& converted)
+/// What the values are in; empty: the table does not say, or nothing that the drive's unit can be.
+std::string unitOfValues(const CompensationTable& table, const std::string& drive)
+{
+    if (table.unit == unitOfDrive)
+        return {};
+    if (!table.unit.empty())
+        return table.unit;
+    const std::string& positions = correctedUnit(table);
+    return unitFactor(positions, drive) ? positions : std::string();
+}
+
+/// What a person has to know of the unit of the values, where there is something. before: what they
+/// were in, which the table has stated or not.
+std::optional<Text> valueRemark(const std::string& before, bool isStated, const std::string& drive,
+    const CompensationTable& converted)
 {
     const bool isKnown = !unitSymbol(drive).empty();
-    if (isKnown && isSameUnit(before, drive))
+    if (isKnown && isStated && isSameUnit(before, drive))
         return std::nullopt;
     TextPattern pattern = AXISCOMP_TEXT("Error",
         "Neither the table nor the drive states a unit for the values. The largest correction is "
         "{largest}.");
-    if (!before.empty() && isKnown)
+    if (!before.empty() && isKnown && !isStated && !isSameUnit(before, drive))
+        pattern = AXISCOMP_TEXT("Error",
+            "The table states no unit for its values; they are taken to be in {before}, as its "
+            "positions are, and converted to {after}. The largest correction is {largest}.");
+    else if (!before.empty() && isKnown && isStated)
         pattern = AXISCOMP_TEXT("Error",
             "The values are converted from {before} to {after}. The largest correction is "
             "{largest}.");
-    else if (!before.empty())
+    else if (!before.empty() && !isKnown)
         pattern = AXISCOMP_TEXT("Error",
             "The drive states no unit for the axis; the values are written in {before}. The "
             "largest correction is {largest}.");
@@ -98,19 +115,41 @@ Result<std::optional<Text>> convertPositions(
 
 } // namespace
 
+void takeStatedUnits(
+    CompensationTable& table, const std::string& values, const std::string& positions)
+{
+    if (!values.empty())
+        table.unit = values;
+    if (positions.empty())
+        return;
+    for (GridAxis& axis : table.grid.axes)
+        axis.unit = positions == unitOfDrive ? std::string() : positions;
+}
+
+const std::string& correctedUnit(const CompensationTable& table)
+{
+    std::vector<std::string> names;
+    for (const GridAxis& axis : table.grid.axes)
+        names.push_back(axis.name);
+    const auto target = targetAxis(table.target, names);
+    return table.grid.axes[target && target->source ? *target->source : 0].unit;
+}
+
 Result<TableInUnits> inDriveUnits(const CompensationTable& table, const TableUnits& units)
 {
     TableInUnits result{table, {}};
     CompensationTable& converted = result.table;
-    AXISCOMP_TRY(const double factor,
-        driveFactor(table.unit, units.values, AXISCOMP_TEXT("Error", "values")));
+    const std::string before = unitOfValues(table, units.values);
+    AXISCOMP_TRY(
+        const double factor, driveFactor(before, units.values, AXISCOMP_TEXT("Error", "values")));
     if (factor != 1.0) {
         for (float& value : converted.values)
             value = static_cast<float>(static_cast<double>(value) * factor);
     }
-    if (factor != 1.0 || table.unit.empty())
+    const bool isStated = !table.unit.empty() && table.unit != unitOfDrive;
+    if (factor != 1.0 || !isStated)
         converted.unit = unitSymbol(units.values);
-    if (auto remark = valueRemark(table.unit, units.values, converted))
+    if (auto remark = valueRemark(before, isStated, units.values, converted))
         result.remarks.push_back(std::move(*remark));
     const std::size_t dimensions = std::min(converted.grid.axes.size(), units.positions.size());
     for (std::size_t n = 0; n < dimensions; ++n) {

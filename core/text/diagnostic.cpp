@@ -23,9 +23,7 @@ struct DiagnosticRow {
 constexpr std::array diagnosticRows{
     DiagnosticRow{DiagnosticCode::EmptyFile, "EmptyFile",
         AXISCOMP_TEXT("Problem", "the file holds no data"),
-        AXISCOMP_TEXT("Problem",
-            "it needs a line with the names of the columns, and a line for each point or measured "
-            "value")},
+        AXISCOMP_TEXT("Problem", "export it again, or choose another file")},
     DiagnosticRow{DiagnosticCode::NoHeader, "NoHeader",
         AXISCOMP_TEXT("Problem", "the header line with the names of the columns is missing"),
         AXISCOMP_TEXT("Problem",

@@ -44,28 +44,21 @@ Result<void> checkForDrive(
     return {};
 }
 
-/// Of the source that the table corrects, and of the first one where it corrects another axis.
-const std::string& ownUnit(const CompensationTable& table)
-{
-    std::vector<std::string> names;
-    for (const GridAxis& axis : table.grid.axes)
-        names.push_back(axis.name);
-    const auto target = targetAxis(table.target, names);
-    return table.grid.axes[target && target->source ? *target->source : 0].unit;
-}
-
 /// The file has no units: the values are brought into that of the axis.
 Result<CompensationTable> inUnitsOfFile(
     Environment& environment, const ConvertOptions& options, const CompensationTable& table)
 {
-    const std::string unit = options.valueUnit.empty() ? ownUnit(table) : options.valueUnit;
-    if (unit.empty()) {
-        if (!table.unit.empty())
-            environment.console().note(
-                "note: a .TAMtbl has no units; the values are written as they stand, in "
-                + table.unit);
+    const std::string unit = options.valueUnit.empty() ? correctedUnit(table) : options.valueUnit;
+    if (unit.empty() && table.unit.empty())
         return table;
-    }
+    if (unit.empty())
+        return wrongUsage(
+            "a .TAMtbl has no units, and a drive takes its values and positions in the "
+            "unit of the axis. The values are in "
+                + table.unit
+                + ", the unit of the positions is not stated: give that of the axis with "
+                  "--value-unit, such as --value-unit mm",
+            options.input.command);
     AXISCOMP_TRY(auto converted, inDriveUnits(table, {unit, {}}));
     for (const Text& remark : converted.remarks)
         environment.console().note("note: " + remark.english());

@@ -12,7 +12,8 @@
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"
-#include "core/metrology/fit/lookup_note.h"
+#include "core/neutral/lookup_note.h"
+#include "core/table/table_units.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
@@ -83,13 +84,6 @@ struct TableRequest {
     bool needsTarget = false;
 };
 
-/// "drive": the numbers are in the drive's own unit, whatever the file says.
-void takeUnit(std::string& unit, const std::string& stated)
-{
-    if (!stated.empty())
-        unit = stated == "drive" ? std::string() : stated;
-}
-
 Result<void> takeTable(Environment& environment, const WriteOptions& options,
     const TableInput& input, TableRequest& pending, const std::string& target)
 {
@@ -97,9 +91,7 @@ Result<void> takeTable(Environment& environment, const WriteOptions& options,
     if (conversion.targets.empty() && !target.empty())
         conversion.targets = {target};
     AXISCOMP_TRY(auto table, driveTable(environment, input, pending.inputOptions, conversion));
-    takeUnit(table.unit, options.valueUnit);
-    for (GridAxis& axis : table.grid.axes)
-        takeUnit(axis.unit, options.positionUnit);
+    takeStatedUnits(table, options.valueUnit, options.positionUnit);
     pending.request.dimensionality = table.grid.dimensions();
     pending.request.table = std::move(table);
     if (input.data) {

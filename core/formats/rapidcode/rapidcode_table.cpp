@@ -16,30 +16,6 @@ namespace axiscomp {
 
 namespace {
 
-/// The unit of the values when no setting says it: that of the first input, where it can be.
-std::string usualValueUnit(const NeutralTable& table, const std::string& positionUnit)
-{
-    const std::string& input = positionUnit.empty() ? table.axes.front().unit : positionUnit;
-    const std::string& own = table.columns.front().unit;
-    return own.empty() || isSameUnit(own, input) || unitFactor(own, input) ? input : own;
-}
-
-Result<NeutralTable> withUnits(
-    const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks)
-{
-    FormatSettings units;
-    const std::string positionUnit = settings.text("position-unit");
-    std::string valueUnit = settings.text("value-unit");
-    if (valueUnit.empty())
-        valueUnit = usualValueUnit(table, positionUnit);
-    if (!positionUnit.empty())
-        units["position-unit"] = positionUnit;
-    if (!valueUnit.empty())
-        units["value-unit"] = valueUnit;
-    AXISCOMP_TRY(const auto values, SettingValues::of(FormatFacts{}, units, true));
-    return inSettingUnits(table, values, remarks);
-}
-
 RapidCodeInput inputOf(const SourceAxis& axis)
 {
     constexpr int noDecimals = -30;
@@ -89,7 +65,7 @@ std::optional<std::size_t> rapidCodePoints(double minimum, double maximum, doubl
 Result<RapidCodeTable> rapidCodeTable(const FormatFacts& facts, const NeutralTable& table,
     const SettingValues& settings, std::vector<Text>& remarks)
 {
-    AXISCOMP_TRY(auto converted, withUnits(table, settings, remarks));
+    AXISCOMP_TRY(auto converted, inSettingUnits(table, settings, remarks));
     RapidCodeTable result;
     result.countsPerUnit = settings.number("counts-per-unit");
     if (result.countsPerUnit == 0.0)

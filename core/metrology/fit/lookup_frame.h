@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/compensation_table.h"
 #include "core/table/lookup.h"
 
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace axiscomp {
-
-/// What the position is at which the drive looks a table up: before or after its own compensation.
-enum class LookupAt {
-    Encoder, ///< the raw position u (MasterPosition, Encoders[n]/Position)
-    Set, ///< u and what the drive adds (PathPlanner/Position)
-};
 
 /// A table that was active while it was measured.
 struct ActiveTable {

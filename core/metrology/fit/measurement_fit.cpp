@@ -42,11 +42,6 @@ std::optional<FitMethod> fitMethodNamed(std::string_view name)
     return found->method;
 }
 
-std::string_view lookupAtName(LookupAt lookupAt)
-{
-    return lookupAt == LookupAt::Encoder ? "encoder" : "set";
-}
-
 std::string_view fitDirectionName(FitDirection direction)
 {
     return std::ranges::find(knownDirections, direction, &NamedDirection::direction)->name;

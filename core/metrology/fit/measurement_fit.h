@@ -79,7 +79,6 @@ struct FitSettings {
 };
 [[nodiscard]] std::string_view fitMethodName(FitMethod method); ///< "linear"
 [[nodiscard]] std::optional<FitMethod> fitMethodNamed(std::string_view name);
-[[nodiscard]] std::string_view lookupAtName(LookupAt lookupAt); ///< "encoder", "set"
 [[nodiscard]] std::string_view fitDirectionName(FitDirection direction); ///< "mean"
 [[nodiscard]] std::optional<FitDirection> fitDirectionNamed(std::string_view name);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/fit_record.h"
 
-#include "core/metrology/fit/lookup_note.h"
+#include "core/neutral/lookup_note.h"
 
 #include <utility>
 

@@ -62,6 +62,26 @@ private Q_SLOTS:
         QTEST(run.out, "value");
     }
 
+    void aSignThatNobodyHasPublishedIsStatedOnceOfAFileAndItsController()
+    {
+        const Sandbox box;
+        box.file("t.csv", line1D);
+        const QStringList ofFile{"t.dat", "5000", "--from", "weihong"};
+        VERIFY_CODE(box.run({"convert", "t.csv", "t.dat", "--dims", "1", "--to", "weihong",
+                        "--to-sign", "feedback", "--target", "#1"}),
+            0);
+        for (const char* sign : {"command", "feedback"}) {
+            const QStringList stated = ofFile + QStringList{"--sign", sign};
+            const ProgramRun own = box.run(QStringList{"lookup"} + stated);
+            VERIFY_CODE(own, 0);
+            QCOMPARE(own.out, QByteArray("3.5\n"));
+            const ProgramRun forDrive =
+                box.run(QStringList{"lookup"} + stated + QStringList{"--as", "csv"});
+            VERIFY_CODE(forDrive, 0);
+            QCOMPARE(forDrive.out.toDouble() < 0.0, sign == QByteArray("command"));
+        }
+    }
+
     void outsideFollowsTheRule_data()
     {
         QTest::addColumn<QString>("rule");

@@ -115,6 +115,36 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
     return request;
 }
 
+/// A table that the format can write, in um.
+NeutralTable inMicrometres(const TableFormat& format)
+{
+    NeutralTable table = exampleTable(format.facts.fewestDimensions, SignConvention::Feedback);
+    nameAxes(table, format);
+    for (SourceAxis& axis : table.axes) {
+        axis.unit = "um";
+        for (double& knot : axis.knots)
+            knot *= 1000.0;
+    }
+    for (CompensationColumn& column : table.columns) {
+        column.unit = "um";
+        for (double& value : column.values)
+            value *= 1000.0;
+    }
+    return table;
+}
+
+/// Those that are written, but for the calibration file, which stays as it is.
+void addFormats()
+{
+    QTest::addColumn<int>("index");
+    const auto formats = tableFormats();
+    for (int i = 0; i < static_cast<int>(formats.size()); ++i) {
+        const TableFormat& format = *formats[static_cast<std::size_t>(i)];
+        if (format.write && &format != &calibration_csv::format())
+            QTest::newRow(std::string(format.facts.name).c_str()) << i;
+    }
+}
+
 bool takes(const TableFormat& format, int dimensions)
 {
     return format.facts.fewestDimensions <= dimensions && dimensions <= format.facts.mostDimensions;
@@ -415,6 +445,99 @@ private Q_SLOTS:
         // One of both stated: the other one counts as well.
         request.targetSign = SignConvention::Feedback;
         VERIFY_ERROR(convertTables(tables, request), ErrorCode::SignNotStated);
+    }
+
+    /// What a person says of the sign of a file says it of the controller, too.
+    void withinOneFormatTheSignIsStatedOnce()
+    {
+        const std::array tables{exampleTable(1, SignConvention::Feedback)};
+        for (const SignConvention sign : {SignConvention::Feedback, SignConvention::Command}) {
+            ConversionRequest request = requestFor(siemens_cec::format(), siemens_cec::format());
+            request.sourceSign = sign;
+            request.targetSign.reset();
+            const auto conversion = convertTables(tables, request);
+            VERIFY_RESULT(conversion);
+            QVERIFY(test::largestDifference(conversion->tables.front().result.columns[0].values,
+                        tables[0].columns[0].values)
+                < 1e-12);
+        }
+    }
+
+    void valuesWithoutAUnitAreInThatOfTheirPositions_data() { addFormats(); }
+    void valuesWithoutAUnitAreInThatOfTheirPositions()
+    {
+        QFETCH(const int, index);
+        const TableFormat& format = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable stated = inMicrometres(format);
+        NeutralTable silent = stated;
+        silent.columns[0].unit.clear();
+        ConversionRequest request = requestFor(calibration_csv::format(), format);
+        const auto settings = formatSettings(format.facts, true);
+        if (std::ranges::find(settings, "position-unit", &FormatSetting::key) != settings.end())
+            request.writing.settings["position-unit"] = "mm";
+        const auto one = convertTables(std::span(&stated, 1), request);
+        const auto other = convertTables(std::span(&silent, 1), request);
+        VERIFY_RESULT(one);
+        VERIFY_RESULT(other);
+        QCOMPARE(other->written.bytes, one->written.bytes);
+        if (&format != &tam_table::format())
+            QVERIFY(contains(conversionReport(*other, request), "as the positions are"));
+    }
+
+    /// The controller adds one to the other.
+    void valuesWithAUnitNeedThatOfTheirPositions_data() { addFormats(); }
+    void valuesWithAUnitNeedThatOfTheirPositions()
+    {
+        QFETCH(const int, index);
+        const TableFormat& format = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable table = inMicrometres(format);
+        for (SourceAxis& axis : table.axes)
+            axis.unit.clear();
+        const auto refused =
+            convertTables(std::span(&table, 1), requestFor(calibration_csv::format(), format));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(test::mentions(sentence(refused.error()), "position-unit"));
+    }
+
+    void theValuesOfAnotherAxisGetTheUnitOfTheFirstSource_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"power-pmac", "pmac-1d", "softmc", "rapidcode"})
+            QTest::newRow(name) << name;
+    }
+    void theValuesOfAnotherAxisGetTheUnitOfTheFirstSource()
+    {
+        QFETCH(const QString, name);
+        const auto format = formatNamed(name.toStdString());
+        VERIFY_RESULT(format);
+        NeutralTable small = exampleTable(1, SignConvention::Feedback);
+        nameAxes(small, **format);
+        small.columns[0].target = "3";
+        NeutralTable large = small;
+        large.columns[0].unit = "um";
+        for (double& value : large.columns[0].values)
+            value *= 1000.0;
+        ConversionRequest request = requestFor(calibration_csv::format(), **format);
+        const auto one = convertTables(std::span(&small, 1), request);
+        const auto other = convertTables(std::span(&large, 1), request);
+        VERIFY_RESULT(one);
+        VERIFY_RESULT(other);
+        QCOMPARE(other->written.bytes, one->written.bytes);
+    }
+
+    /// Its positions are other places than those of the encoder.
+    void aTableForTheSetPositionIsForDrivesThatLookItUpThere()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
+        table.notes = {"lookup: encoder"};
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        table.notes = {"lookup: set"};
+        const auto refused = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(test::mentions(sentence(refused.error()), "for the position of the encoder"));
+        request = requestFor(calibration_csv::format(), tam_table::format());
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
     }
 
     void endsThatNoLongerGoOnAreSaidWithTheirNumber()

@@ -128,6 +128,40 @@ private Q_SLOTS:
             QString::fromStdString(result->table.grid.axes.front().unit), QStringLiteral("mm"));
     }
 
+    /// AN140 3.1. Of another kind of axis they cannot be: then the drive's unit is assumed.
+    void valuesWithoutAUnitAreInThatOfTheirPositions()
+    {
+        const auto result = inDriveUnits(tableIn("", "um"), {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(result);
+        QCOMPARE(remarksOf(*result).front(),
+            QStringLiteral("The table states no unit for its values; they are taken to be in um, "
+                           "as its positions are, and converted to mm. The largest correction is "
+                           "0.123456 mm."));
+        QVERIFY(isWithinOneUlp(result->table.values[1], 1.25e-3));
+        QCOMPARE(QString::fromStdString(result->table.unit), QStringLiteral("mm"));
+        const auto other = inDriveUnits(tableIn("", "deg"), {"Millimeter", {"Degree"}});
+        VERIFY_RESULT(other);
+        QVERIFY(other->table.values == tableIn("", "").values);
+        QCOMPARE(QString::fromStdString(other->table.unit), QStringLiteral("mm"));
+    }
+
+    void whatIsStatedCountsMoreThanTheFile()
+    {
+        const CompensationTable file = tableIn("um", "um");
+        CompensationTable stated = file;
+        takeStatedUnits(stated, "drive", "");
+        const auto asTheyStand = inDriveUnits(stated, {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(asTheyStand);
+        QVERIFY(asTheyStand->table.values == file.values);
+        QCOMPARE(QString::fromStdString(asTheyStand->table.unit), QStringLiteral("mm"));
+        QCOMPARE(asTheyStand->table.grid.axes[0].start, -0.0125);
+        takeStatedUnits(stated, "nm", "drive");
+        const auto nanometres = inDriveUnits(stated, {"Millimeter", {"Millimeter"}});
+        VERIFY_RESULT(nanometres);
+        QVERIFY(isWithinOneUlp(nanometres->table.values[1], 1.25e-6));
+        QCOMPARE(nanometres->table.grid.axes[0].start, -12.5);
+    }
+
     void anAssumptionIsSaidWithTheLargestCorrection()
     {
         const auto result = inDriveUnits(tableIn("", ""), {"Millimeter", {"Millimeter"}});

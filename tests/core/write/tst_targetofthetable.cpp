@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/metrology/fit/lookup_note.h"
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/target_axis.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/metrology/fit/lookup_note.h"
+#include "core/neutral/lookup_note.h"
 
-#include "core/metrology/fit/fit_errors.h"
-#include "core/metrology/fit/measurement_fit.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
@@ -26,6 +24,11 @@ std::optional<LookupAt> sideNamed(std::string_view name)
 
 } // namespace
 
+std::string_view lookupAtName(LookupAt lookupAt)
+{
+    return lookupAt == LookupAt::Encoder ? "encoder" : "set";
+}
+
 std::string lookupNote(LookupAt lookupAt)
 {
     return std::string(lookupKey) + ' ' + std::string(lookupAtName(lookupAt));
@@ -40,12 +43,16 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
             continue;
         const auto side = sideNamed(trimmed(text.substr(lookupKey.size())));
         if (!side || (said && side != said))
-            return badFit(AXISCOMP_TEXT("Error",
-                "the file says \"{note}\", where one comment, lookup: encoder or lookup: set, says "
-                "for which side of the compensation the table was made: correct that line, or "
-                "leave "
-                "it out")
-                              .with("note", shownText(text, 60)));
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the file says \"{note}\", where one comment, lookup: encoder or lookup: "
+                        "set, says "
+                        "for which side of the compensation the table was made: correct that line, "
+                        "or "
+                        "leave "
+                        "it out")
+                        .with("note", shownText(text, 60))}});
         said = side;
     }
     return said;

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/metrology/fit/lookup_frame.h"
+#include "core/base/result.h"
 
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace axiscomp {
+
+/// What the position is at which the drive looks a table up: before or after its own compensation.
+enum class LookupAt {
+    Encoder, ///< the raw position u (MasterPosition, Encoders[n]/Position)
+    Set, ///< u and what the drive adds (PathPlanner/Position)
+};
+[[nodiscard]] std::string_view lookupAtName(LookupAt lookupAt); ///< "encoder", "set"
 
 // Where a table has to be looked up, as a note of its file: a file that is written later says for
 // which side of the compensation its values were made.
