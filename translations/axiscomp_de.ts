@@ -3438,10 +3438,6 @@
         <translation>ihr Wert bei Position 0 ist {value}, und die Steuerung nimmt dort 0 an</translation>
     </message>
     <message>
-        <source>subtract this value from all values</source>
-        <translation>diesen Wert von allen Werten abziehen</translation>
-    </message>
-    <message>
         <source>there is no motor {number}</source>
         <translation>es gibt keinen Motor {number}</translation>
     </message>
@@ -7877,6 +7873,62 @@
         <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
         <translation>nach dem Laden die Versorgung aus- und einschalten und den Referenzpunkt anfahren; der Alarm PW1102 sagt, dass die Nummern nicht passen</translation>
     </message>
+    <message>
+        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
+        <translation>die Tabelle wurde für einen Antrieb erstellt, der sie an der Sollposition abliest (lookup: set), was Steuerungen des Formats {format} nicht tun: für die Position des Encoders ausgleichen, den Rest erledigt die Umrechnung</translation>
+    </message>
+    <message>
+        <source>parameter {number}, which is {value} for no axis</source>
+        <translation>Parameter {number}, der für keine Achse {value} ist</translation>
+    </message>
+    <message>
+        <source>the reference point, numbers and magnification of one axis, as the settings say</source>
+        <translation>Referenzpunkt, Nummern und Vergrößerungsfaktor einer Achse, wie in den Einstellungen</translation>
+    </message>
+    <message>
+        <source>parameters 3620 to 3623 of several axes, and numbers {first} to {last}</source>
+        <translation>Parameter 3620 bis 3623 mehrerer Achsen und Nummern {first} bis {last}</translation>
+    </message>
+    <message>
+        <source>the numbers of one axis; first-number and last-number choose them</source>
+        <translation>die Nummern einer Achse; first-number und last-number wählen sie</translation>
+    </message>
+    <message>
+        <source>shift all values so that it is 0 there; convert does that with --zero</source>
+        <translation>alle Werte so verschieben, dass der Wert dort 0 ist; convert tut das mit --zero</translation>
+    </message>
+    <message>
+        <source>{number} to command, to reach {number2}</source>
+        <translation>{number} als Sollwert, um {number2} zu erreichen</translation>
+    </message>
+    <message>
+        <source>at most half a range away; a list of corrections is no such file</source>
+        <translation>höchstens eine halbe Schrittweite entfernt; eine Liste von Korrekturen ist keine solche Datei</translation>
+    </message>
+    <message>
+        <source>a comment without an end</source>
+        <translation>ein Kommentar ohne Ende</translation>
+    </message>
+    <message>
+        <source>{sign} behind it</source>
+        <translation>{sign} dahinter</translation>
+    </message>
+    <message>
+        <source>one position and one compensation in each pair of brackets</source>
+        <translation>eine Position und eine Kompensation in jedem Klammerpaar</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit; they are taken to be in {unit}, as the positions are</source>
+        <translation>die Werte für {column} haben keine Einheit; angenommen wird {unit} wie bei den Positionen</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to have no unit; state it in the header, as X [mm], or as the setting {key} of the file that is read</source>
+        <translation>die Werte für {column} sind in {unit}, und die Positionen, zu denen sie addiert werden, haben keine Einheit; sie in der Kopfzeile angeben, etwa X [mm], oder als Einstellung {key} der gelesenen Datei</translation>
+    </message>
+    <message>
+        <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
+        <translation>Die Tabelle nennt keine Einheit für ihre Werte; angenommen wird {before} wie bei ihren Positionen, umgerechnet in {after}. Die größte Korrektur ist {largest}.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8012,8 +8064,8 @@
         <translation>Die Version zeigen</translation>
     </message>
     <message>
-        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
-        <translation>ENDPOINT ist http://host[:port], https://host[:port] oder demo: (ein virtueller Antrieb im Programm). AXISCOMP_DRIVE ist der Standard für --drive. Mehr zeigt `axiscomp COMMAND --help`.</translation>
+        <source>ENDPOINT is http://host[:port], https://host[:port], serial:DEVICE[?baud=N] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT ist http://host[:port], https://host[:port], serial:GERÄT[?baud=N] oder demo: (ein virtueller Antrieb im Programm). AXISCOMP_DRIVE ist der Standard für --drive. Mehr zeigt `axiscomp COMMAND --help`.</translation>
     </message>
     <message>
         <source>Print one JSON document on standard output</source>
@@ -9638,8 +9690,8 @@
         <translation>die Datei enthält keine Daten</translation>
     </message>
     <message>
-        <source>it needs a line with the names of the columns, and a line for each point or measured value</source>
-        <translation>sie braucht eine Zeile mit den Namen der Spalten und eine Zeile für jede Stützstelle oder jeden Messwert</translation>
+        <source>export it again, or choose another file</source>
+        <translation>die Datei erneut exportieren oder eine andere wählen</translation>
     </message>
     <message>
         <source>the header line with the names of the columns is missing</source>

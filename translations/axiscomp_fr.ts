@@ -588,7 +588,7 @@
     </message>
     <message>
         <source>not checked: {reason}</source>
-        <translation>non vérifié : {reason}</translation>
+        <translation>non vérifié&#xa0;: {reason}</translation>
     </message>
     <message>
         <source>make room there, or set {variable} to another folder</source>
@@ -3436,10 +3436,6 @@
     <message>
         <source>its value at position 0 is {value}, and the controller takes it to be 0 there</source>
         <translation>sa valeur à la position 0 est {value}, et la commande y suppose 0</translation>
-    </message>
-    <message>
-        <source>subtract this value from all values</source>
-        <translation>soustraire cette valeur de toutes les valeurs</translation>
     </message>
     <message>
         <source>there is no motor {number}</source>
@@ -7877,6 +7873,62 @@
         <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
         <translation>après le chargement, couper et remettre l&apos;alimentation et revenir au point de référence&#xa0;; l&apos;alarme PW1102 indique que les numéros ne conviennent pas</translation>
     </message>
+    <message>
+        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
+        <translation>la table a été faite pour un variateur qui la lit à la position de consigne (lookup: set), ce que ne font pas les commandes du format {format} : l&apos;ajuster pour la position du codeur, la conversion fait le reste</translation>
+    </message>
+    <message>
+        <source>parameter {number}, which is {value} for no axis</source>
+        <translation>le paramètre {number}, qui ne vaut {value} pour aucun axe</translation>
+    </message>
+    <message>
+        <source>the reference point, numbers and magnification of one axis, as the settings say</source>
+        <translation>le point de référence, les numéros et le grossissement d&apos;un axe, selon les réglages</translation>
+    </message>
+    <message>
+        <source>parameters 3620 to 3623 of several axes, and numbers {first} to {last}</source>
+        <translation>les paramètres 3620 à 3623 de plusieurs axes, et les numéros {first} à {last}</translation>
+    </message>
+    <message>
+        <source>the numbers of one axis; first-number and last-number choose them</source>
+        <translation>les numéros d&apos;un axe ; first-number et last-number les choisissent</translation>
+    </message>
+    <message>
+        <source>shift all values so that it is 0 there; convert does that with --zero</source>
+        <translation>décaler toutes les valeurs pour qu&apos;elle y soit nulle ; convert le fait avec --zero</translation>
+    </message>
+    <message>
+        <source>{number} to command, to reach {number2}</source>
+        <translation>{number} à commander pour atteindre {number2}</translation>
+    </message>
+    <message>
+        <source>at most half a range away; a list of corrections is no such file</source>
+        <translation>un écart d&apos;au plus un demi-intervalle ; une liste de corrections n&apos;est pas un tel fichier</translation>
+    </message>
+    <message>
+        <source>a comment without an end</source>
+        <translation>un commentaire sans fin</translation>
+    </message>
+    <message>
+        <source>{sign} behind it</source>
+        <translation>{sign} à sa suite</translation>
+    </message>
+    <message>
+        <source>one position and one compensation in each pair of brackets</source>
+        <translation>une position et une compensation dans chaque paire de parenthèses</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit; they are taken to be in {unit}, as the positions are</source>
+        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité ; l&apos;unité retenue est {unit}, celle des positions</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to have no unit; state it in the header, as X [mm], or as the setting {key} of the file that is read</source>
+        <translation>les valeurs pour {column} sont en {unit}, et les positions auxquelles elles s&apos;ajoutent n&apos;ont pas d&apos;unité ; l&apos;indiquer dans l&apos;en-tête, comme X [mm], ou par le réglage {key} du fichier lu</translation>
+    </message>
+    <message>
+        <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
+        <translation>La table n&apos;indique pas l&apos;unité de ses valeurs ; l&apos;unité retenue est {before}, celle de ses positions, convertie en {after}. La plus grande correction est {largest}.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8012,8 +8064,8 @@
         <translation>Afficher la version</translation>
     </message>
     <message>
-        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
-        <translation>ENDPOINT est http://hôte[:port], https://hôte[:port] ou demo: (un variateur virtuel intégré au programme). AXISCOMP_DRIVE est la valeur par défaut de --drive. Pour en savoir plus&#xa0;: `axiscomp COMMAND --help`.</translation>
+        <source>ENDPOINT is http://host[:port], https://host[:port], serial:DEVICE[?baud=N] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT est http://hôte[:port], https://hôte[:port], serial:PÉRIPHÉRIQUE[?baud=N] ou demo: (un variateur virtuel intégré au programme). AXISCOMP_DRIVE est la valeur par défaut de --drive. Pour en savoir plus&#xa0;: `axiscomp COMMAND --help`.</translation>
     </message>
     <message>
         <source>Print one JSON document on standard output</source>
@@ -9638,8 +9690,8 @@
         <translation>le fichier ne contient pas de données</translation>
     </message>
     <message>
-        <source>it needs a line with the names of the columns, and a line for each point or measured value</source>
-        <translation>il lui faut une ligne avec les noms des colonnes et une ligne par point ou valeur mesurée</translation>
+        <source>export it again, or choose another file</source>
+        <translation>l&apos;exporter à nouveau ou choisir un autre fichier</translation>
     </message>
     <message>
         <source>the header line with the names of the columns is missing</source>

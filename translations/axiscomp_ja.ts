@@ -3438,10 +3438,6 @@
         <translation>位置 0 の値が {value} ですが、コントローラはそこを 0 とみなします</translation>
     </message>
     <message>
-        <source>subtract this value from all values</source>
-        <translation>すべての値からこの値を引いてください</translation>
-    </message>
-    <message>
         <source>there is no motor {number}</source>
         <translation>モータ {number} はありません</translation>
     </message>
@@ -7836,6 +7832,62 @@
         <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
         <translation>読み込み後、電源を入れ直して原点復帰を行ってください。アラーム PW1102 は番号が合わないことを示します</translation>
     </message>
+    <message>
+        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
+        <translation>このテーブルは指令位置で参照するドライブ用 (lookup: set) ですが、形式 {format} のコントローラはそうしません。エンコーダの位置用に作成してください。残りは変換が行います</translation>
+    </message>
+    <message>
+        <source>parameter {number}, which is {value} for no axis</source>
+        <translation>パラメータ {number} (どの軸でも {value} ではない)</translation>
+    </message>
+    <message>
+        <source>the reference point, numbers and magnification of one axis, as the settings say</source>
+        <translation>設定どおりの 1 軸の基準点、番号、倍率</translation>
+    </message>
+    <message>
+        <source>parameters 3620 to 3623 of several axes, and numbers {first} to {last}</source>
+        <translation>複数軸のパラメータ 3620 から 3623 と、番号 {first} から {last}</translation>
+    </message>
+    <message>
+        <source>the numbers of one axis; first-number and last-number choose them</source>
+        <translation>1 軸の番号。first-number と last-number で選択</translation>
+    </message>
+    <message>
+        <source>shift all values so that it is 0 there; convert does that with --zero</source>
+        <translation>そこで 0 になるように全値をずらしてください (convert の --zero)</translation>
+    </message>
+    <message>
+        <source>{number} to command, to reach {number2}</source>
+        <translation>{number2} に達するための指令値が {number}</translation>
+    </message>
+    <message>
+        <source>at most half a range away; a list of corrections is no such file</source>
+        <translation>差は区間の半分まで。補正値の一覧はこの形式のファイルではありません</translation>
+    </message>
+    <message>
+        <source>a comment without an end</source>
+        <translation>終わりのないコメント</translation>
+    </message>
+    <message>
+        <source>{sign} behind it</source>
+        <translation>その後ろに {sign}</translation>
+    </message>
+    <message>
+        <source>one position and one compensation in each pair of brackets</source>
+        <translation>括弧ごとに位置と補正値を 1 つずつ</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit; they are taken to be in {unit}, as the positions are</source>
+        <translation>{column} の値に単位がないため、位置と同じ {unit} とみなします</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to have no unit; state it in the header, as X [mm], or as the setting {key} of the file that is read</source>
+        <translation>{column} の値の単位は {unit} ですが、加算先の位置に単位がありません。ヘッダーに X [mm] のように書くか、読み込むファイルの設定 {key} で指定してください</translation>
+    </message>
+    <message>
+        <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
+        <translation>テーブルに値の単位がないため、位置と同じ {before} とみなし、{after} に換算します。最大の補正量は {largest} です。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -7971,8 +8023,8 @@
         <translation>バージョンを表示します</translation>
     </message>
     <message>
-        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
-        <translation>ENDPOINT は http://host[:port]、https://host[:port]、demo: (プログラム内蔵の仮想ドライブ) のいずれかです。--drive の既定値は AXISCOMP_DRIVE です。詳細は `axiscomp COMMAND --help` で表示されます。</translation>
+        <source>ENDPOINT is http://host[:port], https://host[:port], serial:DEVICE[?baud=N] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT は http://host[:port]、https://host[:port]、serial:DEVICE[?baud=N]、demo: (プログラム内蔵の仮想ドライブ) のいずれかです。--drive の既定値は AXISCOMP_DRIVE です。詳細は `axiscomp COMMAND --help` で表示されます。</translation>
     </message>
     <message>
         <source>Print one JSON document on standard output</source>
@@ -9589,8 +9641,8 @@
         <translation>ファイルにデータがありません</translation>
     </message>
     <message>
-        <source>it needs a line with the names of the columns, and a line for each point or measured value</source>
-        <translation>列名の行と、格子点または測定値ごとの行が必要です</translation>
+        <source>export it again, or choose another file</source>
+        <translation>もう一度エクスポートするか、別のファイルを選んでください</translation>
     </message>
     <message>
         <source>the header line with the names of the columns is missing</source>

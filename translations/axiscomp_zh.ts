@@ -3438,10 +3438,6 @@
         <translation>其在位置 0 处的值为 {value}，而控制器在该处按 0 处理</translation>
     </message>
     <message>
-        <source>subtract this value from all values</source>
-        <translation>从所有值中减去该值</translation>
-    </message>
-    <message>
         <source>there is no motor {number}</source>
         <translation>没有电机 {number}</translation>
     </message>
@@ -7836,6 +7832,62 @@
         <source>after loading switch the power off and on and return to the reference point; alarm PW1102 says that the numbers do not fit</source>
         <translation>载入后断电再上电并返回参考点；报警 PW1102 表示编号不符</translation>
     </message>
+    <message>
+        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
+        <translation>该表是为按指令位置查表的驱动器制作的 (lookup: set)，而格式 {format} 的控制器不是这样：请按编码器位置拟合，其余由转换完成</translation>
+    </message>
+    <message>
+        <source>parameter {number}, which is {value} for no axis</source>
+        <translation>参数 {number}，没有任何轴为 {value}</translation>
+    </message>
+    <message>
+        <source>the reference point, numbers and magnification of one axis, as the settings say</source>
+        <translation>与设置一致的单个轴的参考点、编号和倍率</translation>
+    </message>
+    <message>
+        <source>parameters 3620 to 3623 of several axes, and numbers {first} to {last}</source>
+        <translation>多个轴的参数 3620 至 3623，以及编号 {first} 至 {last}</translation>
+    </message>
+    <message>
+        <source>the numbers of one axis; first-number and last-number choose them</source>
+        <translation>一个轴的编号；用 first-number 和 last-number 选择</translation>
+    </message>
+    <message>
+        <source>shift all values so that it is 0 there; convert does that with --zero</source>
+        <translation>将所有值平移，使其在该处为 0；convert 用 --zero 完成</translation>
+    </message>
+    <message>
+        <source>{number} to command, to reach {number2}</source>
+        <translation>到达 {number2} 的指令值为 {number}</translation>
+    </message>
+    <message>
+        <source>at most half a range away; a list of corrections is no such file</source>
+        <translation>相差不超过半个区间；修正值列表不是这种文件</translation>
+    </message>
+    <message>
+        <source>a comment without an end</source>
+        <translation>没有结束的注释</translation>
+    </message>
+    <message>
+        <source>{sign} behind it</source>
+        <translation>其后为 {sign}</translation>
+    </message>
+    <message>
+        <source>one position and one compensation in each pair of brackets</source>
+        <translation>每对括号中一个位置和一个补偿值</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit; they are taken to be in {unit}, as the positions are</source>
+        <translation>{column} 的值没有单位；按位置的单位 {unit} 处理</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to have no unit; state it in the header, as X [mm], or as the setting {key} of the file that is read</source>
+        <translation>{column} 的值以 {unit} 为单位，而与之相加的位置没有单位；请在表头中注明，如 X [mm]，或用所读文件的设置 {key} 指定</translation>
+    </message>
+    <message>
+        <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
+        <translation>该表未注明值的单位；按其位置的单位 {before} 处理，并换算为 {after}。最大修正量为 {largest}。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -7971,8 +8023,8 @@
         <translation>显示版本</translation>
     </message>
     <message>
-        <source>ENDPOINT is http://host[:port], https://host[:port] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
-        <translation>ENDPOINT 为 http://host[:port]、https://host[:port] 或 demo:（程序内部的虚拟驱动器）。--drive 的默认值取自 AXISCOMP_DRIVE。更多内容见 `axiscomp COMMAND --help`。</translation>
+        <source>ENDPOINT is http://host[:port], https://host[:port], serial:DEVICE[?baud=N] or demo: (a virtual drive inside the program). AXISCOMP_DRIVE is the default of --drive. `axiscomp COMMAND --help` has more.</source>
+        <translation>ENDPOINT 为 http://host[:port]、https://host[:port]、serial:DEVICE[?baud=N] 或 demo:（程序内部的虚拟驱动器）。--drive 的默认值取自 AXISCOMP_DRIVE。更多内容见 `axiscomp COMMAND --help`。</translation>
     </message>
     <message>
         <source>Print one JSON document on standard output</source>
@@ -9589,8 +9641,8 @@
         <translation>文件中没有数据</translation>
     </message>
     <message>
-        <source>it needs a line with the names of the columns, and a line for each point or measured value</source>
-        <translation>需要一行列名，以及每个点或每个测得值一行</translation>
+        <source>export it again, or choose another file</source>
+        <translation>请重新导出，或选择其他文件</translation>
     </message>
     <message>
         <source>the header line with the names of the columns is missing</source>

@@ -2,7 +2,7 @@
 #include "ui/data/data_file_model.h"
 
 #include "core/formats/formats.h"
-#include "core/metrology/fit/lookup_note.h"
+#include "core/neutral/lookup_note.h"
 
 #include <QDir>
 #include <QFileInfo>
