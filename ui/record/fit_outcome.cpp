@@ -189,7 +189,12 @@ Result<void> Fitting::readKnown()
     if (m_choices.measuredWith != MeasuredWith::File)
         return {};
     AXISCOMP_TRY(auto tables, readTables(m_choices.measuredWithFile, m_request, m_stop));
-    m_stated = MeasuredState{MeasuredState::Kind::On, tables.tables.crcs.front()};
+    // Columns of points have a table each, all of which were active.
+    std::size_t stated = 0;
+    if (m_measurement.kind != MeasurementKind::Points) {
+        AXISCOMP_TRY(stated, tableOfAxis(tables.tables, m_measurement.header.axis));
+    }
+    m_stated = MeasuredState{MeasuredState::Kind::On, tables.tables.crcs[stated]};
     m_outcome.known.push_back(std::move(tables.tables));
     return {};
 }

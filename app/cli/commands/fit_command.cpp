@@ -174,6 +174,23 @@ TableInputOptions tableFile(
     return input;
 }
 
+/// The axis that the table is made for, where --target says it.
+std::string statedAxis(const FitOptions& options)
+{
+    const auto& targets = options.file.conversion.targets;
+    return targets.size() == 1 ? targets.front() : std::string();
+}
+
+/// Which table of a file was active. Columns of points have one each, all of which were.
+Result<std::size_t> statedTable(
+    const FitOptions& options, const Measurement& measurement, const KnownTables& tables)
+{
+    if (measurement.kind == MeasurementKind::Points)
+        return std::size_t{0};
+    const std::string axis = statedAxis(options);
+    return tableOfAxis(tables, axis.empty() ? measurement.header.axis : axis);
+}
+
 Result<StateSources> readStates(
     Environment& environment, const FitOptions& options, const Measurement& measurement)
 {
@@ -185,7 +202,8 @@ Result<StateSources> readStates(
     } else if (!options.measuredWith.empty()) {
         AXISCOMP_TRY(auto tables,
             tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit));
-        sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs.front()};
+        AXISCOMP_TRY(const std::size_t stated, statedTable(options, measurement, tables));
+        sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs[stated]};
         sources.others.push_back(std::move(tables));
     }
     if (options.onto == ontoDrive) {
@@ -250,7 +268,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     settings.uncertainty = limits.uncertainty;
     AXISCOMP_TRY(const auto state,
         findState({measurement.header.compensation, sources.stated, hasRawReadings(measurement),
-            sources.onto ? &*sources.onto : nullptr, sources.others}));
+            sources.onto ? &*sources.onto : nullptr, sources.others, statedAxis(options)}));
     AXISCOMP_TRY(
         const auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
 

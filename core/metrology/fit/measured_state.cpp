@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/measured_state.h"
 
+#include "core/metrology/fit/fit_errors.h"
+#include "core/table/target_axis.h"
 #include "core/text/crc_text.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -63,6 +67,24 @@ Result<MeasuredState> agreedState(const StateRequest& request)
     return agreed;
 }
 
+/// What a table corrects, by the name of the axis.
+std::string targetName(const CompensationTable& table)
+{
+    std::vector<std::string> sources;
+    for (const GridAxis& axis : table.grid.axes)
+        sources.push_back(axis.name);
+    const auto meant = targetAxis(table.target, sources);
+    return meant && meant->source ? sources[*meant->source] : table.target;
+}
+
+std::vector<std::string> namedTargets(const std::vector<std::string>& targets)
+{
+    std::vector<std::string> named;
+    std::ranges::copy_if(targets, std::back_inserter(named),
+        [](const std::string& target) { return !target.empty(); });
+    return named;
+}
+
 const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
 {
     if (request.onto->has(crc))
@@ -88,6 +110,7 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
     FoundState found;
     found.kind = FoundState::Kind::On;
     found.active = request.onto;
+    found.axis = request.axis;
     if (state.tableCrc) {
         found.active = tablesOf(request, *state.tableCrc);
         if (!found.active)
@@ -127,6 +150,46 @@ const CompensationTable* KnownTables::withCrc(std::uint32_t crc) const
     return found == crcs.end() ? nullptr : &tables[static_cast<std::size_t>(found - crcs.begin())];
 }
 
+Result<std::size_t> tableOfAxis(const KnownTables& known, std::string_view axis)
+{
+    if (known.tables.size() == 1)
+        return std::size_t{0};
+    std::vector<std::string> targets;
+    for (const CompensationTable& table : known.tables)
+        targets.push_back(targetName(table));
+    const auto matchesOf = [&targets](std::string_view name) {
+        std::vector<std::size_t> matches;
+        for (std::size_t n = 0; n < targets.size(); ++n)
+            if (!name.empty() && sameLetters(targets[n], name))
+                matches.push_back(n);
+        return matches;
+    };
+    auto matches = matchesOf(axis);
+    if (matches.empty())
+        matches = matchesOf(axisInHeader(axis));
+    if (matches.size() == 1)
+        return matches.front();
+    if (matches.size() > 1)
+        return badFit(AXISCOMP_TEXT("Error",
+            "{name} has several tables of axis {axis}; which of them was active has to be said by "
+            "its CRC, in the file of the measurement (// compensation: crc:{crc})")
+                          .with("name", known.name)
+                          .with("axis", axis)
+                          .with("crc", crcText(known.crcs[matches.front()])));
+    const auto axes = namedTargets(targets);
+    if (axes.empty())
+        return badFit(AXISCOMP_TEXT("Error",
+            "{name} has several tables, none of which says its axis, so that it is not known which "
+            "of them is meant: take a file with that table alone")
+                          .with("name", known.name));
+    return badFit(AXISCOMP_TEXT("Error",
+        "{name} has several tables, and which of them is meant is not known: state the axis as it "
+        "is called there (--target, or // axis: in the file of the measurement; there are: "
+        "{axes}), or take a file with that table alone")
+                      .with("name", known.name)
+                      .with("axes", axes));
+}
+
 std::string_view stateName(FoundState::Kind kind)
 {
     switch (kind) {
@@ -146,6 +209,7 @@ Result<FoundState> findState(const StateRequest& request)
         FoundState found;
         found.kind = FoundState::Kind::Irrelevant;
         found.active = request.onto;
+        found.axis = request.axis;
         found.text = AXISCOMP_TEXT("Measurement",
             "the raw positions of the encoder are on file: the table is made of reference minus "
             "encoder, whatever compensation was active");

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp {
@@ -24,6 +25,11 @@ struct KnownTables {
     [[nodiscard]] const CompensationTable* withCrc(std::uint32_t crc) const;
 };
 
+/// Which of the tables is that of an axis, as a measurement or a person names it ("X", "y", "X
+/// axis"): the only one of all, whatever it is of, else the only one whose target has that name.
+/// Errors: InvalidArgument.
+[[nodiscard]] Result<std::size_t> tableOfAxis(const KnownTables& known, std::string_view axis);
+
 /// What is known of the drive's state, and what is asked for.
 struct StateRequest {
     MeasuredState onFile; ///< as the measurement says it
@@ -32,6 +38,8 @@ struct StateRequest {
     const KnownTables* onto = nullptr; ///< what the residuals are merged onto; null: nothing
     /// Other tables that may have been active: a file, the backups of the drive.
     std::span<const KnownTables> others = {};
+    /// The axis that the table is made for, as a person states it; empty: the one that was measured.
+    std::string axis = {};
 };
 
 /// What the drive added while it was measured.
@@ -46,6 +54,7 @@ struct FoundState {
     Text text; ///< "measured with the table 1c291ca3 of x.csv active"
     Text assumption; ///< what was taken for granted; empty: nothing
     std::optional<std::uint32_t> tableCrc = {}; ///< of the table that was active, where it is known
+    std::string axis = {}; ///< of the request
 };
 [[nodiscard]] std::string_view stateName(FoundState::Kind kind); ///< "off", "on", "irrelevant"
 

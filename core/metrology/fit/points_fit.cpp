@@ -598,11 +598,19 @@ Result<FitReport> fitScattered(const FitInput& input)
         report.tables.push_back(std::move(made));
         remarkOfFit(input, column, fit, report);
     }
-    if (input.state.active)
+    if (input.state.active) {
+        const KnownTables& known = *input.state.active;
+        std::size_t ofTrack = 0;
+        if (isTrack) {
+            AXISCOMP_TRY(ofTrack,
+                tableOfAxis(known,
+                    input.state.axis.empty() ? input.measurement.header.axis : input.state.axis));
+        }
         report.merge = mergeOnto(input,
-            isTrack ? input.state.active->tables.front()
+            isTrack ? known.tables[ofTrack]
                     : *activeFor(input, scatter.columns.front().target).table,
             report.tables.front().table);
+    }
     if (report.removedBody)
         remarkOfBody(scatter, *report.removedBody, report);
     report.sign = signOf(input, scatter, report.tables.front());

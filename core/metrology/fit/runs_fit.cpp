@@ -83,21 +83,30 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
 
 namespace {
 
-/// Of those that were active the one whose CRC is on record, else the one for the axis itself.
-const CompensationTable* activeTable(const FitInput& input)
+/// The axis that the table is made for.
+const std::string& fittedAxis(const FitInput& input)
+{
+    return input.state.axis.empty() ? input.measurement.header.axis : input.state.axis;
+}
+
+/// Of those that were active the one whose CRC is on record, else the one for the axis itself;
+/// null: nothing was. Errors: those of tableOfAxis.
+Result<const CompensationTable*> findActiveTable(const FitInput& input)
 {
     if (!input.state.active)
         return nullptr;
-    const std::vector<CompensationTable>& tables = input.state.active->tables;
+    const KnownTables& known = *input.state.active;
     if (input.state.tableCrc)
-        if (const CompensationTable* const known =
-                input.state.active->withCrc(*input.state.tableCrc))
-            return known;
-    const auto own = std::ranges::find_if(tables, [&](const CompensationTable& table) {
-        return !input.measurement.header.axis.empty()
-            && table.target == input.measurement.header.axis;
-    });
-    return own == tables.end() ? &tables.front() : &*own;
+        if (const CompensationTable* const table = known.withCrc(*input.state.tableCrc))
+            return table;
+    AXISCOMP_TRY(const std::size_t own, tableOfAxis(known, fittedAxis(input)));
+    return &known.tables[own];
+}
+
+/// The same, after it is known that there is no doubt about it.
+const CompensationTable* activeTable(const FitInput& input)
+{
+    return findActiveTable(input).value_or(nullptr);
 }
 
 Result<void> checkRunsSettings(const FitInput& input)
@@ -128,20 +137,21 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over position and temperature is for a drive, which has one value for both "
             "directions (--direction mean)"));
-    const std::string& axis = input.measurement.header.axis;
-    if (input.state.active && areDifferentAxes(activeTable(input)->target, axis))
+    const std::string& axis = fittedAxis(input);
+    AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
+    if (active && areDifferentAxes(active->target, axis))
         return badFit(AXISCOMP_TEXT("Error",
             "what was measured of axis {measured} is not merged onto {name}, which is of axis "
             "{axis}: take the table of the axis that was measured")
                           .with("measured", axis)
                           .with("name", input.state.active->name)
-                          .with("axis", activeTable(input)->target));
-    if (input.state.active && activeTable(input)->grid.dimensions() != 1)
+                          .with("axis", active->target));
+    if (active && active->grid.dimensions() != 1)
         return badFit(AXISCOMP_TEXT("Error",
             "runs along one axis are merged onto a table of one dimension; {name} has "
             "{dimensions}")
                           .with("name", input.state.active->name)
-                          .with("dimensions", activeTable(input)->grid.dimensions()));
+                          .with("dimensions", active->grid.dimensions()));
     return {};
 }
 
@@ -439,8 +449,10 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
     TableFitRequest request;
     request.lookupAt = lookupAt;
     request.turn = turn;
-    if (state.kind == FoundState::Kind::On)
-        request.active = {activeTable(input), 1.0, input.outside()};
+    if (state.kind == FoundState::Kind::On) {
+        AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
+        request.active = {active, 1.0, input.outside()};
+    }
     const FitValues values = fitValues(measurement, input);
     AXISCOMP_TRY(const auto predicted, predictRuns(values.values, table, request));
     Measurement result = measurement;

@@ -280,6 +280,27 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("t.csv")));
     }
 
+    /// Nothing was left with the table of Y active, which is -x/5 um.
+    void ofSeveralTablesThatOfTheStatedAxisIsMergedOnto()
+    {
+        const Sandbox box;
+        box.file("m.csv", runs("", [](double) { return 0.0; }));
+        box.file("two.csv",
+            "// target: X, Y\nX [mm],dX [um],dY [um]\n0,0,0\n50,5,-10\n100,10,-20\n");
+        const QStringList words{"fit", "m.csv", "-o", "t.csv", "--lookup-at", "encoder", "--zero",
+            "keep", "--onto", "two.csv"};
+        for (const QStringList& state :
+            {QStringList{"--measured-with", "on"}, QStringList{"--measured-with", "two.csv"}}) {
+            const ProgramRun open = box.run(words + state);
+            VERIFY_CODE(open, 2);
+            QVERIFY2(open.err.contains("there are: X, Y"), open.err.constData());
+            VERIFY_CODE(box.run(words + state + QStringList{"--target", "Y"}), 0);
+            const double last = lastNumbers(box.content("t.csv")).split(' ').last().toDouble();
+            // 0.2 um are 4e-6 of the way: knots stand where the encoder was.
+            QVERIFY2(std::abs(last + 0.02) < 1e-5, QByteArray::number(last).constData());
+        }
+    }
+
     /// A drive is measured with its table active; the residuals are merged onto what it holds, and
     /// where it looks its table up decides their places.
     void residualsAreMergedOntoTheTableOfTheDrive_data()

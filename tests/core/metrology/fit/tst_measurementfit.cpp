@@ -179,6 +179,64 @@ private Q_SLOTS:
         VERIFY_RESULT(fitMeasurement(runs, keeping(), state));
     }
 
+    /// dX = x/10 um and dY = -x/5 um, of which a residual of 0 is merged onto one.
+    void ofSeveralTablesThatOfTheAxisIsMergedOnto_data()
+    {
+        QTest::addColumn<QString>("measured");
+        QTest::addColumn<QString>("stated");
+        QTest::addColumn<double>("last"); // at 100 mm; NaN: refused
+        QTest::newRow("by name") << "Y" << "" << -0.02;
+        QTest::newRow("lower case") << "y" << "" << -0.02;
+        QTest::newRow("with a word") << "Y axis" << "" << -0.02;
+        QTest::newRow("stated") << "" << "Y" << -0.02;
+        QTest::newRow("stated otherwise than measured") << "X" << "Y" << -0.02;
+        QTest::newRow("the first") << "X" << "" << 0.01;
+        QTest::newRow("no name") << "" << "" << std::nan("");
+        QTest::newRow("a number") << "1" << "" << std::nan("");
+        QTest::newRow("another axis") << "Z" << "" << std::nan("");
+    }
+    void ofSeveralTablesThatOfTheAxisIsMergedOnto()
+    {
+        QFETCH(QString, measured);
+        QFETCH(QString, stated);
+        QFETCH(double, last);
+        CompensationTable x;
+        x.grid.axes = {{"X", "mm", 0.0, 100.0, 2}};
+        x.target = "X";
+        x.values = {0.0F, 0.01F};
+        CompensationTable y = x;
+        y.target = "Y";
+        y.values = {0.0F, -0.02F};
+        const KnownTables old{Verbatim{"two.csv"}, {x, y}, {1, 2}};
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
+        runs.header.axis = measured.toStdString();
+        const FoundState state{
+            FoundState::Kind::On, &old, {}, {}, {}, stated.toStdString()};
+        const auto report = fitMeasurement(runs, keeping(), state);
+        if (std::isnan(last)) {
+            QVERIFY(isRefused(report, "there are: X, Y"));
+            QVERIFY(isRefused(report, "--target"));
+            return;
+        }
+        VERIFY_RESULT(report);
+        const auto made = static_cast<double>(report->tables.front().table.values.back());
+        QVERIFY2(std::abs(made - last) < 1e-8, QByteArray::number(made).constData());
+    }
+
+    void tablesOfOneAxisAreToldApartByTheirCrc()
+    {
+        KnownTables old = toothed();
+        old.tables.push_back(old.tables.front());
+        old.tables[0].target = old.tables[1].target = "X";
+        old.crcs = {0x1c291ca3, 8};
+        Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        const FoundState state{FoundState::Kind::On, &old, {}, {}};
+        QVERIFY(isRefused(fitMeasurement(runs, keeping(), state), "compensation: crc:1c291ca3"));
+        VERIFY_RESULT(
+            fitMeasurement(runs, keeping(), FoundState{FoundState::Kind::On, &old, {}, {}, 8}));
+    }
+
     /// As few points as the rougher of the two needs, in both.
     void tablesForBothDirectionsHaveOneGrid()
     {
