@@ -97,6 +97,8 @@ struct MeasurementHeader {
     std::optional<double> expansion; ///< of the axis's scale, in 1/K
     /// Whether the values are at 20 deg C already.
     enum class Corrected { NotSaid, None, To20Celsius } corrected = Corrected::NotSaid;
+    /// What some of the joined files say, where others say nothing and compensation is not said.
+    MeasuredState compensationOfSome = {};
 
     friend bool operator==(const MeasurementHeader&, const MeasurementHeader&) = default;
 };

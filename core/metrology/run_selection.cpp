@@ -76,19 +76,91 @@ std::vector<double> allTargets(std::span<const Measurement> measurements)
     return distinctTargets(std::move(targets));
 }
 
-/// Measurements of different states of the drive are not one measurement.
-bool areOfOneState(std::span<const Measurement> measurements)
+/// The first axis that is said; empty: none is.
+std::string axisOf(std::span<const Measurement> measurements)
 {
-    const MeasuredState* said = nullptr;
+    for (const Measurement& measurement : measurements)
+        if (!measurement.header.axis.empty())
+            return measurement.header.axis;
+    return {};
+}
+
+/// The states that are said.
+std::vector<MeasuredState> saidStates(std::span<const Measurement> measurements)
+{
+    std::vector<MeasuredState> states;
+    for (const Measurement& measurement : measurements)
+        if (measurement.header.compensation.kind != MeasuredState::Kind::NotSaid)
+            states.push_back(measurement.header.compensation);
+    return states;
+}
+
+/// What is measured twice counts twice: repeatability would be better than the machine's.
+Result<void> checkEachOnce(std::span<const Measurement> measurements)
+{
+    for (std::size_t n = 1; n < measurements.size(); ++n)
+        for (std::size_t earlier = 0; earlier < n; ++earlier)
+            if (measurements[n] == measurements[earlier])
+                return wrong(AXISCOMP_TEXT("Error",
+                    "file {second} holds the same measurement as file {first}, value by value: "
+                    "give it once")
+                                 .with("second", n + 1)
+                                 .with("first", earlier + 1));
+    return {};
+}
+
+/// What decides what is made of the values has to be the same of all, since it is said of the whole
+/// afterwards.
+Result<void> checkJoinable(std::span<const Measurement> measurements)
+{
+    const Measurement& first = measurements.front();
+    const std::string axis = axisOf(measurements);
     for (const Measurement& measurement : measurements) {
-        const MeasuredState& state = measurement.header.compensation;
-        if (state.kind == MeasuredState::Kind::NotSaid)
-            continue;
-        if (said && state != *said)
-            return false;
-        said = &state;
+        if (measurement.kind != MeasurementKind::Runs)
+            return wrong(
+                AXISCOMP_TEXT("Error", "only runs over targets can be joined; one file has {kind}")
+                    .with("kind", measurementKindText(measurement.kind)));
+        if (measurement.isAngular != first.isAngular)
+            return wrong(AXISCOMP_TEXT(
+                "Error", "a measurement of lengths and one of angles cannot be joined"));
+        if (areDifferentAxes(measurement.header.axis, axis))
+            return wrong(AXISCOMP_TEXT(
+                "Error", "measurements of axis {axis} and of axis {other} cannot be joined")
+                             .with("axis", axis)
+                             .with("other", measurement.header.axis));
+        if (measurement.header.corrected != first.header.corrected)
+            return wrong(AXISCOMP_TEXT("Error",
+                "some of the files say otherwise than the others, or do not say, whether their "
+                "values are corrected to 20 deg C, so that no correction would be right for all; "
+                "say it in each of them (// corrected: 20C, or // corrected: none), or take those "
+                "alone that agree"));
     }
-    return true;
+    const auto states = saidStates(measurements);
+    if (std::ranges::any_of(
+            states, [&](const MeasuredState& state) { return state != states.front(); }))
+        return wrong(AXISCOMP_TEXT("Error",
+            "measurements with different tables, or with and without compensation, cannot be "
+            "joined"));
+    return checkEachOnce(measurements);
+}
+
+/// What is said of all at once.
+MeasurementHeader commonHeader(std::span<const Measurement> measurements)
+{
+    MeasurementHeader header = measurements.front().header;
+    header.axis = axisOf(measurements);
+    const auto states = saidStates(measurements);
+    if (states.size() < measurements.size()) {
+        header.compensation = {};
+        header.compensationOfSome = states.empty() ? MeasuredState{} : states.front();
+    }
+    for (const Measurement& measurement : measurements) {
+        if (measurement.header.materialTemperature != header.materialTemperature)
+            header.materialTemperature.reset();
+        if (measurement.header.expansion != header.expansion)
+            header.expansion.reset();
+    }
+    return header;
 }
 
 /// What a joined file says otherwise than the first one is kept as a note.
@@ -207,24 +279,8 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
     Measurement whole = measurements.front();
     if (measurements.size() == 1)
         return whole;
-    for (const Measurement& measurement : measurements) {
-        if (measurement.kind != MeasurementKind::Runs)
-            return wrong(
-                AXISCOMP_TEXT("Error", "only runs over targets can be joined; one file has {kind}")
-                    .with("kind", measurementKindText(measurement.kind)));
-        if (measurement.isAngular != whole.isAngular)
-            return wrong(AXISCOMP_TEXT(
-                "Error", "a measurement of lengths and one of angles cannot be joined"));
-        if (areDifferentAxes(measurement.header.axis, whole.header.axis))
-            return wrong(AXISCOMP_TEXT(
-                "Error", "measurements of axis {axis} and of axis {other} cannot be joined")
-                             .with("axis", whole.header.axis)
-                             .with("other", measurement.header.axis));
-    }
-    if (!areOfOneState(measurements))
-        return wrong(AXISCOMP_TEXT("Error",
-            "measurements with different tables, or with and without compensation, cannot be "
-            "joined"));
+    AXISCOMP_CHECK(checkJoinable(measurements));
+    whole.header = commonHeader(measurements);
     whole.targets = allTargets(measurements);
     whole.values.clear();
     whole.published.clear();
@@ -239,10 +295,6 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
         whole.halfPrintedUnit = std::max(whole.halfPrintedUnit, measurement.halfPrintedUnit);
         if (&measurement != &measurements.front())
             keepDifferences(whole, measurement);
-        if (measurement.header.compensation != whole.header.compensation)
-            whole.header.compensation = {};
-        if (measurement.header.corrected != whole.header.corrected)
-            whole.header.corrected = MeasurementHeader::Corrected::NotSaid;
     }
     sortValues(whole.values);
     return whole;

@@ -39,9 +39,11 @@ struct Exclusion {
 void swapDirections(Measurement& measurement);
 
 /// One measurement with the runs of all: those of the later files are numbered after those of the
-/// earlier ones. Headers are the first one's; what others say differently becomes a note. At least
-/// one. Errors: InvalidArgument for other kinds than runs and for lengths with angles; targets that
-/// only some files have are kept and become incomplete runs.
+/// earlier ones. Headers are the first one's; what others say differently becomes a note. The axis
+/// is the first that is said; temperature and expansion of the scale are those that all say. At
+/// least one. Errors: InvalidArgument for other kinds than runs, for lengths with angles, for
+/// different axes, states of the drive and corrections to 20 deg C, and for the same measurement
+/// twice; targets that only some files have are kept and become incomplete runs.
 [[nodiscard]] Result<Measurement> joined(std::span<const Measurement> measurements);
 
 /// All that was asked for: joined, then directions exchanged, then values left out. Errors: those

@@ -92,7 +92,8 @@ public:
         AXISCOMP_TRY(const auto state,
             findState({m_measurement.header.compensation, m_stated, hasRawReadings(m_measurement),
                 m_hasOnto ? &m_outcome.known.front() : nullptr,
-                std::span(m_outcome.known).subspan(m_hasOnto ? 1 : 0)}));
+                std::span(m_outcome.known).subspan(m_hasOnto ? 1 : 0), {},
+                m_measurement.header.compensationOfSome}));
         AXISCOMP_TRY(auto report, fitMeasurement(m_measurement, m_outcome.settings, state, m_stop));
         for (const FittedTable& made : report.tables) {
             AXISCOMP_TRY(const auto crc, elementCrc(made.table, layoutOf(m_request.drive)));

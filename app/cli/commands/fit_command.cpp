@@ -268,7 +268,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     settings.uncertainty = limits.uncertainty;
     AXISCOMP_TRY(const auto state,
         findState({measurement.header.compensation, sources.stated, hasRawReadings(measurement),
-            sources.onto ? &*sources.onto : nullptr, sources.others, statedAxis(options)}));
+            sources.onto ? &*sources.onto : nullptr, sources.others, statedAxis(options),
+            measurement.header.compensationOfSome}));
     AXISCOMP_TRY(
         const auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
 

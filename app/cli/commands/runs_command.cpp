@@ -122,6 +122,17 @@ Json runsJson(const MeasurementInput& input)
         {"warnings", std::move(warnings)}};
 }
 
+/// One file says one state of all its runs.
+Result<void> checkOneState(const MeasurementHeader& header, const std::string& command)
+{
+    const std::string said = measuredStateText(header.compensationOfSome);
+    if (said.empty())
+        return {};
+    return wrongUsage("some of the files say \"// compensation: " + said
+            + "\" and others do not say what was active; say it in each of them",
+        command);
+}
+
 Result<ExitCode> runRuns(Environment& environment, const RunsOptions& options)
 {
     const Output output{options.output, options.input.command};
@@ -133,6 +144,7 @@ Result<ExitCode> runRuns(Environment& environment, const RunsOptions& options)
     } else {
         if (!input.measurement.hasTargets())
             return fail(ErrorCode::NoTargets, {{"file", options.input.files.front()}});
+        AXISCOMP_CHECK(checkOneState(input.measurement.header, options.input.command));
         AXISCOMP_CHECK(writeOutput(environment, output, asBytes(writeRunsCsv(input.measurement))));
         if (!output.isStandardOutput())
             environment.print("Wrote " + options.output + ".\n");

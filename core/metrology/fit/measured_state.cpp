@@ -52,18 +52,20 @@ Result<MeasuredState> agreedState(const StateRequest& request)
         return onFile;
     }
     const MeasuredState& stated = *request.stated;
-    const bool isSame = onFile.kind == StateKind::NotSaid
-        || (onFile.kind == stated.kind
-            && (!onFile.tableCrc || !stated.tableCrc || *onFile.tableCrc == *stated.tableCrc));
+    const MeasuredState& said =
+        onFile.kind == StateKind::NotSaid ? request.onSomeFiles : onFile;
+    const bool isSame = said.kind == StateKind::NotSaid
+        || (said.kind == stated.kind
+            && (!said.tableCrc || !stated.tableCrc || *said.tableCrc == *stated.tableCrc));
     if (!isSame)
         return wrongState(AXISCOMP_TEXT("Error",
             "the measurement says that it was made with {recorded}, not with {stated}; say nothing "
             "else (--measured-with), or take the table that was active")
-                              .with("recorded", stateText(onFile))
+                              .with("recorded", stateText(said))
                               .with("stated", stateText(stated)));
     MeasuredState agreed = stated;
     if (!agreed.tableCrc)
-        agreed.tableCrc = onFile.tableCrc;
+        agreed.tableCrc = said.tableCrc;
     return agreed;
 }
 

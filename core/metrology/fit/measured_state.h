@@ -40,6 +40,7 @@ struct StateRequest {
     std::span<const KnownTables> others = {};
     /// The axis that the table is made for, as a person states it; empty: the one that was measured.
     std::string axis = {};
+    MeasuredState onSomeFiles = {}; ///< compensationOfSome of the measurement
 };
 
 /// What the drive added while it was measured.

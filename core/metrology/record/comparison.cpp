@@ -20,12 +20,20 @@ auto wrongStateAfter(Text reason)
     return fail(ErrorCode::MeasurementState, {{"reason", std::move(reason)}});
 }
 
+/// What the second measurement says of its state, or some of its files do.
+const MeasuredState& stateSaidOf(const Measurement& measurement)
+{
+    const MeasurementHeader& header = measurement.header;
+    return header.compensation.kind == MeasuredState::Kind::NotSaid ? header.compensationOfSome
+                                                                    : header.compensation;
+}
+
 /// Whether the second measurement was made with the table active.
 Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& request)
 {
     if (!request.tableCrc)
         return {};
-    const MeasuredState& state = after.header.compensation;
+    const MeasuredState& state = stateSaidOf(after);
     const std::string crc = crcText(*request.tableCrc);
     if (state.kind == MeasuredState::Kind::Off)
         return wrongStateAfter(AXISCOMP_TEXT("Error",
@@ -235,8 +243,8 @@ std::optional<double> changeOf(
 
 bool needsStatement(const Measurement& after, const ComparisonRequest& request)
 {
-    const MeasuredState& state = after.header.compensation;
-    return request.tableCrc && state.kind != MeasuredState::Kind::Off && !state.tableCrc;
+    return request.tableCrc && stateSaidOf(after).kind != MeasuredState::Kind::Off
+        && !after.header.compensation.tableCrc;
 }
 
 bool Comparison::isWithinTolerances() const

@@ -281,6 +281,24 @@ private Q_SLOTS:
         QVERIFY2(piped.out.startsWith("// axiscomp runs: 1\n"), piped.out.constData());
     }
 
+    void aStateOfSomeFilesIsNotWrittenForAll()
+    {
+        const Sandbox box;
+        box.file("a.csv", small);
+        box.file("b.csv", "// compensation: off\n" + small);
+        VERIFY_CODE(box.run({"judge", "a.csv", "b.csv"}), 0);
+        const ProgramRun refused = box.run({"runs", "a.csv", "b.csv", "-o", "both.csv"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("// compensation: off"), refused.err.constData());
+        const ProgramRun fit = box.run(
+            {"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with", "on"});
+        VERIFY_CODE(fit, 2);
+        QVERIFY2(fit.err.contains("made with the compensation off"), fit.err.constData());
+        VERIFY_CODE(box.run({"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with",
+                        "off"}),
+            0);
+    }
+
     void aTrackIsShownAndNotJudged()
     {
         const Sandbox box;

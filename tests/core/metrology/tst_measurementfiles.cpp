@@ -66,6 +66,14 @@ std::string inColumns(const Measurement& m, bool isReference, char separator, bo
     return text;
 }
 
+/// The same targets, each value larger by this.
+Measurement measuredAgain(Measurement measurement, double difference)
+{
+    for (RunValue& value : measurement.values)
+        value.deviation += difference;
+    return measurement;
+}
+
 std::string asRtl(const Measurement& m)
 {
     std::string text = "HEADER:: \r\nFile type  : rtl \r\nOwner : none\r\nVersion no : 1 \r\n\r\n"
@@ -409,15 +417,17 @@ private Q_SLOTS:
     void filesAreJoinedRunAfterRun()
     {
         const Measurement one = publicRuns("bifrost.csv");
-        const std::array both{one, one};
+        const Measurement two = measuredAgain(one, 1e-4);
+        const Measurement three = measuredAgain(one, 2e-4);
+        const std::array both{one, two};
         const auto whole = joined(both);
         VERIFY_RESULT(whole);
         QCOMPARE(whole->runCount(Approach::Up), 10);
         QCOMPARE(whole->values.size(), std::size_t{100});
-        QCOMPARE(valueAt(*whole, Approach::Down, 2, 8), valueAt(one, Approach::Down, 2, 3));
-        Measurement on = one;
+        QCOMPARE(valueAt(*whole, Approach::Down, 2, 8), valueAt(two, Approach::Down, 2, 3));
+        Measurement on = two;
         on.header.compensation.kind = MeasuredState::Kind::On;
-        Measurement off = one;
+        Measurement off = three;
         off.header.compensation.kind = MeasuredState::Kind::Off;
         const std::array different{on, off};
         VERIFY_ERROR(joined(different), ErrorCode::InvalidArgument);
@@ -425,13 +435,78 @@ private Q_SLOTS:
         silent.header.compensation = {};
         const std::array behindOne{silent, on, off};
         VERIFY_ERROR(joined(behindOne), ErrorCode::InvalidArgument);
-        const std::array alike{silent, on, silent};
+        const std::array alike{silent, on, measuredAgain(silent, 2e-4)};
         VERIFY_RESULT(joined(alike));
+    }
+
+    /// Neither does the silent one say it, nor may it be stated otherwise.
+    void aStateThatOnlySomeFilesSayIsKeptOfThose()
+    {
+        Measurement silent = publicRuns("bifrost.csv");
+        silent.header.compensation = {};
+        Measurement on = measuredAgain(silent, 1e-4);
+        on.header.compensation = {MeasuredState::Kind::On, 0x11111111};
+        for (const auto& files : {std::array{silent, on}, std::array{on, silent}}) {
+            const auto whole = joined(files);
+            VERIFY_RESULT(whole);
+            QCOMPARE(whole->header.compensation.kind, MeasuredState::Kind::NotSaid);
+            QVERIFY(whole->header.compensationOfSome == on.header.compensation);
+        }
+        const std::array bothOn{on, measuredAgain(on, 1e-4)};
+        const auto said = joined(bothOn);
+        VERIFY_RESULT(said);
+        QVERIFY(said->header.compensation == on.header.compensation);
+        QCOMPARE(said->header.compensationOfSome.kind, MeasuredState::Kind::NotSaid);
+    }
+
+    /// One of them would be corrected twice, or not at all.
+    void filesThatAreCorrectedDifferentlyAreNotJoined()
+    {
+        using Corrected = MeasurementHeader::Corrected;
+        const Corrected all[] = {Corrected::NotSaid, Corrected::None, Corrected::To20Celsius};
+        for (const Corrected first : all)
+            for (const Corrected second : all) {
+                std::array both{
+                    publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
+                both[0].header.corrected = first;
+                both[1].header.corrected = second;
+                const auto whole = joined(both);
+                QCOMPARE(whole.has_value(), first == second);
+                if (whole)
+                    QCOMPARE(whole->header.corrected, first);
+                else
+                    QVERIFY(sentence(whole.error()).find("// corrected: none") != std::string::npos);
+            }
+    }
+
+    void theTemperatureOfTheScaleIsThatOfAllFilesOrNone()
+    {
+        std::array both{
+            publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
+        both[0].header.materialTemperature = both[1].header.materialTemperature = 22.0;
+        both[0].header.expansion = 11.5e-6;
+        const auto whole = joined(both);
+        VERIFY_RESULT(whole);
+        QCOMPARE(whole->header.materialTemperature, std::optional(22.0));
+        QVERIFY(!whole->header.expansion);
+    }
+
+    /// Repeatability would be that of half as many runs.
+    void theSameMeasurementIsNotJoinedTwice()
+    {
+        const Measurement one = publicRuns("bifrost.csv");
+        const std::array files{one, measuredAgain(one, 1e-4), one};
+        const auto refused = joined(files);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(sentence(refused.error()).find("file 3 holds the same measurement as file 1")
+                != std::string::npos,
+            sentence(refused.error()).c_str());
     }
 
     void filesOfTwoAxesAreNotJoined()
     {
-        std::array both{publicRuns("bifrost.csv"), publicRuns("bifrost.csv")};
+        std::array both{
+            publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
         both[0].header.axis = "X";
         both[1].header.axis = "Y";
         const auto refused = joined(both);
@@ -439,6 +514,20 @@ private Q_SLOTS:
         QVERIFY(sentence(refused.error()).find("of axis X and of axis Y") != std::string::npos);
         both[1].header.axis.clear();
         VERIFY_RESULT(joined(both));
+    }
+
+    void theAxisOfJoinedFilesIsTheFirstThatIsSaid()
+    {
+        const Measurement one = publicRuns("bifrost.csv");
+        std::array files{one, measuredAgain(one, 1e-4), measuredAgain(one, 2e-4)};
+        files[0].header.axis.clear();
+        files[1].header.axis = "X";
+        files[2].header.axis = "Y";
+        VERIFY_ERROR(joined(files), ErrorCode::InvalidArgument);
+        files[2].header.axis.clear();
+        const auto whole = joined(files);
+        VERIFY_RESULT(whole);
+        QCOMPARE(whole->header.axis, "X");
     }
 
     void exclusionsAreReadAndChecked()

@@ -75,6 +75,32 @@ private Q_SLOTS:
             sentence(found.error()).c_str());
     }
 
+    void whatSomeOfTheFilesSayIsNotStatedOtherwise()
+    {
+        const KnownTables old = known("old.csv", first);
+        StateRequest request;
+        request.onSomeFiles = {Kind::On, second};
+        request.stated = MeasuredState{Kind::Off, {}};
+        auto found = findState(request);
+        VERIFY_ERROR(found, ErrorCode::MeasurementState);
+        QVERIFY2(sentence(found.error()).find("with the table 00c0ffee active, not with")
+                != std::string::npos,
+            sentence(found.error()).c_str());
+        // The others say nothing, so that it has to be stated of them.
+        request.stated.reset();
+        found = findState(request);
+        VERIFY_ERROR(found, ErrorCode::MeasurementState);
+        QVERIFY(sentence(found.error()).find("does not say") != std::string::npos);
+        // That table is what they are merged onto.
+        request.onto = &old;
+        request.stated = MeasuredState{Kind::On, {}};
+        VERIFY_ERROR(findState(request), ErrorCode::MeasurementState);
+        request.onSomeFiles = {Kind::On, first};
+        found = findState(request);
+        VERIFY_RESULT(found);
+        QCOMPARE(found->tableCrc, std::optional(first));
+    }
+
     void theTableThatWasActiveIsFoundAmongAllThatAreKnown()
     {
         const KnownTables now = known("the table of axis 0", first);
