@@ -52,17 +52,14 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
     return fineUnit(shown, isAngular);
 }
 
-/// The air differs from one measurement to the next; that it was taken into account must not.
-bool isCorrectedOtherwise(const Sides& sides)
+bool isCorrectedOtherwise(const Sides& sides, const Measurement& before)
 {
-    CorrectionsBefore before = sides.corrections;
-    if (sides.calibration && sides.calibration->before) {
-        const RecordedCorrections& recorded = sides.calibration->before->corrections;
-        before = {recorded.temperature, recorded.deadPath};
-    }
-    const CorrectionsBefore& after = sides.after.record.corrections;
-    return before.temperature.has_value() != after.temperature.has_value()
-        || before.deadPath.has_value() != after.deadPath.has_value();
+    bool isForDeadPath = sides.corrections.deadPath.has_value();
+    if (sides.calibration && sides.calibration->before)
+        isForDeadPath = sides.calibration->before->corrections.deadPath.has_value();
+    const CorrectedSide after{
+        *sides.after.measurement, sides.after.record.corrections.deadPath.has_value()};
+    return areCorrectedAlike({before, isForDeadPath}, after) != CorrectedAlike::Yes;
 }
 
 bool isKept(const Sides& sides)
@@ -103,7 +100,7 @@ ComparisonState compared(const Sides& sides, const std::stop_token& stop)
     state.unit = unitOf(*comparison, after->isAngular);
     state.comparison = std::make_shared<const Comparison>(std::move(*comparison));
     state.isKept = isKept(sides);
-    state.isCorrectedOtherwise = isCorrectedOtherwise(sides);
+    state.isCorrectedOtherwise = isCorrectedOtherwise(sides, **before);
     return state;
 }
 

@@ -10,8 +10,6 @@
 
 namespace axiscomp::app {
 
-namespace {
-
 Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
     const MeasurementInputOptions& options, const MadeCorrections& corrections)
 {
@@ -28,8 +26,6 @@ Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
     recorded.corrections.deadPath = corrections.corrections.deadPath;
     return recorded;
 }
-
-} // namespace
 
 Result<CalibrationRecord> recordOfFit(const MeasurementInput& input,
     const MeasurementInputOptions& options, const MadeCorrections& corrections,

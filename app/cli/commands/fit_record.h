@@ -7,6 +7,11 @@
 
 namespace axiscomp::app {
 
+/// A measurement as a record holds it: as it was read, and what was asked for. input: with its
+/// files. Errors: InvalidArgument.
+[[nodiscard]] Result<RecordedMeasurement> recordedMeasurement(const MeasurementInput& input,
+    const MeasurementInputOptions& options, const MadeCorrections& corrections);
+
 /// The record that a fit begins: what was measured and how, the tables, and what they promise.
 /// input: with its files. Errors: InvalidArgument.
 [[nodiscard]] Result<CalibrationRecord> recordOfFit(const MeasurementInput& input,

@@ -56,8 +56,8 @@ Result<std::optional<TemperatureCorrection>> temperatureOf(
         return wrongUsage("the coefficient of expansion of the scale is not known: give "
                           "--expansion; for steel it is about 11.5e-6",
             command);
-    return TemperatureCorrection{*temperature, *expansion, options.referenceTemperature,
-        options.referenceExpansion, options.datum, options.isNotCorrected};
+    return TemperatureCorrection{*temperature, *expansion, options.referenceTemperature.value_or(20.0),
+        options.referenceExpansion.value_or(0.0), options.datum, options.isNotCorrected};
 }
 
 } // namespace
@@ -106,6 +106,38 @@ void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
                 "run"))
         ->option_text("FILE")
         ->group(group);
+}
+
+Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
+    const Measurement& measurement, CorrectionOptions options, const std::string& command)
+{
+    if (first.deadPath && options.deadPath.empty())
+        return wrongUsage("the first measurement is corrected for a dead path: give that of the "
+                          "second one, with its own air (--dead-path)",
+            command);
+    const bool isDone =
+        measurement.header.corrected == MeasurementHeader::Corrected::To20Celsius;
+    if (!first.temperature || isDone)
+        return options;
+    if (!options.temperature)
+        options.temperature = measurement.header.materialTemperature;
+    if (!options.temperature)
+        return wrongUsage("the first measurement is corrected to 20 C: give the temperature of the "
+                          "scale during the second one (--temperature)",
+            command);
+    if (!options.expansion)
+        options.expansion =
+            measurement.header.expansion.value_or(first.temperature->expansionPerKelvin);
+    if (!options.referenceExpansion)
+        options.referenceExpansion = first.temperature->referenceExpansionPerKelvin;
+    if (*options.referenceExpansion != 0.0 && !options.referenceTemperature)
+        return wrongUsage("the first measurement is corrected for a reference that expands: give "
+                          "the temperature of the reference during the second one "
+                          "(--reference-temperature)",
+            command);
+    if (!options.datum)
+        options.datum = first.temperature->datum;
+    return options;
 }
 
 Result<MadeCorrections> correct(

@@ -19,8 +19,8 @@ namespace axiscomp::app {
 struct CorrectionOptions {
     std::optional<double> temperature;
     std::optional<double> expansion;
-    double referenceTemperature = 20.0;
-    double referenceExpansion = 0.0;
+    std::optional<double> referenceTemperature; ///< 20
+    std::optional<double> referenceExpansion; ///< 0
     std::optional<double> datum;
     bool isNotCorrected = false;
     std::string deadPath; ///< file with its length and the air of each run
@@ -34,6 +34,12 @@ struct MadeCorrections {
     std::string text; ///< a line for each; empty without any
     Json document = Json::object(); ///< as --json has them
 };
+/// What makes a second measurement comparable with a first one that was corrected like this: its own
+/// temperature and air, and what the two have in common, where the options leave that open.
+/// measurement: the second, as it was read. Errors: InvalidArgument for what nobody states.
+[[nodiscard]] Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
+    const Measurement& measurement, CorrectionOptions options, const std::string& command);
+
 /// Corrects the measurement for dead path and temperature, where the user asked for it. Errors:
 /// InvalidArgument, FileNotReadable, FileTooLarge.
 [[nodiscard]] Result<MadeCorrections> correct(

@@ -166,6 +166,13 @@ Result<MeasurementInput> readMeasurements(
     return input;
 }
 
+Result<std::string> measurementSha256(Environment& environment, const std::string& file)
+{
+    AXISCOMP_TRY(
+        const auto text, wholeFile(environment, file, MeasurementReadOptions{}.maximumBytes));
+    return sha256Of(asBytes(text));
+}
+
 Json sourcesJson(const std::vector<MeasurementSource>& sources)
 {
     Json list = Json::array();

@@ -49,6 +49,11 @@ struct MeasurementInput {
     std::vector<Measurement> files;
 };
 
+/// SHA-256 of the bytes of a file, as of a MeasurementSource. Errors: FileNotReadable, FileTooLarge,
+/// Cancelled.
+[[nodiscard]] Result<std::string> measurementSha256(
+    Environment& environment, const std::string& file);
+
 /// Reads the files and makes one measurement of them, with directions exchanged and values excluded
 /// as asked for. Diagnostics are reported. Errors: UnknownFormat, FormatAmbiguous, FileNotReadable,
 /// FileTooLarge, InvalidMeasurement, UnitMissing, InstrumentScale, InvalidArgument, Cancelled.

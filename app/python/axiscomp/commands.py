@@ -803,6 +803,7 @@ def fit(
 def compare(
     *file: Source | Sequence[Source],
     from_: Value = None,
+    exclude: Value = None,
     swap_directions: bool = False,
     columns: Values = None,
     skip_lines: Value = None,
@@ -817,12 +818,22 @@ def compare(
     keep: bool = False,
     tolerance: Values = None,
     uncertainty: Value = None,
+    temperature: Value = None,
+    expansion: Value = None,
+    reference_temperature: Value = None,
+    reference_expansion: Value = None,
+    datum: Value = None,
+    not_corrected: bool = False,
+    dead_path: Value = None,
     echo: Echo | None = None,
 ) -> Document:
     """Compare measurements before and after a compensation, and with what was promised.
 
-    file: BEFORE AFTER. Measurement before and measurement after
+    file: [BEFORE] AFTER. Measurement before and measurement after; with a record, which has the first, the
+        second alone is enough
     from_: FORMAT. Format of the files, if their content leaves it open
+    exclude: WHAT. Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or
+        target:7, with commas between them
     swap_directions: Exchange up and down
     columns: MAPPING. Which column of a CSV file is what, by number or name:
         'target=1,direction=3,deviation=5'
@@ -834,18 +845,28 @@ def compare(
     invert_reference: The instrument counts the other way
     overrun: DISTANCE. How far a track moves after a turn before its samples count, in mm or deg; 1 % of the
         range unless given
-    record: FILE.axcal. Record of the compensation: its prediction, table and tolerances
+    record: FILE.axcal. Record of the compensation: the first measurement with its exclusions and corrections,
+        prediction, table and tolerances
     measured_with: on. on: the second measurement was made with the table of the record active, where its file
         does not say it
     keep: Add the second measurement and the verdict to the record
     tolerance: FIGURE=LIMIT,.... Limits, such as A=10um,R=4um; exit code 8 when one is not met
     uncertainty: U. Uncertainty of the measurement with k = 2: U=2.1um, or a JSON file with its terms
+    temperature: C. Temperature of the axis's scale in C
+    expansion: PER_K. Coefficient of expansion of the axis's scale in 1/K, such as 11.5e-6
+    reference_temperature: C. Temperature of the reference in C
+    reference_expansion: PER_K. Coefficient of the reference in 1/K; 0 for a laser with wavelength
+        compensation
+    datum: POSITION. Position in mm that does not move with temperature; the first target unless given
+    not_corrected: The values are not corrected to 20 C, where the file does not say it
+    dead_path: FILE. Dead path of the interferometer: a JSON file with its length and the air of each run
     """
     return call(
         "compare",
         [*flat(file)],
         {
             "from_": from_,
+            "exclude": exclude,
             "swap_directions": swap_directions,
             "columns": columns,
             "skip_lines": skip_lines,
@@ -860,6 +881,13 @@ def compare(
             "keep": keep,
             "tolerance": tolerance,
             "uncertainty": uncertainty,
+            "temperature": temperature,
+            "expansion": expansion,
+            "reference_temperature": reference_temperature,
+            "reference_expansion": reference_expansion,
+            "datum": datum,
+            "not_corrected": not_corrected,
+            "dead_path": dead_path,
         },
         echo,
     )

@@ -247,6 +247,18 @@ bool needsStatement(const Measurement& after, const ComparisonRequest& request)
         && !after.header.compensation.tableCrc;
 }
 
+CorrectedAlike areCorrectedAlike(const CorrectedSide& before, const CorrectedSide& after)
+{
+    const auto isAt20 = [](const CorrectedSide& side) {
+        return side.measurement.header.corrected == MeasurementHeader::Corrected::To20Celsius;
+    };
+    if ((isAt20(before) && !isAt20(after)) || (before.isForDeadPath && !after.isForDeadPath))
+        return CorrectedAlike::AfterIsNot;
+    if (isAt20(after) != isAt20(before) || after.isForDeadPath != before.isForDeadPath)
+        return CorrectedAlike::BeforeIsNot;
+    return CorrectedAlike::Yes;
+}
+
 bool Comparison::isWithinTolerances() const
 {
     return std::ranges::all_of(

@@ -32,6 +32,20 @@ struct ComparisonRequest {
 /// Whether a person has to say that the table was active, since the measurement leaves it open.
 [[nodiscard]] bool needsStatement(const Measurement& after, const ComparisonRequest& request);
 
+/// Measurements are compared as they were corrected: each for its own temperature and air, but both
+/// or neither.
+struct CorrectedSide {
+    const Measurement& measurement; ///< as it is judged
+    bool isForDeadPath = false;
+};
+enum class CorrectedAlike {
+    Yes,
+    AfterIsNot, ///< the second measurement lacks a correction that the first one has
+    BeforeIsNot,
+};
+[[nodiscard]] CorrectedAlike areCorrectedAlike(
+    const CorrectedSide& before, const CorrectedSide& after);
+
 /// What is left of the error at a target.
 struct RemainingError {
     double position = 0.0;

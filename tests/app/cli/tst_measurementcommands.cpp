@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/judge/iso230.h"
+#include "core/metrology/record/calibration_record.h"
 #include "tests/app/program_run.h"
 
 #include "tests/support/test_registry.h"
@@ -9,6 +11,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
+
+#include <cmath>
 
 namespace tst_measurementcommands {
 
@@ -25,6 +29,38 @@ QString publicFile(const QString& name)
 
 const QByteArray small = "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n10,-,1,3\n"
                          "0,-,1,4\n";
+
+/// Two runs up and down over 11 targets up to 100 mm, in um: a peak at 50 mm, seen by a scale that
+/// is longer by this share; the fourth value of the second run up is gross.
+QByteArray peak(const QByteArray& head, double height, double longer, double gross)
+{
+    QByteArray text = head + "target [mm],direction,run,deviation [um]\n";
+    for (const char* direction : {"+", "-"})
+        for (int run = 1; run <= 2; ++run)
+            for (int i = 0; i <= 10; ++i) {
+                const double position = 10.0 * i;
+                double deviation = (i == 5 ? height : 0.0) * (1.0 + longer);
+                deviation += 1000.0 * position * longer;
+                if (i == 3 && run == 2 && *direction == '+')
+                    deviation += gross;
+                text += QByteArray::number(position) + ',' + direction + ','
+                    + QByteArray::number(run) + ',' + QByteArray::number(deviation, 'g', 17) + '\n';
+            }
+    return text;
+}
+
+/// M of both measurements, in mm.
+bool areErrors(const ProgramRun& run, double before, double after)
+{
+    const auto spread = [json = run.json()](const char* side) {
+        return json.value(QLatin1String(side)).toObject().value("M").toDouble();
+    };
+    if (std::abs(spread("before") - before) < 1e-9 && std::abs(spread("after") - after) < 1e-9)
+        return true;
+    qInfo("M is %.9f before and %.9f after; %s", spread("before"), spread("after"),
+        run.err.constData());
+    return false;
+}
 
 } // namespace
 
@@ -60,7 +96,7 @@ private Q_SLOTS:
         VERIFY_CODE(run, 8); // R is 55.2 um
         const QJsonObject json = run.json();
         QCOMPARE(json.keys(),
-            (QStringList{"after", "asPredicted", "before", "heldOut", "hints", "largestAsPredicted",
+            (QStringList{"after", "asPredicted", "before", "corrections", "heldOut", "hints", "largestAsPredicted",
                 "predicted", "residual", "source", "uncertainty", "unit", "verdict", "warnings"}));
         QVERIFY(std::abs(json.value("after").toObject().value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("residual").toArray().size(), 9);
@@ -119,6 +155,83 @@ private Q_SLOTS:
             box.run({"compare", "before.csv", "after.csv", "--record", "new.axcal"});
         VERIFY_CODE(newer, 3);
         QVERIFY2(newer.err.contains("error: InvalidRecord: "), newer.err.constData());
+    }
+
+    /// At 20 C the error is a peak of 4 um, and a tenth of that with the table. A scale of 11.5e-6/K
+    /// at 25 C and 22 C adds 57.5 and 23 um/m to what is measured: the factor of the correction is
+    /// 1 / (1 + a (T - 20)), by which it is undone exactly.
+    void bothMeasurementsAreComparedAt20Degrees()
+    {
+        const Sandbox box;
+        box.file("before.csv", peak("// corrected: none\n// compensation: off\n", 4.0, 57.5e-6, 100.0));
+        const ProgramRun fit = box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at",
+            "encoder", "--temperature", "25", "--expansion", "11.5e-6", "--exclude", "up:4:2",
+            "--json"});
+        VERIFY_CODE(fit, 0);
+        const auto crc =
+            static_cast<quint32>(fit.json().value("table").toObject().value("crc").toDouble());
+        const QByteArray active = "// compensation: crc:" + QByteArray::number(crc, 16) + '\n';
+        box.file("after.csv", peak("// corrected: none\n" + active, 0.4, 23e-6, 0.0));
+        const QStringList both{"compare", "before.csv", "after.csv", "--record", "x.axcal"};
+        const ProgramRun open = box.run(both);
+        VERIFY_CODE(open, 2);
+        QVERIFY2(open.err.contains("during the second one (--temperature)"), open.err.constData());
+        const QStringList warm{"--temperature", "22"};
+        QVERIFY(areErrors(box.run(both + warm + QStringList{"--json"}), 0.004, 0.0004));
+        const QStringList alone{"compare", "after.csv", "--record", "x.axcal"};
+        QVERIFY(areErrors(box.run(alone + warm + QStringList{"--json"}), 0.004, 0.0004));
+        // The temperature of the second file counts where it is said.
+        box.file("after-warm.csv",
+            peak("// corrected: none\n// material temperature: 22\n" + active, 0.4, 23e-6, 0.0));
+        QVERIFY(areErrors(box.run({"compare", "after-warm.csv", "--record", "x.axcal", "--json"}),
+            0.004, 0.0004));
+        box.file("after-20.csv", peak("// corrected: 20C\n" + active, 0.4, 0.0, 0.0));
+        QVERIFY(areErrors(
+            box.run({"compare", "after-20.csv", "--record", "x.axcal", "--json"}), 0.004, 0.0004));
+
+        VERIFY_CODE(box.run(alone + warm + QStringList{"--keep"}), 0);
+        const auto record = loadRecord(box.path("x.axcal").toStdString());
+        VERIFY_RESULT(record);
+        const auto kept = usedMeasurement(record->after.front().measurement);
+        VERIFY_RESULT(kept);
+        QVERIFY(std::abs(*iso230Figures(*kept)[Iso230Figure::M].value - 0.0004) < 1e-9);
+    }
+
+    void theFirstMeasurementIsTheOneOfTheRecord()
+    {
+        const Sandbox box;
+        box.file("before.csv", peak("// compensation: off\n", 4.0, 0.0, 0.0));
+        box.file("other.csv", peak("// compensation: off\n", 5.0, 0.0, 0.0));
+        box.file("after.csv", peak({}, 0.4, 0.0, 0.0));
+        VERIFY_CODE(
+            box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at", "encoder"}), 0);
+        const QStringList proof{"after.csv", "--record", "x.axcal", "--measured-with", "on"};
+        VERIFY_CODE(box.run(QStringList{"compare", "before.csv"} + proof), 0);
+        const ProgramRun other = box.run(QStringList{"compare", "other.csv"} + proof);
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains(
+                     "other.csv is not the measurement that the record was made of (before.csv)"),
+            other.err.constData());
+        VERIFY_CODE(box.run(QStringList{"compare"} + proof), 0);
+        VERIFY_CODE(box.run({"compare", "after.csv"}), 2);
+    }
+
+    void oneSideAloneIsNotCorrectedSilently()
+    {
+        const Sandbox box;
+        box.file("warm.csv", peak("// corrected: none\n", 4.0, 57.5e-6, 0.0));
+        box.file("at20.csv", peak("// corrected: 20C\n", 4.0, 0.0, 0.0));
+        const ProgramRun refused = box.run({"compare", "at20.csv", "warm.csv"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("--temperature and --expansion"), refused.err.constData());
+        QVERIFY(areErrors(box.run({"compare", "at20.csv", "warm.csv", "--temperature", "25",
+                              "--expansion", "11.5e-6", "--json"}),
+            0.004, 0.004));
+        const ProgramRun told = box.run({"compare", "warm.csv", "at20.csv"});
+        VERIFY_CODE(told, 0);
+        QVERIFY2(told.err.contains("the second measurement is corrected for temperature or dead "
+                                   "path and the first is not"),
+            told.err.constData());
     }
 
     void aJudgementHasEveryKeyOfTheDocumentation()
