@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <initializer_list>
 #include <map>
 #include <numbers>
 #include <set>
@@ -19,15 +21,17 @@ namespace {
 
 constexpr std::array<std::string_view, 2> extensions{".rtl", ".rta"};
 constexpr std::array kinds{MeasurementKind::Runs};
-constexpr std::array<std::string_view, 5> rules{
+constexpr std::array<std::string_view, 6> rules{
     "Sections begin with a line NAME::, and every section ends the one before it. TARGET DATA:: "
     "has "
     "Target-count and Targets, RUNS:: has Run-count, DEVIATIONS:: has lines of run, number of the "
     "target and deviation. USER-TEXT:: and ENVIRONMENT:: become statements and notes.",
     "A file of the type rtl has targets in mm and deviations in um, one of the type rta targets in "
     "degrees and deviations in milliradians.",
+    "Targets rise or fall throughout. A comma between two digits is taken for a separator only where "
+    "Target-count says so, since it may be a decimal comma.",
     "The direction of a run is that of its target numbers: rising is up. Runs are counted for each "
-    "direction.",
+    "direction. A bidirectional file (Flags: 0 0 2 0) whose runs all go one way gets a warning.",
     "Texts are UTF-8, else GBK where every byte above ASCII has a second one, else Windows-1252.",
     "Runs against the direction of a unidirectional file (Flags: 0 1 2 0) that are exactly 0 are "
     "left out.",
@@ -82,6 +86,21 @@ std::optional<Entry> entryOf(const Token& line)
     return Entry{trimmed(line.text.substr(0, colon)), trimmedToken(line.part(colon + 1))};
 }
 
+/// "25,31" may be two numbers, or one with a decimal comma.
+bool hasCommaBetweenDigits(std::string_view text)
+{
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == ',' && isDigit(text[i - 1]) && isDigit(text[i + 1]))
+            return true;
+    return false;
+}
+
+bool areFlags(const std::vector<Token>& flags, std::initializer_list<std::string_view> expected)
+{
+    return std::ranges::equal(flags, expected, {}, &Token::text);
+}
+
 /// A line of DEVIATIONS.
 struct Deviation {
     std::int64_t run = 0;
@@ -111,6 +130,8 @@ private:
     void takeUserText(const Token& line);
     void takeDeviation(const Token& line);
     void checkCounts();
+    void checkTargets();
+    void checkDirections(const std::array<int, 2>& counts);
     void checkCount(const std::optional<std::int64_t>& said, std::size_t found,
         std::string_view key, std::size_t line);
     [[nodiscard]] std::optional<std::int64_t> count(const Token& value);
@@ -128,11 +149,14 @@ private:
     bool m_isInTargets = false; ///< numbers may follow on the next lines
     bool m_hasDeviations = false;
     bool m_isUnidirectional = false;
+    bool m_isBidirectional = false;
     std::optional<std::int64_t> m_targetCount;
     std::size_t m_targetCountLine = 0;
     std::optional<std::int64_t> m_runCount;
     std::size_t m_runCountLine = 0;
     std::vector<double> m_targets;
+    std::size_t m_targetsLine = 0; ///< the first of them
+    Token m_doubtfulTarget; ///< with a comma between digits; empty: none
     std::vector<Deviation> m_deviations;
 };
 
@@ -208,15 +232,23 @@ void Reader::takeTargets(const Token& line)
     } else {
         std::vector<Token> flags;
         splitTokens(entry->value, " \t", flags);
-        if (sameLetters(entry->key, "Flags"))
+        if (sameLetters(entry->key, "Flags")) {
             m_isUnidirectional = flags.size() > 1 && flags[1].text == "1";
+            m_isBidirectional = areFlags(flags, {"0", "0", "2", "0"});
+        }
         note(line.text);
     }
 }
 
 void Reader::takeNumbers(const Token& text)
 {
+    if (m_targetsLine == 0)
+        m_targetsLine = text.line;
     std::vector<Token> tokens;
+    splitTokens(text, " \t", tokens);
+    for (const Token& token : tokens)
+        if (!m_doubtfulTarget && hasCommaBetweenDigits(token.text))
+            m_doubtfulTarget = token;
     splitTokens(text, " \t,", tokens);
     for (const Token& token : tokens)
         if (const auto target = readNumber(
@@ -308,6 +340,50 @@ void Reader::checkCounts()
             AXISCOMP_TEXT("Error", "sections TARGET DATA:: and DEVIATIONS:: with their numbers"));
 }
 
+/// A list that was read wrongly shows by its order, or by targets without a value.
+void Reader::checkTargets()
+{
+    if (m_targets.empty())
+        return;
+    if (m_doubtfulTarget && !m_targetCount)
+        m_diagnostics.error(DiagnosticCode::Syntax, m_doubtfulTarget.line, m_doubtfulTarget.column,
+            Verbatim{excerpt(m_doubtfulTarget.text, m_encoding)},
+            AXISCOMP_TEXT("Error",
+                "positions with a decimal point and blanks between them; without a Target-count "
+                "nobody can tell two positions from one with a decimal comma"));
+    std::size_t used = 0;
+    for (const Deviation& deviation : m_deviations)
+        used = std::max(used, deviation.target + 1);
+    if (!m_targetCount && m_hasDeviations && used != m_targets.size())
+        m_diagnostics.error(DiagnosticCode::CountMismatch, m_targetsLine, 0,
+            AXISCOMP_TEXT("Error", "{found} targets, but deviations of {used}")
+                .with("found", m_targets.size())
+                .with("used", used),
+            AXISCOMP_TEXT("Error", "a deviation of every target, or a Target-count"));
+    const bool isRising =
+        std::ranges::adjacent_find(m_targets, std::ranges::greater_equal{}) == m_targets.end();
+    const bool isFalling =
+        std::ranges::adjacent_find(m_targets, std::ranges::less_equal{}) == m_targets.end();
+    if (!isRising && !isFalling)
+        m_diagnostics.error(DiagnosticCode::Syntax, m_targetsLine, 0, {},
+            AXISCOMP_TEXT("Error",
+                "positions of targets that rise or fall throughout, with a decimal point and "
+                "blanks between them"));
+}
+
+/// Lines that were sorted by target all seem to be approached in one direction.
+void Reader::checkDirections(const std::array<int, 2>& counts)
+{
+    if (m_isBidirectional && (counts[0] == 0) != (counts[1] == 0))
+        m_diagnostics.warning(DiagnosticCode::DirectionsDoubtful, 0, 0,
+            AXISCOMP_TEXT("Error",
+                "every run goes {direction}, in a file of both directions (Flags: 0 0 2 0)")
+                .with("direction", approachText(counts[0] > 0 ? Approach::Up : Approach::Down)),
+            AXISCOMP_TEXT("Error",
+                "the lines of each run in the order in which they were measured; sorted by target "
+                "they all seem to rise"));
+}
+
 /// A program that writes such files fills the returns of a unidirectional measurement with 0.
 void Reader::dropEmptyRuns(std::map<std::int64_t, std::vector<Deviation>>& runs)
 {
@@ -376,6 +452,8 @@ std::vector<RawRunValue> Reader::values()
             values.push_back(raw);
         }
     }
+    if (!m_diagnostics.hasErrors())
+        checkDirections(counts);
     return values;
 }
 
@@ -390,6 +468,7 @@ void Reader::run(std::string_view text)
             break;
     }
     checkCounts();
+    checkTargets();
     if (!m_diagnostics.hasErrors())
         assembleRuns(values(), m_options, m_measurement, m_diagnostics);
 }

@@ -315,6 +315,37 @@ private Q_SLOTS:
         QCOMPARE(reading.diagnostics[0].code, DiagnosticCode::LeftOut);
     }
 
+    void aCommaBetweenPositionsCountsWhereTheFileSaysHowMany()
+    {
+        const MeasurementReading reading = test::readAs("renishaw",
+            "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 3\nTargets : 0,25, 50\nFlags: "
+            "0 1 2 0\nDEVIATIONS::\nRun Target Data:\n1 1 1\n1 2 2\n1 3 3\nEOF::\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->targets, (std::vector<double>{0.0, 25.0, 50.0}));
+        QVERIFY(reading.diagnostics.empty());
+    }
+
+    /// Two cycles whose lines stand by target and run: every run rises.
+    void linesThatWereSortedByTargetAreDoubtful()
+    {
+        std::string text = "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 3\nTargets : 0 25 "
+                           "50\nFlags: 0 0 2 0\nRUNS::\nRun-count: 4\nDEVIATIONS::\nRun Target Data:\n";
+        for (const char* target : {"1", "2", "3"})
+            for (const char* run : {"1", "2", "3", "4"})
+                text += std::string(run) + " " + target + " 0.5\n";
+        const MeasurementReading reading = test::readAs("renishaw", text + "EOF::\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->runCount(Approach::Up), 4);
+        QVERIFY(std::ranges::any_of(reading.diagnostics, [](const Diagnostic& diagnostic) {
+            return diagnostic.code == DiagnosticCode::DirectionsDoubtful;
+        }));
+        const MeasurementReading both =
+            test::readAs("renishaw", asRtl(publicRuns("bifrost.csv")));
+        QVERIFY(std::ranges::none_of(both.diagnostics, [](const Diagnostic& diagnostic) {
+            return diagnostic.code == DiagnosticCode::DirectionsDoubtful;
+        }));
+    }
+
     void renishawTextsAreKept()
     {
         const MeasurementReading reading =

@@ -23,6 +23,13 @@ std::string rtl(const std::string& deviations, const std::string& counts = "2 2"
         + counts.substr(blank + 1) + "\nDEVIATIONS::\nRun Target Data:\n" + deviations + "EOF::\n";
 }
 
+/// One with these lines of targets.
+std::string rtlOf(const std::string& targets, const std::string& deviations)
+{
+    return "HEADER::\nFile type: rtl\nTARGET DATA::\n" + targets
+        + "Flags: 0 0 2 0\nDEVIATIONS::\nRun Target Data:\n" + deviations + "EOF::\n";
+}
+
 } // namespace
 
 class tst_MeasurementProblems : public QObject {
@@ -88,6 +95,19 @@ private Q_SLOTS:
             {"11:0 BadDirection 1|a run whose target"});
         row("not of the type", "renishaw", rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n", "2 2", "rts"),
             {"0:0 Syntax rts|File type: rtl or rta"});
+        // 0 and 25.31 mm with decimal commas, or 0, 0, 25 and 31: nothing says which.
+        row("a decimal comma", "renishaw", rtlOf("Targets : 0,0  25,3100\n", "1 1 1\n1 2 1\n"),
+            {"4:11 Syntax 0,0|positions with a decimal point",
+                "4:0 CountMismatch 4 targets, but deviations of 2|", "4:0 Syntax"});
+        row("a decimal comma beside a count", "renishaw",
+            rtlOf("Target-count: 2\nTargets : 0 25,3100\n", "1 1 1\n1 2 1\n"),
+            {"4:0 CountMismatch Target-count: 2, but 3 are there|"});
+        row("a target without a value", "renishaw",
+            rtlOf("Targets : 0 25 3100\n", "1 1 1\n1 2 1\n"),
+            {"4:0 CountMismatch 3 targets, but deviations of 2|a deviation of every target"});
+        row("targets out of order", "renishaw",
+            rtlOf("Target-count: 3\nTargets : 0 50 25\n", "1 1 1\n1 2 1\n1 3 1\n"),
+            {"5:0 Syntax"});
         row("only means of both", "api-pos", "Position Bidirectional Avg Error\n0 1\n1 1\n",
             {"0:0 Syntax no block of a direction|"});
         row("cycles", "ecmc",
