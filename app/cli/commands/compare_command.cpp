@@ -142,8 +142,7 @@ Result<void> checkCorrections(
 Result<void> keepInRecord(Environment& environment, CalibrationRecord record,
     const CompareOptions& options, const Side& after, const Comparison& comparison)
 {
-    AXISCOMP_TRY(
-        auto recorded, recordedMeasurement(after.input, options.input, after.corrections));
+    AXISCOMP_TRY(auto recorded, recordedMeasurement(after.input, options.input, after.corrections));
     keepAfter(record, std::move(recorded), comparison);
     AXISCOMP_CHECK(saveRecord(pathFromText(options.record), record));
     keepFiguresOrWarn(environment, record);
@@ -156,8 +155,8 @@ Json bothSources(const MeasurementInput& before, const MeasurementInput& after)
 }
 
 /// What is promised and what decides, by the record and by the options.
-ComparisonRequest requestOf(const CompareOptions& options, const CalibrationRecord& record,
-    const ToleranceLimits& limits)
+ComparisonRequest requestOf(
+    const CompareOptions& options, const CalibrationRecord& record, const ToleranceLimits& limits)
 {
     ComparisonRequest request = comparisonRequest(record);
     request.isTableStated = !options.measuredWith.empty();
@@ -202,8 +201,7 @@ Result<ExitCode> runCompare(Environment& environment, const CompareOptions& opti
     const Measurement& second = after.input.measurement;
     AXISCOMP_TRY(auto limits, readTolerances(second, options.tolerance, options.input.command));
     AXISCOMP_TRY(const auto comparison,
-        compareMeasurements(
-            before.input.measurement, second, requestOf(options, record, limits)));
+        compareMeasurements(before.input.measurement, second, requestOf(options, record, limits)));
     if (options.keeps)
         AXISCOMP_CHECK(keepInRecord(environment, std::move(record), options, after, comparison));
     tellComparison(environment, before, after, comparison, std::move(limits.terms));
@@ -233,8 +231,7 @@ void addCompareCommand(CommandLine& line)
             "run:up:3 or target:7, with commas between them"));
     command
         ->add_option("--record", options->record,
-            AXISCOMP_HELP(
-                "Help",
+            AXISCOMP_HELP("Help",
                 "Record of the compensation: the first measurement with its exclusions and "
                 "corrections, prediction, table and tolerances"))
         ->option_text("FILE.axcal");

@@ -6,6 +6,7 @@
 #include "app/cli/input/judging_options.h"
 #include "app/cli/input/known_tables.h"
 #include "app/cli/input/measurement_input.h"
+#include "app/cli/input/number_checks.h"
 #include "app/cli/output/fit_output.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
@@ -38,7 +39,7 @@ struct FitOptions {
     std::string method = "linear";
     std::optional<double> smoothness;
     std::vector<double> periods;
-    int harmonics = 1;
+    std::optional<int> harmonics; ///< 1
     std::optional<double> turn;
     std::string direction = "mean";
     std::string by; ///< temperature; empty: position alone
@@ -137,7 +138,13 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     FitSettings settings;
     settings.method = fitMethodNamed(options.method).value_or(FitMethod::Linear);
     settings.smoothness = options.smoothness;
-    settings.periods = {options.periods, options.harmonics};
+    settings.periods = {options.periods, options.harmonics.value_or(1)};
+    if (options.harmonics && settings.method != FitMethod::Harmonic && options.periods.empty())
+        return wrongUsage(
+            "--harmonics are those of --method harmonic, or of the periods of --method smooth "
+            "(--period); the method "
+                + options.method + " has none",
+            options.input.command);
     settings.turn = options.turn;
     settings.direction = fitDirectionNamed(options.direction).value_or(FitDirection::Mean);
     if (!options.removedSlope.empty())
@@ -348,7 +355,7 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
             AXISCOMP_HELP("Help",
                 "Of the method smooth, and of points and tracks; by cross-validation unless given"))
         ->option_text("S")
-        ->check(CLI::NonNegativeNumber.description(""))
+        ->check(numberFromZero())
         ->group(group);
     command
         .add_option("--period", options.periods,
@@ -368,7 +375,7 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
             AXISCOMP_HELP("Help",
                 "Length of a turn of a modulo axis, such as 360: the table ends as it begins"))
         ->option_text("LENGTH")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(numberAboveZero())
         ->group(group);
     command
         .add_option("--direction", options.direction,
@@ -400,7 +407,7 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
             AXISCOMP_HELP("Help", "Even grid with spacing D, for each axis or for all"))
         ->option_text("D[,D[,D]]")
         ->delimiter(',')
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(numberAboveZero())
         ->excludes("--points")
         ->group(group);
     command
@@ -421,7 +428,7 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
             AXISCOMP_HELP("Help",
                 "Speed of the axis in mm/s or deg/s, for the steps of the velocity that are told"))
         ->option_text("V")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(numberAboveZero())
         ->group(group);
 }
 
@@ -438,6 +445,7 @@ void addZeroOptions(CLI::App& command, FitOptions& options)
         ->group(group);
     command.add_option("--home", options.home, AXISCOMP_HELP("Help", "Home position of the axis"))
         ->option_text("POSITION")
+        ->check(anyNumber())
         ->group(group);
     command
         .add_option("--remove-slope", options.removedSlope,

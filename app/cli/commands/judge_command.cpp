@@ -2,6 +2,7 @@
 #include "app/cli/commands/command_line.h"
 #include "app/cli/input/judging_options.h"
 #include "app/cli/input/measurement_input.h"
+#include "app/cli/input/number_checks.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/arguments.h"
@@ -74,7 +75,7 @@ void addJudgeCommand(CommandLine& line)
             AXISCOMP_HELP(
                 "Help", "Known period of the axis, such as the lead of its screw, in mm or deg"))
         ->option_text("P")
-        ->check(CLI::NonNegativeNumber.description(""));
+        ->check(numberFromZero());
     command->add_flag("--vdi", options->wantsVdi,
         AXISCOMP_HELP("Help", "Show the figures of VDI/DGQ 3441 as well"));
     addCorrectionOptions(*command, options->correction);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/conversion_options.h"
 
+#include "app/cli/input/number_checks.h"
 #include "app/common/arguments.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
@@ -180,7 +181,7 @@ void addResamplingOptions(CLI::App& command, ConversionOptions& options)
                 "are "
                 "left with spline and smooth"))
         ->option_text("SPEED")
-        ->check(CLI::PositiveNumber.description(""))
+        ->check(numberAboveZero())
         ->group(group);
     command
         .add_flag("--hold", options.holdsEnds,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/judging_options.h"
 
+#include "app/cli/input/number_checks.h"
 #include "app/cli/output/fine_text.h"
 #include "app/common/arguments.h"
 #include "core/io/local_file.h"
@@ -56,8 +57,9 @@ Result<std::optional<TemperatureCorrection>> temperatureOf(
         return wrongUsage("the coefficient of expansion of the scale is not known: give "
                           "--expansion; for steel it is about 11.5e-6",
             command);
-    return TemperatureCorrection{*temperature, *expansion, options.referenceTemperature.value_or(20.0),
-        options.referenceExpansion.value_or(0.0), options.datum, options.isNotCorrected};
+    return TemperatureCorrection{*temperature, *expansion,
+        options.referenceTemperature.value_or(20.0), options.referenceExpansion.value_or(0.0),
+        options.datum, options.isNotCorrected};
 }
 
 } // namespace
@@ -93,6 +95,7 @@ void addCorrectionOptions(CLI::App& command, CorrectionOptions& options)
                 "Position in mm that does not move with temperature; the first target unless "
                 "given"))
         ->option_text("POSITION")
+        ->check(anyNumber())
         ->group(group);
     command
         .add_flag("--not-corrected", options.isNotCorrected,
@@ -115,8 +118,7 @@ Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
         return wrongUsage("the first measurement is corrected for a dead path: give that of the "
                           "second one, with its own air (--dead-path)",
             command);
-    const bool isDone =
-        measurement.header.corrected == MeasurementHeader::Corrected::To20Celsius;
+    const bool isDone = measurement.header.corrected == MeasurementHeader::Corrected::To20Celsius;
     if (!first.temperature || isDone)
         return options;
     if (!options.temperature)

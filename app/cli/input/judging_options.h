@@ -34,8 +34,8 @@ struct MadeCorrections {
     std::string text; ///< a line for each; empty without any
     Json document = Json::object(); ///< as --json has them
 };
-/// What makes a second measurement comparable with a first one that was corrected like this: its own
-/// temperature and air, and what the two have in common, where the options leave that open.
+/// What makes a second measurement comparable with a first one that was corrected like this: its
+/// own temperature and air, and what the two have in common, where the options leave that open.
 /// measurement: the second, as it was read. Errors: InvalidArgument for what nobody states.
 [[nodiscard]] Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
     const Measurement& measurement, CorrectionOptions options, const std::string& command);

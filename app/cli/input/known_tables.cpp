@@ -2,14 +2,36 @@
 #include "app/cli/input/known_tables.h"
 
 #include "app/cli/input/conversion_options.h"
+#include "app/common/arguments.h"
 
 namespace axiscomp::app {
+
+namespace {
+
+/// What was active has one value for both directions, as a drive has.
+Result<void> checkOneValue(const TableInputOptions& options, const TableInput& input)
+{
+    if (input.data)
+        return {};
+    for (const NeutralTable& table : neutralColumns(input))
+        for (const CompensationColumn& column : table.columns)
+            if (column.direction != Direction::Both)
+                return wrongUsage(displayName(options.file)
+                        + " has a value for each direction, and residuals are merged onto a table "
+                          "with one for both: write that into a file (axiscomp convert "
+                        + displayName(options.file) + " mean.csv --direction mean), and take it",
+                    options.command);
+    return {};
+}
+
+} // namespace
 
 Result<KnownTables> tablesOfFile(
     Environment& environment, const TableInputOptions& options, const std::string& unit)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.profile));
     AXISCOMP_TRY(const auto input, readInput(environment, options));
+    AXISCOMP_CHECK(checkOneValue(options, input));
     std::vector<CompensationTable> tables;
     if (input.data) {
         tables = input.data->tables;

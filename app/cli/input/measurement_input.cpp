@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/measurement_input.h"
 
+#include "app/cli/input/number_checks.h"
 #include "app/cli/input/table_input.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
@@ -140,7 +141,7 @@ void addMeasurementOptions(CLI::App& command, MeasurementInputOptions& options)
                 "the "
                 "range unless given"))
         ->option_text("DISTANCE")
-        ->check(CLI::NonNegativeNumber.description(""))
+        ->check(numberFromZero())
         ->group(group);
 }
 

@@ -49,8 +49,8 @@ struct MeasurementInput {
     std::vector<Measurement> files;
 };
 
-/// SHA-256 of the bytes of a file, as of a MeasurementSource. Errors: FileNotReadable, FileTooLarge,
-/// Cancelled.
+/// SHA-256 of the bytes of a file, as of a MeasurementSource. Errors: FileNotReadable,
+/// FileTooLarge, Cancelled.
 [[nodiscard]] Result<std::string> measurementSha256(
     Environment& environment, const std::string& file);
 

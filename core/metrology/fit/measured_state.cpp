@@ -52,8 +52,7 @@ Result<MeasuredState> agreedState(const StateRequest& request)
         return onFile;
     }
     const MeasuredState& stated = *request.stated;
-    const MeasuredState& said =
-        onFile.kind == StateKind::NotSaid ? request.onSomeFiles : onFile;
+    const MeasuredState& said = onFile.kind == StateKind::NotSaid ? request.onSomeFiles : onFile;
     const bool isSame = said.kind == StateKind::NotSaid
         || (said.kind == stated.kind
             && (!said.tableCrc || !stated.tableCrc || *said.tableCrc == *stated.tableCrc));

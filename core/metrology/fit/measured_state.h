@@ -38,7 +38,8 @@ struct StateRequest {
     const KnownTables* onto = nullptr; ///< what the residuals are merged onto; null: nothing
     /// Other tables that may have been active: a file, the backups of the drive.
     std::span<const KnownTables> others = {};
-    /// The axis that the table is made for, as a person states it; empty: the one that was measured.
+    /// The axis that the table is made for, as a person states it; empty: the one that was
+    /// measured.
     std::string axis = {};
     MeasuredState onSomeFiles = {}; ///< compensationOfSome of the measurement
 };

@@ -28,7 +28,8 @@ constexpr std::array<std::string_view, 6> rules{
     "target and deviation. USER-TEXT:: and ENVIRONMENT:: become statements and notes.",
     "A file of the type rtl has targets in mm and deviations in um, one of the type rta targets in "
     "degrees and deviations in milliradians.",
-    "Targets rise or fall throughout. A comma between two digits is taken for a separator only where "
+    "Targets rise or fall throughout. A comma between two digits is taken for a separator only "
+    "where "
     "Target-count says so, since it may be a decimal comma.",
     "The direction of a run is that of its target numbers: rising is up. Runs are counted for each "
     "direction. A bidirectional file (Flags: 0 0 2 0) whose runs all go one way gets a warning.",

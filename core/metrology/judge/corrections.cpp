@@ -31,7 +31,7 @@ Result<void> checkCorrectable(const Measurement& measurement, bool isConfirmed)
     if (measurement.header.corrected == Corrected::NotSaid && !isConfirmed)
         return notCorrectable(AXISCOMP_TEXT("Error",
             "the file does not say whether its values are corrected to 20 deg C already; if they "
-            "are not, that has to be stated"));
+            "are not, that has to be stated (--not-corrected)"));
     return {};
 }
 

@@ -260,6 +260,19 @@ private Q_SLOTS:
         QTest::newRow("too fine") << off << encoder + QStringList{"--points", "600000"}
                                   << QByteArray("ResamplingImpossible")
                                   << QByteArray("more than 524212 points");
+        const auto number = [&](const char* option, const char* value, const char* words) {
+            QTest::newRow(option) << off << encoder + QStringList{option, value}
+                                  << QByteArray("InvalidArgument")
+                                  << QByteArray(option) + ": " + words;
+        };
+        number("--turn", "-360", "must be above 0, but is -360");
+        number("--distance", "-5", "must be above 0, but is -5");
+        number("--speed", "0", "must be above 0, but is 0");
+        number("--smoothness", "-1", "must not be negative, but is -1");
+        number("--home", "nan", "nan is no number");
+        QTest::newRow("harmonics of a line")
+            << off << encoder + QStringList{"--harmonics", "3"} << QByteArray("InvalidArgument")
+            << QByteArray("the method linear has none");
         QTest::newRow("no zero") << off << encoder + QStringList{"--zero", "here"}
                                  << QByteArray("InvalidArgument")
                                  << QByteArray("home, first, mean, keep");
@@ -280,13 +293,27 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("t.csv")));
     }
 
+    void residualsAreNotMergedOntoATableOfTwoDirections()
+    {
+        const Sandbox box;
+        box.file("m.csv", runs("// compensation: on\n", [](double) { return 0.0; }));
+        box.file("ud.comp", "0 0.001 -0.001\n50 50.002 50\n100 100.003 99.999\n");
+        const QStringList words{"fit", "m.csv", "--lookup-at", "encoder", "--onto"};
+        const ProgramRun refused = box.run(words + QStringList{"ud.comp"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("axiscomp convert ud.comp mean.csv --direction mean"),
+            refused.err.constData());
+        VERIFY_CODE(box.run({"convert", "ud.comp", "mean.csv", "--direction", "mean"}), 0);
+        VERIFY_CODE(box.run(words + QStringList{"mean.csv"}), 0);
+    }
+
     /// Nothing was left with the table of Y active, which is -x/5 um.
     void ofSeveralTablesThatOfTheStatedAxisIsMergedOnto()
     {
         const Sandbox box;
         box.file("m.csv", runs("", [](double) { return 0.0; }));
-        box.file("two.csv",
-            "// target: X, Y\nX [mm],dX [um],dY [um]\n0,0,0\n50,5,-10\n100,10,-20\n");
+        box.file(
+            "two.csv", "// target: X, Y\nX [mm],dX [um],dY [um]\n0,0,0\n50,5,-10\n100,10,-20\n");
         const QStringList words{"fit", "m.csv", "-o", "t.csv", "--lookup-at", "encoder", "--zero",
             "keep", "--onto", "two.csv"};
         for (const QStringList& state :

@@ -96,8 +96,9 @@ private Q_SLOTS:
         VERIFY_CODE(run, 8); // R is 55.2 um
         const QJsonObject json = run.json();
         QCOMPARE(json.keys(),
-            (QStringList{"after", "asPredicted", "before", "corrections", "heldOut", "hints", "largestAsPredicted",
-                "predicted", "residual", "source", "uncertainty", "unit", "verdict", "warnings"}));
+            (QStringList{"after", "asPredicted", "before", "corrections", "heldOut", "hints",
+                "largestAsPredicted", "predicted", "residual", "source", "uncertainty", "unit",
+                "verdict", "warnings"}));
         QVERIFY(std::abs(json.value("after").toObject().value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("residual").toArray().size(), 9);
         QVERIFY(json.value("asPredicted").isNull());
@@ -157,16 +158,17 @@ private Q_SLOTS:
         QVERIFY2(newer.err.contains("error: InvalidRecord: "), newer.err.constData());
     }
 
-    /// At 20 C the error is a peak of 4 um, and a tenth of that with the table. A scale of 11.5e-6/K
-    /// at 25 C and 22 C adds 57.5 and 23 um/m to what is measured: the factor of the correction is
-    /// 1 / (1 + a (T - 20)), by which it is undone exactly.
+    /// At 20 C the error is a peak of 4 um, and a tenth of that with the table. A scale
+    /// of 11.5e-6/K at 25 C and 22 C adds 57.5 and 23 um/m to what is measured: the factor of the
+    /// correction is 1 / (1 + a (T - 20)), by which it is undone exactly.
     void bothMeasurementsAreComparedAt20Degrees()
     {
         const Sandbox box;
-        box.file("before.csv", peak("// corrected: none\n// compensation: off\n", 4.0, 57.5e-6, 100.0));
-        const ProgramRun fit = box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at",
-            "encoder", "--temperature", "25", "--expansion", "11.5e-6", "--exclude", "up:4:2",
-            "--json"});
+        box.file(
+            "before.csv", peak("// corrected: none\n// compensation: off\n", 4.0, 57.5e-6, 100.0));
+        const ProgramRun fit =
+            box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at", "encoder",
+                "--temperature", "25", "--expansion", "11.5e-6", "--exclude", "up:4:2", "--json"});
         VERIFY_CODE(fit, 0);
         const auto crc =
             static_cast<quint32>(fit.json().value("table").toObject().value("crc").toDouble());
@@ -389,6 +391,10 @@ private Q_SLOTS:
         QCOMPARE(json.value("runs").toObject().value("up").toInt(), 2);
         QCOMPARE(json.value("values").toInt(), 8);
         QVERIFY(box.content("both.csv").contains("10,+,2,0.003\n"));
+        const ProgramRun twice = box.run({"judge", "a.csv", "b.csv", "a.csv"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(twice.err.contains("file 3 holds the same measurement as file 1"),
+            twice.err.constData());
         const ProgramRun piped = box.run({"runs", "-", "-o", "-"}, small);
         VERIFY_CODE(piped, 0);
         QVERIFY2(piped.out.startsWith("// axiscomp runs: 1\n"), piped.out.constData());
@@ -403,12 +409,12 @@ private Q_SLOTS:
         const ProgramRun refused = box.run({"runs", "a.csv", "b.csv", "-o", "both.csv"});
         VERIFY_CODE(refused, 2);
         QVERIFY2(refused.err.contains("// compensation: off"), refused.err.constData());
-        const ProgramRun fit = box.run(
-            {"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with", "on"});
+        const ProgramRun fit =
+            box.run({"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with", "on"});
         VERIFY_CODE(fit, 2);
         QVERIFY2(fit.err.contains("made with the compensation off"), fit.err.constData());
-        VERIFY_CODE(box.run({"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with",
-                        "off"}),
+        VERIFY_CODE(
+            box.run({"fit", "a.csv", "b.csv", "--lookup-at", "encoder", "--measured-with", "off"}),
             0);
     }
 
@@ -433,7 +439,14 @@ private Q_SLOTS:
         const Sandbox box;
         const QString file = publicFile("bifrost.csv");
         VERIFY_CODE(box.run({"judge", file, "--temperature", "22"}), 2);
-        VERIFY_CODE(box.run({"judge", file, "--temperature", "22", "--expansion", "11.5e-6"}), 2);
+        const ProgramRun open =
+            box.run({"judge", file, "--temperature", "22", "--expansion", "11.5e-6"});
+        VERIFY_CODE(open, 2);
+        QVERIFY2(open.err.contains("(--not-corrected)"), open.err.constData());
+        const ProgramRun datum = box.run({"judge", file, "--temperature", "22", "--expansion",
+            "11.5e-6", "--not-corrected", "--datum", "nan"});
+        VERIFY_CODE(datum, 2);
+        QVERIFY2(datum.err.contains("--datum: nan is no number"), datum.err.constData());
         const ProgramRun run = box.run({"judge", file, "--temperature", "22", "--expansion",
             "11.5e-6", "--not-corrected", "--json"});
         VERIFY_CODE(run, 0);

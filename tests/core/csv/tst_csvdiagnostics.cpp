@@ -357,8 +357,9 @@ private Q_SLOTS:
         QTest::addColumn<DiagnosticCode>("code");
         QTest::addColumn<QByteArray>("wayOut");
         QTest::newRow("uneven") << DiagnosticCode::UnevenSpacing << QByteArray("resample the data");
-        QTest::newRow("no text") << DiagnosticCode::NotText << QByteArray("save it as UTF-8 CSV");
-        QTest::newRow("encoding") << DiagnosticCode::Encoding << QByteArray("save it as UTF-8 CSV");
+        QTest::newRow("no text") << DiagnosticCode::NotText << QByteArray("save it as UTF-8 text");
+        QTest::newRow("encoding") << DiagnosticCode::Encoding
+                                  << QByteArray("save it as UTF-8 text");
         QTest::newRow("steep") << DiagnosticCode::LargeGradient << QByteArray("check the units");
         QTest::newRow("header") << DiagnosticCode::NoHeader << QByteArray("add a first line");
     }

@@ -328,8 +328,9 @@ private Q_SLOTS:
     /// Two cycles whose lines stand by target and run: every run rises.
     void linesThatWereSortedByTargetAreDoubtful()
     {
-        std::string text = "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 3\nTargets : 0 25 "
-                           "50\nFlags: 0 0 2 0\nRUNS::\nRun-count: 4\nDEVIATIONS::\nRun Target Data:\n";
+        std::string text =
+            "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 3\nTargets : 0 25 "
+            "50\nFlags: 0 0 2 0\nRUNS::\nRun-count: 4\nDEVIATIONS::\nRun Target Data:\n";
         for (const char* target : {"1", "2", "3"})
             for (const char* run : {"1", "2", "3", "4"})
                 text += std::string(run) + " " + target + " 0.5\n";
@@ -339,8 +340,7 @@ private Q_SLOTS:
         QVERIFY(std::ranges::any_of(reading.diagnostics, [](const Diagnostic& diagnostic) {
             return diagnostic.code == DiagnosticCode::DirectionsDoubtful;
         }));
-        const MeasurementReading both =
-            test::readAs("renishaw", asRtl(publicRuns("bifrost.csv")));
+        const MeasurementReading both = test::readAs("renishaw", asRtl(publicRuns("bifrost.csv")));
         QVERIFY(std::ranges::none_of(both.diagnostics, [](const Diagnostic& diagnostic) {
             return diagnostic.code == DiagnosticCode::DirectionsDoubtful;
         }));
@@ -506,14 +506,14 @@ private Q_SLOTS:
                 if (whole)
                     QCOMPARE(whole->header.corrected, first);
                 else
-                    QVERIFY(sentence(whole.error()).find("// corrected: none") != std::string::npos);
+                    QVERIFY(
+                        sentence(whole.error()).find("// corrected: none") != std::string::npos);
             }
     }
 
     void theTemperatureOfTheScaleIsThatOfAllFilesOrNone()
     {
-        std::array both{
-            publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
+        std::array both{publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
         both[0].header.materialTemperature = both[1].header.materialTemperature = 22.0;
         both[0].header.expansion = 11.5e-6;
         const auto whole = joined(both);
@@ -536,8 +536,7 @@ private Q_SLOTS:
 
     void filesOfTwoAxesAreNotJoined()
     {
-        std::array both{
-            publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
+        std::array both{publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
         both[0].header.axis = "X";
         both[1].header.axis = "Y";
         const auto refused = joined(both);

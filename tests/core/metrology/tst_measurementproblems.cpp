@@ -106,8 +106,7 @@ private Q_SLOTS:
             rtlOf("Targets : 0 25 3100\n", "1 1 1\n1 2 1\n"),
             {"4:0 CountMismatch 3 targets, but deviations of 2|a deviation of every target"});
         row("targets out of order", "renishaw",
-            rtlOf("Target-count: 3\nTargets : 0 50 25\n", "1 1 1\n1 2 1\n1 3 1\n"),
-            {"5:0 Syntax"});
+            rtlOf("Target-count: 3\nTargets : 0 50 25\n", "1 1 1\n1 2 1\n1 3 1\n"), {"5:0 Syntax"});
         row("only means of both", "api-pos", "Position Bidirectional Avg Error\n0 1\n1 1\n",
             {"0:0 Syntax no block of a direction|"});
         row("cycles", "ecmc",

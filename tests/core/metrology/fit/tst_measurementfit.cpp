@@ -185,15 +185,24 @@ private Q_SLOTS:
         QTest::addColumn<QString>("measured");
         QTest::addColumn<QString>("stated");
         QTest::addColumn<double>("last"); // at 100 mm; NaN: refused
-        QTest::newRow("by name") << "Y" << "" << -0.02;
-        QTest::newRow("lower case") << "y" << "" << -0.02;
-        QTest::newRow("with a word") << "Y axis" << "" << -0.02;
-        QTest::newRow("stated") << "" << "Y" << -0.02;
-        QTest::newRow("stated otherwise than measured") << "X" << "Y" << -0.02;
-        QTest::newRow("the first") << "X" << "" << 0.01;
-        QTest::newRow("no name") << "" << "" << std::nan("");
-        QTest::newRow("a number") << "1" << "" << std::nan("");
-        QTest::newRow("another axis") << "Z" << "" << std::nan("");
+        QTest::newRow("by name") << "Y"
+                                 << "" << -0.02;
+        QTest::newRow("lower case") << "y"
+                                    << "" << -0.02;
+        QTest::newRow("with a word") << "Y axis"
+                                     << "" << -0.02;
+        QTest::newRow("stated") << ""
+                                << "Y" << -0.02;
+        QTest::newRow("stated otherwise than measured") << "X"
+                                                        << "Y" << -0.02;
+        QTest::newRow("the first") << "X"
+                                   << "" << 0.01;
+        QTest::newRow("no name") << ""
+                                 << "" << std::nan("");
+        QTest::newRow("a number") << "1"
+                                  << "" << std::nan("");
+        QTest::newRow("another axis") << "Z"
+                                      << "" << std::nan("");
     }
     void ofSeveralTablesThatOfTheAxisIsMergedOnto()
     {
@@ -210,8 +219,7 @@ private Q_SLOTS:
         const KnownTables old{Verbatim{"two.csv"}, {x, y}, {1, 2}};
         Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
         runs.header.axis = measured.toStdString();
-        const FoundState state{
-            FoundState::Kind::On, &old, {}, {}, {}, stated.toStdString()};
+        const FoundState state{FoundState::Kind::On, &old, {}, {}, {}, stated.toStdString()};
         const auto report = fitMeasurement(runs, keeping(), state);
         if (std::isnan(last)) {
             QVERIFY(isRefused(report, "there are: X, Y"));
