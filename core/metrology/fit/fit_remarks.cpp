@@ -207,12 +207,18 @@ void remarkOfReversal(const FitInput& input, const TableFit& fit, Remarks& remar
                 "there is a table for each direction, and the reversal of up to {reversal} is in "
                 "them: switch off the controller's own backlash compensation")
                 .with("reversal", remarks.fine(2.0 * *fit.remainingReversal)));
-    else if (fit.isMostlyReversal)
+    else if (fit.isMostlyReversal && input.settings.direction == FitDirection::Mean)
         remarks.warn("MostlyReversal",
             AXISCOMP_TEXT("Measurement",
                 "most of this error is reversal, which no table removes: up to {reversal} remains "
                 "in each direction")
                 .with("reversal", remarks.fine(*fit.remainingReversal)));
+    else if (fit.isMostlyReversal)
+        remarks.warn("MostlyReversal",
+            AXISCOMP_TEXT("Measurement",
+                "most of this error is reversal, which no table removes: the table is for one "
+                "direction, and up to {reversal} remains in the other")
+                .with("reversal", remarks.fine(2.0 * *fit.remainingReversal)));
     else if (input.settings.direction == FitDirection::Mean)
         remarks.say("ReversalRemains",
             AXISCOMP_TEXT("Measurement",

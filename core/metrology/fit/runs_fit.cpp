@@ -360,8 +360,8 @@ Result<std::vector<RunsTable>> fitDirections(const FitInput& input, const Measur
     return std::vector{std::move(one)};
 }
 
-/// The same runs with the tables active, as a measurement of its own. made: the tables as a drive
-/// has them.
+/// The same runs with the tables active, as a measurement of its own. One table serves both
+/// directions, whichever it was made of. made: the tables as a drive has them.
 Result<Measurement> predictedMeasurement(const FitInput& whole,
     const std::vector<RunsTable>& tables, const std::vector<FittedTable>& made)
 {
@@ -371,7 +371,7 @@ Result<Measurement> predictedMeasurement(const FitInput& whole,
         AXISCOMP_TRY(
             const auto predicted, predictRuns(values.values, made[n].table, tables[n].request));
         for (std::size_t i = 0; i < predicted.size(); ++i)
-            if (tables[n].isFor(predicted[i]))
+            if (tables.size() == 1 || tables[n].isFor(predicted[i]))
                 result.values[values.indices[i]].deviation = predicted[i].deviation;
     }
     return result;

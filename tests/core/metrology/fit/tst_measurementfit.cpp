@@ -150,6 +150,29 @@ private Q_SLOTS:
             report->sign.english().c_str());
     }
 
+    /// Up 0, down -10 um sin(pi x / 100): a table of the runs down takes that out of them, and adds
+    /// it to the runs up.
+    void aTableOfOneDirectionIsForetoldInBoth()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
+        for (RunValue& value : runs.values)
+            if (value.direction == Approach::Down)
+                value.deviation = -0.010 * std::sin(pi * runs.targets[value.target] / 100.0);
+        FitSettings settings = keeping();
+        settings.direction = FitDirection::Negative;
+        settings.tolerances = {{Iso230Figure::E, 0.001}, {Iso230Figure::B, 0.001}};
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        for (const Iso230Figure figure : {Iso230Figure::B, Iso230Figure::E, Iso230Figure::EUp})
+            QVERIFY(std::abs(*(*report->predicted)[figure].value - 0.010) < 1e-6);
+        QVERIFY(*(*report->predicted)[Iso230Figure::EDown].value < 1e-8);
+        QVERIFY(std::abs(*(*report->predicted)[Iso230Figure::M].value - 0.005) < 1e-6);
+        for (const Verdict& verdict : report->verdicts)
+            QVERIFY(verdict.result == VerdictResult::Failed);
+        QVERIFY(hasRemark(*report, "MostlyReversal", "up to 10.000 um remains in the other"));
+        QVERIFY(hasRemark(*report, "LittleImprovement"));
+    }
+
     /// A file with the tables of a plane: that of X says nothing of what was measured with Y.
     void residualsAreMergedOntoTheTableThatWasActive()
     {
