@@ -280,8 +280,9 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
     const CompensationTable* const old = activeTable(input);
     if (input.state.kind == FoundState::Kind::On)
         request.active = {old, 1.0, input.outside()};
-    const bool areKnotsTargets =
-        input.lookupAt == LookupAt::Encoder && input.state.kind == FoundState::Kind::Off;
+    // Harmonics go on between the knots of their curve, which are the ends of the turn.
+    const bool areKnotsTargets = input.lookupAt == LookupAt::Encoder
+        && input.state.kind == FoundState::Kind::Off && settings.method != FitMethod::Harmonic;
     const bool isOpen = settings.grid.empty() && !settings.within && !old;
     if (isOpen && !settings.periods.periods.empty())
         return request;

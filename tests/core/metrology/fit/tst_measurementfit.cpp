@@ -594,6 +594,31 @@ private Q_SLOTS:
                 < 1e-8);
     }
 
+    /// 0.005 cos x + 0.002 sin 2x at 24 targets of a turn: the last point is the first again.
+    void harmonicsHaveTheGridOfTheTargets()
+    {
+        const auto error = [](double degrees) {
+            const double x = degrees * pi / 180.0;
+            return 0.005 * std::cos(x) + 0.002 * std::sin(2.0 * x);
+        };
+        Measurement runs = runsOver(0.0, 15.0, 24, error);
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.method = FitMethod::Harmonic;
+        settings.periods.harmonics = 2;
+        settings.turn = 360.0;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        QCOMPARE(table.values.size(), std::size_t{25});
+        for (std::size_t i = 0; i < 25; ++i)
+            QVERIFY(std::abs(static_cast<double>(table.values[i])
+                        - error(table.grid.axes.front().position(i)))
+                < 1e-9);
+        QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 1e-8);
+        QVERIFY(report->heldOut->range < 1e-9);
+    }
+
     /// Of an artefact that lies turned and shifted nothing is left.
     void howAnArtefactLayIsTakenOut()
     {
