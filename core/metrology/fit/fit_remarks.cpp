@@ -177,13 +177,15 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
 {
     if (!report.heldOut)
         return;
+    // What a gain, the other direction or a slope leaves is no matter of the targets.
+    const double unknown = report.heldOut->unknownRange;
     const double heldOut = report.heldOut->range;
     const auto before = (*report.before)[Iso230Figure::M].value;
     const auto repeatability = (*report.before)[Iso230Figure::R].value;
     const auto predicted = (*report.predicted)[Iso230Figure::M].value;
-    const bool isAboveHalf = before && heldOut > 0.5 * *before;
+    const bool isAboveHalf = before && unknown > 0.5 * *before;
     const bool isAbovePrediction =
-        repeatability && predicted && heldOut > 0.5 * *repeatability && heldOut > 2.0 * *predicted;
+        repeatability && predicted && unknown > 0.5 * *repeatability && unknown > 2.0 * *predicted;
     if (!isAboveHalf && !isAbovePrediction)
         return;
     Text text = AXISCOMP_TEXT("Measurement",

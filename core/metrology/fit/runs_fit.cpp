@@ -326,6 +326,7 @@ Result<RunsTable> fitOne(const FitInput& whole, const Measurement& settled, FitD
     const FitInput input = made.input(whole);
     AXISCOMP_TRY(made.request, requestOfRuns(input));
     made.request.removed = removed;
+    made.request.servesBoth = whole.settings.direction != FitDirection::Both;
     made.values = fitValues(settled, input);
     AXISCOMP_TRY(made.fit, fitTable(made.values.values, made.request));
     return made;
@@ -387,11 +388,15 @@ HeldOut together(const HeldOut& up, const HeldOut& down)
     both.residuals.insert(both.residuals.end(), down.residuals.begin(), down.residuals.end());
     both.rms = std::sqrt(0.5 * (up.rms * up.rms + down.rms * down.rms));
     both.largest = std::max(up.largest, down.largest);
-    std::vector<double> means;
-    for (std::size_t i = 0; i < up.residuals.size(); ++i)
-        means.push_back(0.5 * (up.residuals[i].value + down.residuals[i].value));
-    const auto [lowest, highest] = std::ranges::minmax(means);
-    both.range = highest - lowest;
+    const auto rangeOfMeans = [&](double HeldOut::Residual::*part) {
+        std::vector<double> means;
+        for (std::size_t i = 0; i < up.residuals.size(); ++i)
+            means.push_back(0.5 * (up.residuals[i].*part + down.residuals[i].*part));
+        const auto [lowest, highest] = std::ranges::minmax(means);
+        return highest - lowest;
+    };
+    both.range = rangeOfMeans(&HeldOut::Residual::value);
+    both.unknownRange = rangeOfMeans(&HeldOut::Residual::unknown);
     return both;
 }
 

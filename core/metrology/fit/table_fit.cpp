@@ -277,7 +277,8 @@ Result<PlannedAxis> planGrid(const FittedCurve& curve, const TableFitRequest& re
     return planAxis(line, 0, wanted, request.holdsEnds);
 }
 
-/// What the table says beside the curve: linear between the points of a grid that was asked for.
+/// What the table says beside the curve: linear between the points of a grid that was asked for,
+/// which a modulo axis enters anew with each turn.
 Result<double> tableAt(const FittedCurve& curve, const TableFitRequest& request, double position)
 {
     const bool hasGrid = request.within || request.grid.points != 0 || request.grid.distance != 0.0
@@ -285,12 +286,69 @@ Result<double> tableAt(const FittedCurve& curve, const TableFitRequest& request,
     if (!hasGrid)
         return curve.at(position);
     AXISCOMP_TRY(const PlannedAxis plan, planGrid(curve, request));
+    if (request.turn)
+        position -= *request.turn * std::floor((position - plan.knots.front()) / *request.turn);
     const auto above = std::ranges::upper_bound(plan.knots, position);
     if (above == plan.knots.begin() || above == plan.knots.end())
         return curve.at(std::clamp(position, plan.knots.front(), plan.knots.back()));
     const double low = *std::prev(above);
     const double fraction = (position - low) / (*above - low);
     return curve.at(low) + fraction * (curve.at(*above) - curve.at(low));
+}
+
+/// What the axis shows at each target, in the frame of the knots: all of it, whatever a gain takes
+/// of it, and the mean of both directions where the table serves both and both were measured.
+Result<std::vector<FitKnot>> wholeErrors(
+    const std::vector<TargetValues>& targets, const TableFitRequest& request)
+{
+    TableFitRequest whole = request;
+    whole.gain = 1.0;
+    const bool hasBoth = std::ranges::all_of(
+        targets, [](const auto& target) { return !target.up.empty() && !target.down.empty(); });
+    if (request.servesBoth && hasBoth)
+        whole.direction = FitDirection::Mean;
+    AXISCOMP_TRY(auto errors, meansOf(targets, whole));
+    AXISCOMP_CHECK(placeKnots(errors, whole));
+    return errors;
+}
+
+double zeroPlace(const TableFitRequest& request, const std::vector<FitKnot>& knots)
+{
+    if (request.zero == ZeroRule::First)
+        return knots.front().position;
+    if (request.zero == ZeroRule::Position)
+        return request.zeroPosition;
+    double place = 0.0;
+    if (request.zero == ZeroRule::Mean)
+        for (const FitKnot& knot : knots)
+            place += knot.position / static_cast<double>(knots.size());
+    return place;
+}
+
+/// What stays in the machine since its slope was taken out of the table; none at the zero.
+double leftBySlope(
+    const TableFitRequest& request, const std::vector<FitKnot>& knots, double position)
+{
+    const double slope = request.removed ? request.removed->slope : slopeOf(request.slope, knots);
+    return slope == 0.0 ? 0.0 : slope * (position - zeroPlace(request, knots));
+}
+
+/// error: the whole of it at the target that is left out.
+Result<HeldOut::Residual> residualWithout(const std::vector<FitKnot>& knots, std::size_t left,
+    const FitKnot& error, const TableFitRequest& request)
+{
+    const FitKnot& knot = knots[left];
+    std::vector<FitKnot> others = knots;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
+    TableFit ignored;
+    AXISCOMP_TRY(const FittedCurve curve, fitCurve(others, request, ignored));
+    AXISCOMP_TRY(const double fitted, tableAt(curve, request, knot.position));
+    AXISCOMP_TRY(const double added,
+        error.position == knot.position ? Result<double>(fitted)
+                                        : tableAt(curve, request, error.position));
+    return HeldOut::Residual{knot.target,
+        error.value - added + leftBySlope(request, others, error.position),
+        (knot.value - fitted) / request.gain};
 }
 
 void describeReversal(const std::vector<TargetValues>& targets, TableFit& fit)
@@ -419,27 +477,25 @@ Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
                           .with("count", targets.size()));
     AXISCOMP_TRY(auto knots, meansOf(targets, request));
     AXISCOMP_CHECK(placeKnots(knots, request));
+    AXISCOMP_TRY(const auto errors, wholeErrors(targets, request));
     HeldOut result;
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
     double square = 0.0;
     for (std::size_t left = 1; left + 1 < knots.size(); ++left) {
         if (stop.stop_requested())
             return fail(ErrorCode::Cancelled);
-        std::vector<FitKnot> others = knots;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
-        TableFit ignored;
-        AXISCOMP_TRY(const FittedCurve curve, fitCurve(others, request, ignored));
-        AXISCOMP_TRY(const double value, tableAt(curve, request, knots[left].position));
-        const double residual = knots[left].value - value;
-        result.residuals.push_back({knots[left].target, residual});
-        square += residual * residual;
-        lowest = std::min(lowest, residual);
-        highest = std::max(highest, residual);
+        const auto error = std::ranges::find(errors, knots[left].target, &FitKnot::target);
+        AXISCOMP_TRY(const auto residual, residualWithout(knots, left, *error, request));
+        result.residuals.push_back(residual);
+        square += residual.value * residual.value;
     }
+    const auto [lowest, highest] =
+        std::ranges::minmax(result.residuals, {}, &HeldOut::Residual::value);
+    const auto [least, most] =
+        std::ranges::minmax(result.residuals, {}, &HeldOut::Residual::unknown);
     result.rms = std::sqrt(square / static_cast<double>(result.residuals.size()));
-    result.largest = std::max(std::abs(lowest), std::abs(highest));
-    result.range = highest - lowest;
+    result.largest = std::max(std::abs(lowest.value), std::abs(highest.value));
+    result.range = highest.value - lowest.value;
+    result.unknownRange = most.unknown - least.unknown;
     return result;
 }
 

@@ -54,6 +54,9 @@ struct RemovedLine {
 
 struct TableFitRequest {
     FitDirection direction = FitDirection::Mean; ///< of one table: not Both
+    /// Whichever direction it is made of, a drive adds it in both; false: a controller keeps a
+    /// table for each.
+    bool servesBoth = true;
     FitMethod method = FitMethod::Linear;
     std::optional<double> smoothness = {}; ///< of Smooth
     KnownPeriods periods = {}; ///< of Smooth; harmonics also of Harmonic
@@ -118,16 +121,20 @@ struct TableFit {
 
 /// What the whole chain leaves at each inner target when it is made without it: the figure to
 /// believe, since it knows nothing of the target. A little pessimistic, as the gap is twice as
-/// wide.
+/// wide. As predictRuns, it is what the axis then shows: of the mean of both directions where the
+/// table serves both, with the share that a gain leaves and the slope that was taken out. The
+/// constant of the zero is not in it.
 struct HeldOut {
     struct Residual {
         double target = 0.0;
-        double value = 0.0; ///< measured mean - curve
+        double value = 0.0; ///< measured mean - table
+        double unknown = 0.0; ///< the part that the other targets do not tell: mean fitted - curve
     };
     std::vector<Residual> residuals;
     double rms = 0.0;
     double largest = 0.0;
     double range = 0.0; ///< M: largest - smallest
+    double unknownRange = 0.0; ///< the same of what is unknown; not on record
 };
 /// Takes as long as a fit for each target. Errors: as fitTable, also for fewer than 4 targets;
 /// Cancelled.

@@ -393,6 +393,60 @@ private Q_SLOTS:
         QVERIFY(!hasRemark(*report, "OldDetailLost"));
     }
 
+    /// The old table goes from 0 to 360 degrees, the targets from -180: the same residual everywhere
+    /// moves all of it, and a target that is left out is foretold exactly.
+    void aModuloAxisIsForetoldInWhicheverTurnItWasMeasured()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.grid.axes = {{"C", "deg", 0.0, 10.0, 37}};
+        for (int i = 0; i <= 36; ++i)
+            table.values.push_back(
+                static_cast<float>(0.003 * std::sin(10.0 * (i % 36) * pi / 180.0)));
+        Measurement runs = runsOver(-180.0, 15.0, 24, [](double) { return 0.001; });
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        const auto report = fitMeasurement(runs, settings, {FoundState::Kind::On, &old, {}, {}});
+        VERIFY_RESULT(report);
+        QCOMPARE(report->tables.front().table.grid.axes.front().start, 0.0);
+        QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 1e-7); // chords of 15 degrees
+        QVERIFY2(report->heldOut->range < 1e-8,
+            qPrintable(QString::number(report->heldOut->range)));
+    }
+
+    /// What was taken out of the table stays in the machine, and more targets do not change that.
+    void aSlopeThatWasTakenOutIsForetoldHeldOutToo()
+    {
+        const Measurement runs = runsOver(0.0, 10.0, 11, [](double x) { return 1e-6 * x * x; });
+        FitSettings settings = keeping();
+        settings.slope = SlopeRemoval::Ends;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY(std::abs(*(*report->predicted)[Iso230Figure::M].value - 0.010) < 1e-6);
+        // 1e-4 x from 10 to 90 mm; the second difference of the parabola is the same everywhere
+        QVERIFY(std::abs(report->heldOut->range - 0.008) < 1e-9);
+        QVERIFY(!hasRemark(*report, "BetweenTargets"));
+    }
+
+    /// Of one direction's table the mean of both is left, as M is defined: at a target that is left
+    /// out d / 2 - d cos(pi / 10) of d = -10 um sin(pi x / 100).
+    void aTableOfOneDirectionIsForetoldHeldOutOfTheMean()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.0; });
+        for (RunValue& value : runs.values)
+            if (value.direction == Approach::Down)
+                value.deviation = -0.010 * std::sin(pi * runs.targets[value.target] / 100.0);
+        FitSettings settings = keeping();
+        settings.direction = FitDirection::Negative;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        const double share = std::cos(pi / 10.0) - 0.5;
+        QVERIFY(std::abs(report->heldOut->largest - 0.010 * share) < 1e-9);
+        QVERIFY(
+            std::abs(report->heldOut->range - 0.010 * share * (1.0 - std::sin(pi / 10.0))) < 1e-9);
+    }
+
     /// Every tenth point of the teeth is low, and their tops are 4 um above.
     void whatACoarserGridLosesOfTheOldTableIsSaid()
     {

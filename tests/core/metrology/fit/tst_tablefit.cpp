@@ -367,6 +367,27 @@ private Q_SLOTS:
         }
     }
 
+    /// Half of r = a x^2 is left with gain 0.5, and straight lines over the gap take a h^2 / 2 more
+    /// than that.
+    void aGainLeavesItsShareHeldOutToo()
+    {
+        constexpr double a = 1e-6;
+        CompensationTable active;
+        active.grid.axes = {{"X", "mm", 0.0, 10.0, 11}};
+        active.values.assign(11, 0.0F);
+        Values values;
+        for (int i = 0; i <= 10; ++i)
+            values.push_back({10.0 * i, true, 1, a * 100.0 * i * i});
+        TableFitRequest request = keepingZero();
+        request.active = {&active};
+        request.gain = 0.5;
+        const auto heldOut = predictHeldOut(values, request);
+        VERIFY_RESULT(heldOut);
+        QVERIFY(isNear(heldOut->range, 0.5 * a * (8100.0 - 100.0), 1e-12));
+        QVERIFY(isNear(heldOut->largest, 0.5 * a * (8100.0 - 100.0), 1e-12));
+        QVERIFY(isNear(heldOut->unknownRange, 0.0, 1e-12));
+    }
+
     void whatCannotBeFittedIsRefused()
     {
         const Values values = measurement("b02_x");
