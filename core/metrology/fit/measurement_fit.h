@@ -126,7 +126,8 @@ struct FitReport {
     std::optional<FitMerge> merge = {};
     std::optional<RigidBody> removedBody = {}; ///< of points
     /// Figures of the measurement as judged, and of the same runs with the table active; nothing
-    /// for points and tracks, which have no targets.
+    /// for points and tracks, which have no targets. Over temperature each is the largest of a
+    /// thermal state and of all runs together.
     std::optional<Iso230Figures> before = {};
     std::optional<Iso230Figures> predicted = {};
     std::optional<HeldOut> heldOut = {}; ///< nothing for fewer than 4 targets, points and tracks

@@ -380,8 +380,69 @@ Result<Measurement> predictedRuns(
     return result;
 }
 
-/// That of all states; M is the largest of a state, since the axis is at one temperature at a time.
-Result<HeldOut> heldOutOf(const FitInput& input, const StateCurves& curves)
+void takeLarger(const Iso230Figures& ofState, Iso230Figures& figures)
+{
+    const auto sameTarget = [&](std::size_t n) {
+        const auto found =
+            std::ranges::find(figures.targets, ofState.targets[n].target, &TargetFigures::target);
+        return static_cast<std::size_t>(found - figures.targets.begin());
+    };
+    for (const Iso230Figure figure : allIso230Figures()) {
+        const AxisFigure& one = ofState[figure];
+        AxisFigure& largest = figures.axis[static_cast<std::size_t>(figure)];
+        if (!one.value || !largest.value || std::abs(*one.value) <= std::abs(*largest.value))
+            continue;
+        largest.value = one.value;
+        if (figure == Iso230Figure::MeanReversal)
+            continue; // arises nowhere
+        largest.high = sameTarget(one.high);
+        largest.low = sameTarget(one.low);
+    }
+}
+
+/// Each the largest of a state and of all runs together: the axis is at one temperature at a time,
+/// and what is above in one state and below in another cancels in the means over all.
+Iso230Figures figuresOfStates(
+    const Measurement& measurement, const std::vector<ThermalState>& states)
+{
+    Iso230Figures figures = iso230Figures(measurement);
+    for (const ThermalState& state : states) {
+        Measurement ofState = measurement;
+        for (std::size_t i = 0; i < ofState.values.size(); ++i)
+            ofState.values[i].isUsed = state.measurement.values[i].isUsed;
+        takeLarger(iso230Figures(ofState), figures);
+    }
+    return figures;
+}
+
+/// What the curve of a state has above the table at its temperature.
+class LeftByTable {
+public:
+    LeftByTable(const FitInput& input, const StateCurves& curves, std::size_t state,
+        const CompensationTable& table)
+        : m_made(sliceOf(table, curves.states[state].temperature))
+        , m_curve(m_made)
+        , m_outside(input.outside())
+    {
+        for (std::size_t i = 0; i < m_curve.values.size(); ++i)
+            m_curve.values[i] =
+                static_cast<float>(curves.fits[state].values[i] - curves.removedConstant);
+    }
+    [[nodiscard]] double at(double position) const
+    {
+        return Lookup(m_curve, m_outside).at(position) - Lookup(m_made, m_outside).at(position);
+    }
+
+private:
+    CompensationTable m_made;
+    CompensationTable m_curve;
+    Outside m_outside;
+};
+
+/// That of all states, with what the table over temperature leaves of each; M is the largest of a
+/// state, since the axis is at one temperature at a time.
+Result<HeldOut> heldOutOf(
+    const FitInput& input, const StateCurves& curves, const CompensationTable& table)
 {
     HeldOut all;
     double squares = 0.0;
@@ -389,12 +450,19 @@ Result<HeldOut> heldOutOf(const FitInput& input, const StateCurves& curves)
     for (std::size_t n = 0; n < curves.states.size(); ++n) {
         const Measurement& measurement = curves.states[n].measurement;
         const FitInput ofState{measurement, settings, input.state, input.lookupAt, input.stop};
-        AXISCOMP_TRY(const auto one,
-            predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n]));
+        AXISCOMP_TRY(
+            auto one, predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n]));
+        const LeftByTable left(input, curves, n, table);
+        for (HeldOut::Residual& residual : one.residuals) {
+            residual.value += left.at(residual.target);
+            squares += residual.value * residual.value;
+            all.largest = std::max(all.largest, std::abs(residual.value));
+        }
+        const auto [lowest, highest] =
+            std::ranges::minmax(one.residuals, {}, &HeldOut::Residual::value);
+        all.range = std::max(all.range, highest.value - lowest.value);
+        all.unknownRange = std::max(all.unknownRange, one.unknownRange);
         all.residuals.insert(all.residuals.end(), one.residuals.begin(), one.residuals.end());
-        squares += one.rms * one.rms * static_cast<double>(one.residuals.size());
-        all.largest = std::max(all.largest, one.largest);
-        all.range = std::max(all.range, one.range);
     }
     all.rms = std::sqrt(squares / static_cast<double>(all.residuals.size()));
     return all;
@@ -420,6 +488,10 @@ void addTemperatureRemarks(const FitInput& input, const StateCurves& curves, Fit
                 .with("largest",
                     fineQuantity(
                         report.tables.front().residualLargest, input.measurement.isAngular)));
+    addRemark(report, "FiguresOfStates",
+        AXISCOMP_TEXT("Measurement",
+            "each figure, before and foretold, is the largest of a thermal state and of all runs "
+            "together"));
     addRemark(report, "InstrumentZeroKept",
         AXISCOMP_TEXT("Measurement",
             "the table has the movement of the zero from one thermal state to the other, as the "
@@ -440,11 +512,11 @@ Result<FitReport> fitRunsByTemperature(const FitInput& input)
     AXISCOMP_TRY(auto made, tableOf(input, curves));
     report.tables.push_back(std::move(made));
     const CompensationTable& table = report.tables.front().table;
-    report.before = iso230Figures(input.measurement);
+    report.before = figuresOfStates(input.measurement, curves.states);
     AXISCOMP_TRY(const auto predicted, predictedRuns(input, curves, table));
-    report.predicted = iso230Figures(predicted);
+    report.predicted = figuresOfStates(predicted, curves.states);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    if (auto heldOut = heldOutOf(input, curves))
+    if (auto heldOut = heldOutOf(input, curves, table))
         report.heldOut = *std::move(heldOut);
     const ThermalState& reference = curves.states[curves.reference];
     const FitSettings ofState = settingsOfState(settings, settings.zero);

@@ -166,6 +166,29 @@ private Q_SLOTS:
         QVERIFY(report->sign.english().find("at 20 degC") == 0);
     }
 
+    /// Of 0, 1, 5 um at 500 mm the line leaves 0.5, -1, 0.5 um: the mean of all runs is 0, and at
+    /// 22 degrees the axis is 1 um off.
+    void whatTheLineLeavesOfAStateIsForetold()
+    {
+        const auto error = [](double position, double temperature) {
+            const double um = temperature < 21.0 ? 0.0 : temperature < 23.0 ? 1.0 : 5.0;
+            return um * 1e-3 * position / 500.0;
+        };
+        FitSettings settings = byTemperature();
+        settings.tolerances = {{Iso230Figure::M, 0.0005}};
+        const auto report = fitted(measured({20.0, 22.0, 24.0}, error), settings);
+        VERIFY_RESULT(report);
+        QVERIFY(std::abs(*(*report->before)[Iso230Figure::M].value - 0.005) < 1e-12);
+        for (const Iso230Figure figure : {Iso230Figure::M, Iso230Figure::E})
+            QVERIFY(std::abs(*(*report->predicted)[figure].value - 0.001) < 1e-8);
+        QVERIFY(!report->isWithinTolerances());
+        // From 50 to 450 mm, by Python: the rms of (0.5, 1, 0.5) x (0.1 .. 0.9)
+        QVERIFY(std::abs(report->heldOut->range - 0.0008) < 1e-8);
+        QVERIFY(std::abs(report->heldOut->largest - 0.0009) < 1e-8);
+        QVERIFY(std::abs(report->heldOut->rms - 0.00039791121) < 1e-8);
+        QVERIFY(std::ranges::count(report->remarks, "FiguresOfStates", &FitRemark::name) == 1);
+    }
+
     void theGridTakesASecondNumberForTheTemperature()
     {
         FitSettings settings = byTemperature();
