@@ -125,6 +125,40 @@ void remarkOfNodes(const FittedTable& made, Remarks& remarks)
                 .with("table", made.table.name));
 }
 
+/// The longest way over a turn without a target, where it is longer than others are. Held out does
+/// not show it: every target has its neighbours.
+void remarkOfGap(const FitInput& input, const FittedTable& made, Remarks& remarks)
+{
+    constexpr double mostOfMedian = 2.5; // ours
+    if (!input.settings.turn || made.means.size() < 2)
+        return;
+    const double turn = *input.settings.turn;
+    std::vector<double> places;
+    for (const FitKnot& knot : made.means)
+        places.push_back(knot.target - turn * std::floor(knot.target / turn));
+    std::ranges::sort(places);
+    places.push_back(places.front() + turn);
+    std::vector<double> gaps;
+    std::size_t widest = 0;
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+        gaps.push_back(places[i + 1] - places[i]);
+        if (gaps[i] > gaps[widest])
+            widest = i;
+    }
+    const double largest = gaps[widest];
+    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+    std::ranges::nth_element(gaps, middle);
+    if (largest > mostOfMedian * *middle)
+        remarks.warn("TurnNotMeasured",
+            AXISCOMP_TEXT("Measurement",
+                "from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the "
+                "table is guessed, and no figure knows of it; measure the whole turn")
+                .with("from", remarks.place(places[widest]))
+                .with("to", remarks.place(places[widest + 1]))
+                .with("gap", remarks.place(largest))
+                .with("turn", remarks.place(turn)));
+}
+
 void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
 {
     std::vector<Text> places;
@@ -318,6 +352,7 @@ void addTableRemarks(const FitInput& input, FitReport& report)
         remarkOfRounding(made, remarks);
         remarkOfNodes(made, remarks);
     }
+    remarkOfGap(input, report.tables.front(), remarks); // tables of two directions have its targets
     if (report.merge)
         remarkOfMerge(*report.merge, remarks);
 }

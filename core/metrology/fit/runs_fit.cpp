@@ -109,6 +109,33 @@ const CompensationTable* activeTable(const FitInput& input)
     return findActiveTable(input).value_or(nullptr);
 }
 
+/// A turn that is shorter than what was measured is the wrong number: targets would fall onto
+/// others.
+Result<void> checkTurn(const FitInput& input)
+{
+    if (!input.settings.turn)
+        return {};
+    const Measurement& measurement = input.measurement;
+    const double turn = *input.settings.turn;
+    double first = measurement.targets.back();
+    double last = measurement.targets.front();
+    for (const RunValue& value : measurement.values) {
+        if (!value.isUsed)
+            continue;
+        first = std::min(first, measurement.targets[value.target]);
+        last = std::max(last, measurement.targets[value.target]);
+    }
+    constexpr double rounding = 1e-9;
+    if (last - first > turn * (1.0 + rounding))
+        return badFit(AXISCOMP_TEXT("Error",
+            "the targets go from {from} to {to}, which is more than a turn of {turn}: give the "
+            "length of the whole turn (--turn), or leave out what lies in a second one (--exclude)")
+                          .with("from", placeOf(first, measurement.isAngular))
+                          .with("to", placeOf(last, measurement.isAngular))
+                          .with("turn", placeOf(turn, measurement.isAngular)));
+    return {};
+}
+
 Result<void> checkRunsSettings(const FitInput& input)
 {
     const FitSettings& settings = input.settings;
@@ -569,6 +596,7 @@ Result<FitReport> fitRuns(const FitInput& input)
 {
     const FitSettings& settings = input.settings;
     AXISCOMP_CHECK(checkRunsSettings(input));
+    AXISCOMP_CHECK(checkTurn(input));
     if (settings.isByTemperature)
         return fitRunsByTemperature(input);
     const Measurement settled =

@@ -673,6 +673,48 @@ private Q_SLOTS:
         QVERIFY(report->heldOut->range < 1e-9);
     }
 
+    void aTurnThatWasNotMeasuredAllRoundSaysSo()
+    {
+        Measurement half = runsOver(0.0, 15.0, 13, [](double) { return 0.001; });
+        half.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        settings.method = FitMethod::Spline;
+        settings.grid = {{.points = 73}};
+        const auto guessed = fitMeasurement(half, settings, measuredOff());
+        VERIFY_RESULT(guessed);
+        QVERIFY(hasRemark(*guessed, "TurnNotMeasured",
+            "from 180 deg to 360 deg nothing was measured, 180 deg of a turn of 360 deg"));
+        // 0 and 360 are one place; so much as 2.5 times is no gap
+        Measurement whole = runsOver(0.0, 15.0, 25, [](double) { return 0.001; });
+        whole.isAngular = true;
+        const auto known = fitMeasurement(whole, settings, measuredOff());
+        VERIFY_RESULT(known);
+        QVERIFY(!hasRemark(*known, "TurnNotMeasured"));
+        for (RunValue& value : whole.values)
+            value.isUsed = value.target != 4;
+        const auto without = fitMeasurement(whole, settings, measuredOff());
+        VERIFY_RESULT(without);
+        QVERIFY(!hasRemark(*without, "TurnNotMeasured"));
+    }
+
+    void aTurnIsNotShorterThanWhatWasMeasured()
+    {
+        Measurement runs = runsOver(0.0, 15.0, 24, [](double) { return 0.001; });
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 90.0;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()),
+            "from 0 deg to 345 deg, which is more than a turn of 90 deg"));
+        settings.turn = 345.0; // as when the last target is the first again
+        VERIFY_RESULT(fitMeasurement(runs, settings, measuredOff()));
+        settings.turn = 330.0;
+        QVERIFY(!fitMeasurement(runs, settings, measuredOff()));
+        for (RunValue& value : runs.values)
+            value.isUsed = value.target != 23;
+        VERIFY_RESULT(fitMeasurement(runs, settings, measuredOff()));
+    }
+
     /// Of an artefact that lies turned and shifted nothing is left.
     void howAnArtefactLayIsTakenOut()
     {
