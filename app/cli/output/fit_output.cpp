@@ -31,11 +31,12 @@ std::string methodText(
     if (made.smoothness)
         text += ", smoothness " + shortText(*made.smoothness)
             + (settings.smoothness ? "" : " by cross-validation");
+    const FitDirection direction = fittedDirection(measurement, settings);
     if (measurement.kind != MeasurementKind::Points)
-        text += settings.direction == FitDirection::Mean ? ", mean of both directions"
-            : settings.direction == FitDirection::Both
+        text += direction == FitDirection::Mean ? ", mean of both directions"
+            : direction == FitDirection::Both
             ? ", " + std::string(directionName(made.direction)) + " direction"
-            : ", " + std::string(fitDirectionName(settings.direction)) + " direction";
+            : ", " + std::string(fitDirectionName(direction)) + " direction";
     return text;
 }
 

@@ -67,6 +67,25 @@ bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings)
         || (measurement.kind == MeasurementKind::Track && settings.method == FitMethod::Linear);
 }
 
+FitDirection fittedDirection(const Measurement& measurement, const FitSettings& settings)
+{
+    if (settings.direction != FitDirection::Mean)
+        return settings.direction;
+    bool hasUp = false;
+    bool hasDown = false;
+    const auto count = [&](Approach direction) {
+        (direction == Approach::Up ? hasUp : hasDown) = true;
+    };
+    for (const RunValue& value : measurement.values)
+        if (value.isUsed)
+            count(value.direction);
+    for (const TrackSample& sample : measurement.track)
+        count(sample.direction);
+    if (hasUp == hasDown)
+        return FitDirection::Mean;
+    return hasUp ? FitDirection::Positive : FitDirection::Negative;
+}
+
 bool hasRawReadings(const Measurement& measurement)
 {
     if (measurement.kind == MeasurementKind::Track)

@@ -160,6 +160,11 @@ struct FitReport {
 /// tracks unless a curve is asked for.
 [[nodiscard]] bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings);
 
+/// What the values in use are of: the direction that was asked for, or the only one that was
+/// measured in place of a mean.
+[[nodiscard]] FitDirection fittedDirection(
+    const Measurement& measurement, const FitSettings& settings);
+
 /// Whether the raw position of every value in use is known, as it always is of a track.
 [[nodiscard]] bool hasRawReadings(const Measurement& measurement);
 

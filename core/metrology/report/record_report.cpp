@@ -43,15 +43,16 @@ void addInputs(std::vector<ReportInput>& inputs, const RecordedMeasurement& reco
         inputs.push_back({file.file, file.format, file.sha256});
 }
 
-Text methodText(const CalibrationRecord& record)
+/// measurement: that the table was made of; null: not on record.
+Text methodText(const CalibrationRecord& record, const Measurement* measurement)
 {
     if (!record.fit)
         return {};
     const FitSettings& settings = record.fit->settings;
-    if (record.before && isFittedOnGrid(record.before->files.front().measurement, settings))
+    if (measurement && isFittedOnGrid(*measurement, settings))
         return AXISCOMP_TEXT("Report", "smooth grid of scattered points");
     const std::string method(fitMethodName(settings.method));
-    switch (settings.direction) {
+    switch (measurement ? fittedDirection(*measurement, settings) : settings.direction) {
     case FitDirection::Positive:
         return AXISCOMP_TEXT("Report", "{method}, from the runs ↑").with("method", method);
     case FitDirection::Negative:
@@ -75,14 +76,41 @@ Text proofText(const RecordedWrite& write)
     return AXISCOMP_TEXT("Report", "passed over {share} of the table").with("share", share);
 }
 
-/// Whether the values of the table are what was measured: nothing was taken out of them.
-bool isAsMeasured(const std::optional<RecordedFit>& fit)
+/// Whether the values of the table are what was measured: nothing was taken out of them, put to
+/// them or smoothed.
+bool isAsMeasured(const RecordedFit& fit, const RecordedCorrections& corrections)
 {
-    return fit && fit->settings.zero == FitZero::Keep && fit->settings.slope == SlopeRemoval::Keep;
+    const FitSettings& settings = fit.settings;
+    const bool isInterpolated = settings.method == FitMethod::Linear
+        || settings.method == FitMethod::Cubic || settings.method == FitMethod::Spline;
+    const bool isCorrected =
+        corrections.temperature || corrections.deadPath || corrections.drift || settings.drift;
+    return settings.zero == FitZero::Keep && settings.slope == SlopeRemoval::Keep
+        && settings.gain == 1.0 && fit.active.empty() && isInterpolated && !isCorrected;
+}
+
+/// Whether the encoder stood there when the reference was read; between the targets nothing was.
+bool isTarget(const Measurement& measurement, double position)
+{
+    if (!measurement.hasTargets() || hasRawReadings(measurement))
+        return false;
+    const double rounding = 1e-9 * (measurement.targets.back() - measurement.targets.front());
+    return std::ranges::any_of(measurement.values, [&](const RunValue& value) {
+        return value.isUsed && std::abs(measurement.targets[value.target] - position) <= rounding;
+    });
+}
+
+bool wasSaid(const CalibrationRecord& record, const Measurement* measurement, double position)
+{
+    return measurement && record.fit && record.before
+        && isAsMeasured(*record.fit, record.before->corrections)
+        && isTarget(*measurement, position);
 }
 
 /// At the largest value of a table of one dimension, whose values are in mm or deg.
-Text signText(const CompensationTable& table, const std::optional<RecordedFit>& fit, bool isAngular)
+/// measurement: that it was made of; null: not on record.
+Text signText(const CompensationTable& table, const CalibrationRecord& record,
+    const Measurement* measurement, bool isAngular)
 {
     if (table.values.empty() || table.grid.axes.size() != 1)
         return {};
@@ -98,12 +126,12 @@ Text signText(const CompensationTable& table, const std::optional<RecordedFit>& 
     const auto place = [isAngular](double value) {
         return quantityText(fixedDigits(value, placeDecimals), positionSymbol(isAngular));
     };
-    if (fit && fit->settings.lookupAt == LookupAt::Set)
+    if (record.fit && record.fit->settings.lookupAt == LookupAt::Set)
         return AXISCOMP_TEXT("Report",
             "At the set position {position} the drive adds {added} to what the encoder reads.")
             .with("position", place(position))
             .with("added", amount);
-    if (!isAsMeasured(fit))
+    if (!wasSaid(record, measurement, position))
         return AXISCOMP_TEXT("Report", "Where the encoder reads {reading}, the drive adds {added}.")
             .with("reading", place(position))
             .with("added", amount);
@@ -118,13 +146,14 @@ Text signText(const CompensationTable& table, const std::optional<RecordedFit>& 
 void addTable(ReportContent& content, const CalibrationRecord& record)
 {
     ReportedTable& table = content.table;
-    table.method = methodText(record);
+    const Measurement* const measurement = content.before ? &content.before->measurement : nullptr;
+    table.method = methodText(record, measurement);
     if (!record.tables.empty()) {
         const RecordedTable& first = record.tables.front();
         table.grid = first.table.grid;
         table.crc = first.crc;
         if (first.table.unit == "mm" || first.table.unit == "deg")
-            content.sign = signText(first.table, record.fit, content.isAngular);
+            content.sign = signText(first.table, record, measurement, content.isAngular);
     }
     if (record.write) {
         table.slot = record.write->slot;

@@ -128,6 +128,37 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("x.axcal")));
     }
 
+    void runsOfOneDirectionAreNoMeanOfBoth()
+    {
+        const Sandbox box;
+        const QByteArray both = runs("", [](double x) { return x; });
+        box.file("both.csv", both);
+        box.file("up.csv", both.left(both.indexOf("0,-,")));
+        const ProgramRun mean = box.run(QStringList{"fit", "both.csv"} + offAtEncoder);
+        VERIFY_CODE(mean, 0);
+        QVERIFY2(mean.out.contains("linear, mean of both directions"), mean.out.constData());
+        const ProgramRun up = box.run(QStringList{"fit", "up.csv"} + offAtEncoder);
+        VERIFY_CODE(up, 0);
+        QVERIFY2(up.out.contains("linear, positive direction"), up.out.constData());
+    }
+
+    /// The drive adds the one value in the other direction too.
+    void aTableOfOneDirectionKeepsNoToleranceOfBoth()
+    {
+        const Sandbox box;
+        QByteArray text = "target [mm],direction,deviation [um]\n";
+        for (int i = 0; i <= 10; ++i)
+            text += QByteArray::number(10 * i) + ",+,0\n" + QByteArray::number(10 * i) + ",-,"
+                + QByteArray::number(-10.0 * std::sin(0.1 * std::numbers::pi * i), 'g', 17) + '\n';
+        box.file("one.csv", text);
+        const ProgramRun run = box.run(QStringList{"fit", "one.csv", "--direction", "negative",
+                                           "--zero", "keep", "--tolerance", "E=1um,B=1um", "--json"}
+            + offAtEncoder);
+        VERIFY_CODE(run, 8);
+        QVERIFY(std::abs(figure(run.json(), "predicted", "B") - 0.010) < 1e-6);
+        QVERIFY(std::abs(figure(run.json(), "predicted", "E") - 0.010) < 1e-6);
+    }
+
     /// The file says for which side of the compensation it was made, also when it is written later.
     void aTableIsNotWrittenForTheOtherSideOfTheCompensation()
     {

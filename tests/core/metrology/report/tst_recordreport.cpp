@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/report/record_report.h"
+#include "tests/core/metrology/measurement_reading.h"
+#include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
+
+#include <QTest>
+
+#include <functional>
+
+namespace tst_recordreport {
+
+using namespace axiscomp;
+
+namespace {
+
+/// A fit of a public measurement at its targets, with nothing taken out.
+CalibrationRecord plainRecord()
+{
+    CalibrationRecord record;
+    RecordedFile file;
+    file.measurement = test::readAs("runs", test::publicMeasurement("bifrost.csv"))
+                           .measurement.value_or(Measurement{});
+    file.file = "before.csv";
+    file.format = "runs";
+    record.before.emplace();
+    record.before->files = {file};
+    record.fit.emplace();
+    record.fit->settings.zero = FitZero::Keep;
+    RecordedTable table;
+    table.table.unit = "mm";
+    table.table.grid.axes = {{"X", "mm", 15.0, 10.2, 5}};
+    table.table.values = {0.003226F, -0.001888F, 0.000615F, -0.008452F, 0.0065F};
+    record.tables = {table};
+    return record;
+}
+
+} // namespace
+
+class TestRecordReport : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnWarnings(); }
+
+    void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable_data()
+    {
+        using Change = std::function<void(CalibrationRecord&)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<bool>("isQuoted");
+        const auto row = [](const char* name, bool isQuoted, Change change) {
+            QTest::newRow(name) << std::move(change) << isQuoted;
+        };
+        row("as measured", true, [](CalibrationRecord&) {});
+        row("gain", false, [](CalibrationRecord& r) { r.fit->settings.gain = 0.5; });
+        row("merged", false, [](CalibrationRecord& r) { r.fit->active = {r.tables[0].table}; });
+        row("zero", false, [](CalibrationRecord& r) { r.fit->settings.zero = FitZero::First; });
+        row("slope", false,
+            [](CalibrationRecord& r) { r.fit->settings.slope = SlopeRemoval::Ends; });
+        row("drift", false,
+            [](CalibrationRecord& r) { r.before->corrections.drift = DriftRemoval::Offset; });
+        row("temperature", false, [](CalibrationRecord& r) {
+            r.before->corrections.temperature.emplace();
+            r.before->corrections.temperature->expansionPerKelvin = 11.5e-6;
+            r.before->corrections.temperature->isConfirmed = true; // at 20 degrees: changes nothing
+        });
+        row("smoothed", false,
+            [](CalibrationRecord& r) { r.fit->settings.method = FitMethod::Smooth; });
+        row("between the targets", false, [](CalibrationRecord& r) {
+            r.tables[0].table.grid.axes = {{"X", "mm", 15.0, 10.0, 5}};
+        });
+        row("left out", false, [](CalibrationRecord& r) {
+            for (RunValue& value : r.before->files[0].measurement.values)
+                value.isUsed = value.target != 3;
+        });
+    }
+    void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable()
+    {
+        QFETCH(const std::function<void(CalibrationRecord&)>, change);
+        QFETCH(const bool, isQuoted);
+        CalibrationRecord record = plainRecord();
+        change(record);
+        const auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        const std::string sign = content->sign.english();
+        const bool isFound =
+            sign.find("the reference said 45.5915 mm: the drive adds -8.452") != std::string::npos;
+        QVERIFY2(isFound == isQuoted, sign.c_str());
+        QVERIFY2(isQuoted || sign.find("the reference said") == std::string::npos, sign.c_str());
+    }
+
+    void runsOfOneDirectionAreNoMeanOfBoth()
+    {
+        CalibrationRecord record = plainRecord();
+        const auto method = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? content->table.method.english() : sentence(content.error());
+        };
+        QCOMPARE(method(), std::string("linear, from the mean of both directions"));
+        std::erase_if(record.before->files[0].measurement.values,
+            [](const RunValue& value) { return value.direction == Approach::Down; });
+        QCOMPARE(method(), std::string("linear, from the runs ↑"));
+    }
+};
+
+AXISCOMP_TEST(TestRecordReport)
+
+} // namespace tst_recordreport
+
+#include "tst_recordreport.moc"
