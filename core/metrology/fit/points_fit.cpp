@@ -28,6 +28,9 @@ struct Scatter {
         std::optional<std::size_t> own; ///< the dimension that it corrects
         ScatteredNumbers values;
         std::vector<ScatteredNumbers> places = {}; ///< where they belong, [axis][point]
+        /// reference - encoder as it was read, without a gain and with how the artefact lay.
+        ScatteredNumbers read = {};
+        ScatteredNumbers body = {}; ///< how the artefact lay, which was taken out of the values
     };
     std::vector<Column> columns;
     ScatteredNumbers weights = {};
@@ -67,6 +70,8 @@ Scatter scatterOfTrack(const FitInput& input)
             scatter.weights.push_back(
                 0.5 * (ups + downs) / (sample.direction == Approach::Up ? ups : downs));
     }
+    column.read = column.values;
+    column.body.assign(column.values.size(), 0.0);
     scatter.columns.push_back(std::move(column));
     return scatter;
 }
@@ -84,6 +89,7 @@ Scatter scatterOfPoints(const FitInput& input)
         if (const auto target = targetAxis(column.target, points.axes))
             column.own = target->source;
         column.values = points.values[i];
+        column.body.assign(column.values.size(), 0.0);
         scatter.columns.push_back(std::move(column));
     }
     return scatter;
@@ -128,7 +134,8 @@ Result<std::optional<RigidBody>> removeBody(const FitInput& input, Scatter& scat
             std::array<double, 3> position{};
             for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
                 position[axis] = scatter.positions[axis][i];
-            column.values[i] -= body.at(position)[*column.own];
+            column.body[i] = body.at(position)[*column.own];
+            column.values[i] -= column.body[i];
         }
     }
     return body;
@@ -166,6 +173,7 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
                               .with("column", column.name));
         AXISCOMP_TRY(const auto frame, LookupFrame::make(input.lookupAt, movers, active));
         column.places.assign(dimensions, ScatteredNumbers(scatter.size()));
+        column.read.resize(scatter.size());
         for (std::size_t i = 0; i < scatter.size(); ++i) {
             std::array<double, 3> target{};
             std::array<double, 3> shift{};
@@ -179,6 +187,7 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
             for (std::size_t axis = 0; axis < dimensions; ++axis)
                 column.places[axis][i] = point.knot[axis];
             column.values[i] = point.value - (1.0 - input.settings.gain) * residual;
+            column.read[i] = point.value + column.body[i];
         }
     }
     return {};
@@ -564,12 +573,23 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
             AXISCOMP_TEXT("Measurement", "{axis} {position}")
                 .with("axis", scatter.axes[axis])
                 .with("position", placeOf(scatter.positions[axis][largest], isAngular)));
-    return AXISCOMP_TEXT("Measurement",
-        "at {position} the reference was {measured} beside the encoder in {table}; the drive will "
-        "add {added}")
-        .with("position", std::move(position))
-        .with("measured", fineQuantity(column.values[largest], isAngular))
+    const double removed = column.body[largest] + made.removedConstant;
+    const TextPattern pattern = removed == 0.0
+        ? AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; the drive "
+            "will add {added}")
+        : input.settings.remove == BodyRemoval::None
+        ? AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
+            "was taken out for the zero of the table, so the drive will add {added}")
+        : AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
+            "was taken out for how the artefact lay and for the zero of the table, so the drive "
+            "will add {added}");
+    return pattern.with("position", std::move(position))
+        .with("measured", fineQuantity(column.read[largest], isAngular))
         .with("table", made.table.name)
+        .with("removed", fineQuantity(removed, isAngular))
         .with("added", fineQuantity(lookup.at(place(largest)), isAngular));
 }
 

@@ -393,8 +393,8 @@ private Q_SLOTS:
         QVERIFY(!hasRemark(*report, "OldDetailLost"));
     }
 
-    /// The old table goes from 0 to 360 degrees, the targets from -180: the same residual everywhere
-    /// moves all of it, and a target that is left out is foretold exactly.
+    /// The old table goes from 0 to 360 degrees, the targets from -180: the same residual
+    /// everywhere moves all of it, and a target that is left out is foretold exactly.
     void aModuloAxisIsForetoldInWhicheverTurnItWasMeasured()
     {
         KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
@@ -411,8 +411,8 @@ private Q_SLOTS:
         VERIFY_RESULT(report);
         QCOMPARE(report->tables.front().table.grid.axes.front().start, 0.0);
         QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 1e-7); // chords of 15 degrees
-        QVERIFY2(report->heldOut->range < 1e-8,
-            qPrintable(QString::number(report->heldOut->range)));
+        QVERIFY2(
+            report->heldOut->range < 1e-8, qPrintable(QString::number(report->heldOut->range)));
     }
 
     /// What was taken out of the table stays in the machine, and more targets do not change that.
@@ -748,6 +748,53 @@ private Q_SLOTS:
         QVERIFY(hasRemark(*report, "Squareness", "X and Y are 0.000 arcsec off 90 degrees"));
         settings.method = FitMethod::Spline;
         QVERIFY(isRefused(fitMeasurement(plane, settings, measuredOff()), "leave out --method"));
+    }
+
+    /// p(x) q(y) with the sum of p 0 is no rigid motion: of 16 um at X 0 mm and Y 60 mm 4 um are
+    /// how the artefact lay, and 12 um are in the table.
+    void theReferenceIsQuotedAsItWasRead()
+    {
+        const double p[] = {3.0, -1.0, -1.0, -1.0, 0.0};
+        Measurement plane;
+        plane.kind = MeasurementKind::Points;
+        MeasuredPoints& points = plane.points;
+        points.axes = {"X", "Y"};
+        points.columns = {"dX", "dY"};
+        points.positions.resize(2);
+        points.values.resize(2);
+        for (int x = 0; x <= 4; ++x)
+            for (int y = 0; y <= 3; ++y) {
+                points.positions[0].push_back(25.0 * x);
+                points.positions[1].push_back(20.0 * y);
+                points.values[0].push_back(0.01 - 1e-4 * 20.0 * y + 0.001 * p[x] * (y + 1.0));
+                points.values[1].push_back(-0.02 + 1e-4 * 25.0 * x);
+            }
+        FitSettings settings;
+        settings.lookupAt = LookupAt::Encoder;
+        settings.remove = BodyRemoval::Rigid;
+        settings.smoothness = 0.0;
+        const auto signOf = [&](const FoundState& state) {
+            const auto report = fitMeasurement(plane, settings, state);
+            return report ? report->sign.english() : sentence(report.error());
+        };
+        const std::string sign = signOf(measuredOff());
+        QVERIFY2(sign.find("at X 0 mm, Y 60 mm the reference was 16.000 um beside the encoder in "
+                           "dX; 4.000 um was taken out for how the artefact lay and for the zero "
+                           "of the table, so the drive will add 12.000 um")
+                != std::string::npos,
+            sign.c_str());
+        KnownTables old{Verbatim{"old.csv"}, {{}, {}}, {1, 2}};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            CompensationTable& table = old.tables[axis];
+            table.target = points.axes[axis];
+            table.grid.axes = {{"X", "mm", 0.0, 25.0, 5}, {"Y", "mm", 0.0, 20.0, 4}};
+            table.values.assign(20, 0.0F);
+        }
+        settings.gain = 0.5;
+        const std::string half = signOf({FoundState::Kind::On, &old, {}, {}});
+        QVERIFY2(half.find("the reference was 16.000 um") != std::string::npos
+                && half.find("the drive will add 6.000 um") != std::string::npos,
+            half.c_str());
     }
 
     void theZeroIsAtTheHomePositionWhereItIsKnown()
