@@ -6570,10 +6570,6 @@
         <translation>die Position der Nullstelle fehlt</translation>
     </message>
     <message>
-        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
-        <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, muss das angegeben werden</translation>
-    </message>
-    <message>
         <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
         <translation>laut Datei korrigieren die Werte von {table} {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder, wenn es dennoch stimmt, die Zielachse als {statement} angeben</translation>
     </message>
@@ -7929,6 +7925,58 @@
         <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
         <translation>Die Tabelle nennt keine Einheit für ihre Werte; angenommen wird {before} wie bei ihren Positionen, umgerechnet in {after}. Die größte Korrektur ist {largest}.</translation>
     </message>
+    <message>
+        <source>{name} has several tables of axis {axis}; which of them was active has to be said by its CRC, in the file of the measurement (// compensation: crc:{crc})</source>
+        <translation>{name} hat mehrere Tabellen der Achse {axis}; welche davon aktiv war, muss ihre CRC in der Messdatei sagen (// compensation: crc:{crc})</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, none of which says its axis, so that it is not known which of them is meant: take a file with that table alone</source>
+        <translation>{name} hat mehrere Tabellen, von denen keine ihre Achse nennt, sodass nicht bekannt ist, welche gemeint ist: eine Datei nehmen, die nur diese Tabelle enthält</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, and which of them is meant is not known: state the axis as it is called there (--target, or // axis: in the file of the measurement; there are: {axes}), or take a file with that table alone</source>
+        <translation>{name} hat mehrere Tabellen, und welche gemeint ist, ist nicht bekannt: die Achse so angeben, wie sie dort heißt (--target, oder // axis: in der Messdatei; vorhanden: {axes}), oder eine Datei nehmen, die nur diese Tabelle enthält</translation>
+    </message>
+    <message>
+        <source>the targets go from {from} to {to}, which is more than a turn of {turn}: give the length of the whole turn (--turn), or leave out what lies in a second one (--exclude)</source>
+        <translation>die Zielpositionen reichen von {from} bis {to}, das ist mehr als eine Umdrehung von {turn}: geben Sie die Länge der ganzen Umdrehung an (--turn), oder lassen Sie weg, was in einer zweiten liegt (--exclude)</translation>
+    </message>
+    <message>
+        <source>positions with a decimal point and blanks between them; without a Target-count nobody can tell two positions from one with a decimal comma</source>
+        <translation>Positionen mit Dezimalpunkt und Leerzeichen dazwischen; ohne Target-count lassen sich zwei Positionen nicht von einer mit Dezimalkomma unterscheiden</translation>
+    </message>
+    <message>
+        <source>{found} targets, but deviations of {used}</source>
+        <translation>{found} Zielpositionen, aber Abweichungen von {used}</translation>
+    </message>
+    <message>
+        <source>a deviation of every target, or a Target-count</source>
+        <translation>eine Abweichung jeder Zielposition, oder ein Target-count</translation>
+    </message>
+    <message>
+        <source>positions of targets that rise or fall throughout, with a decimal point and blanks between them</source>
+        <translation>Zielpositionen, die durchgehend steigen oder fallen, mit Dezimalpunkt und Leerzeichen dazwischen</translation>
+    </message>
+    <message>
+        <source>every run goes {direction}, in a file of both directions (Flags: 0 0 2 0)</source>
+        <translation>jeder Durchlauf geht {direction}, in einer Datei mit beiden Richtungen (Flags: 0 0 2 0)</translation>
+    </message>
+    <message>
+        <source>the lines of each run in the order in which they were measured; sorted by target they all seem to rise</source>
+        <translation>die Zeilen jedes Durchlaufs in der Reihenfolge, in der gemessen wurde; nach Zielposition sortiert scheinen alle zu steigen</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated (--not-corrected)</source>
+        <translation>die Datei sagt nicht, ob ihre Werte schon auf 20 °C korrigiert sind; wenn nicht, muss das angegeben werden (--not-corrected)</translation>
+    </message>
+    <message>
+        <source>file {second} holds the same measurement as file {first}, value by value: give it once</source>
+        <translation>Datei {second} enthält dieselbe Messung wie Datei {first}, Wert für Wert: nur einmal angeben</translation>
+    </message>
+    <message>
+        <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
+        <translation>die Dateien sagen nicht alle gleich oder gar nicht, ob ihre Werte auf 20 °C korrigiert sind, sodass keine Korrektur für alle richtig wäre; in jeder angeben (// corrected: 20C oder // corrected: none), oder nur die nehmen, die übereinstimmen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8082,10 +8130,6 @@
     <message>
         <source>Compare measurements before and after a compensation, and with what was promised</source>
         <translation>Messungen vor und nach einer Kompensation vergleichen, auch mit der Vorhersage</translation>
-    </message>
-    <message>
-        <source>Record of the compensation: its prediction, table and tolerances</source>
-        <translation>Protokoll der Kompensation: seine Vorhersage, Tabelle und Toleranzen</translation>
     </message>
     <message>
         <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
@@ -9000,10 +9044,6 @@
         <translation>Die Kompensation deaktivieren</translation>
     </message>
     <message>
-        <source>Measurement before and measurement after</source>
-        <translation>Messung vorher und Messung nachher</translation>
-    </message>
-    <message>
         <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
         <translation>Die Tabelle der Achse im Flash-Speicher des Antriebs ablegen, sodass sie einen Neustart übersteht</translation>
     </message>
@@ -9030,6 +9070,18 @@
     <message>
         <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
         <translation>Diese Datei öffnen: ein Protokoll (.axcal), eine Maschinendatei (.toml), eine TAM-Konfiguration (.TAMcfg), eine Tabelle oder eine Messung</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
+        <translation>Messung vorher und Messung nachher; mit einem Protokoll, das die erste enthält, genügt die zweite allein</translation>
+    </message>
+    <message>
+        <source>Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>Werte der zweiten Messung weglassen: down:1:1 (Richtung, Zielposition, Durchlauf), run:up:3 oder target:7, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
+        <translation>Protokoll der Kompensation: die erste Messung mit ihren Ausschlüssen und Korrekturen, Vorhersage, Tabelle und Toleranzen</translation>
     </message>
 </context>
 <context>
@@ -9632,6 +9684,26 @@
         <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
         <translation>{constant} wurde aus allen Werten beider Tabellen herausgenommen, damit ihr Mittel an der Nullstelle 0 ist</translation>
     </message>
+    <message>
+        <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
+        <translation>von {from} bis {to} wurde nichts gemessen, {gap} einer Umdrehung von {turn}: dort ist die Tabelle geraten, und keine Kenngröße weiß davon; messen Sie die ganze Umdrehung</translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
+        <translation>dieser Fehler ist vor allem Umkehrspanne, die keine Tabelle beseitigt: die Tabelle gilt für eine Richtung, und in der anderen bleiben bis zu {reversal}</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
+        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
+        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für die Lage des Normals und den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
+    </message>
+    <message>
+        <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
+        <translation>jede Kenngröße, vorher und vorhergesagt, ist die größte eines thermischen Zustands und aller Läufe zusammen</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -9770,20 +9842,12 @@
         <translation>das ist keine Textdatei</translation>
     </message>
     <message>
-        <source>save it as UTF-8 CSV</source>
-        <translation>als CSV in UTF-8 speichern</translation>
-    </message>
-    <message>
         <source>the file cannot be read</source>
         <translation>die Datei kann nicht gelesen werden</translation>
     </message>
     <message>
         <source>the file is not valid UTF-8 and is read as Windows-1252</source>
         <translation>die Datei ist kein gültiges UTF-8 und wird als Windows-1252 gelesen</translation>
-    </message>
-    <message>
-        <source>check the names and notes, or save it as UTF-8 CSV</source>
-        <translation>Namen und Bemerkungen prüfen oder als CSV in UTF-8 speichern</translation>
     </message>
     <message>
         <source>the positions are even only within the printed precision</source>
@@ -9978,14 +10042,6 @@
         <translation>die Größe der Werte ist ungewöhnlich</translation>
     </message>
     <message>
-        <source>the two directions may have been exchanged</source>
-        <translation>die beiden Richtungen sind vielleicht vertauscht</translation>
-    </message>
-    <message>
-        <source>compare with the data, and exchange them if so</source>
-        <translation>vergleichen Sie mit den Daten und vertauschen Sie sie gegebenenfalls</translation>
-    </message>
-    <message>
         <source>a result in the file is not what its values give</source>
         <translation>ein Ergebnis in der Datei passt nicht zu ihren Werten</translation>
     </message>
@@ -10084,6 +10140,22 @@
     <message>
         <source>slot {name} is taken by the axis in line {line}</source>
         <translation>den Tabellenplatz {name} hat schon die Achse in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8 text</source>
+        <translation>als Text in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>check the names and notes, or save it as UTF-8 text</source>
+        <translation>Namen und Bemerkungen prüfen oder als Text in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>the directions of the runs are doubtful</source>
+        <translation>die Richtungen der Durchläufe sind zweifelhaft</translation>
+    </message>
+    <message>
+        <source>compare them with the data, and exchange them if they are the other way round</source>
+        <translation>vergleichen Sie sie mit den Daten und vertauschen Sie sie, wenn sie umgekehrt sind</translation>
     </message>
 </context>
 <context>

@@ -6570,10 +6570,6 @@
         <translation>la position du zéro manque</translation>
     </message>
     <message>
-        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
-        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C&#xa0;; si elles ne le sont pas, il faut l&apos;indiquer</translation>
-    </message>
-    <message>
         <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
         <translation>selon le fichier, les valeurs de {table} corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre colonne, un autre axe ou une autre source, ou, si c&apos;est malgré tout exact, indiquer l&apos;axe cible par {statement}</translation>
     </message>
@@ -7875,7 +7871,7 @@
     </message>
     <message>
         <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
-        <translation>la table a été faite pour un variateur qui la lit à la position de consigne (lookup: set), ce que ne font pas les commandes du format {format} : l&apos;ajuster pour la position du codeur, la conversion fait le reste</translation>
+        <translation>la table a été faite pour un variateur qui la lit à la position de consigne (lookup: set), ce que ne font pas les commandes du format {format}&#xa0;: l&apos;ajuster pour la position du codeur, la conversion fait le reste</translation>
     </message>
     <message>
         <source>parameter {number}, which is {value} for no axis</source>
@@ -7891,11 +7887,11 @@
     </message>
     <message>
         <source>the numbers of one axis; first-number and last-number choose them</source>
-        <translation>les numéros d&apos;un axe ; first-number et last-number les choisissent</translation>
+        <translation>les numéros d&apos;un axe&#xa0;; first-number et last-number les choisissent</translation>
     </message>
     <message>
         <source>shift all values so that it is 0 there; convert does that with --zero</source>
-        <translation>décaler toutes les valeurs pour qu&apos;elle y soit nulle ; convert le fait avec --zero</translation>
+        <translation>décaler toutes les valeurs pour qu&apos;elle y soit nulle&#xa0;; convert le fait avec --zero</translation>
     </message>
     <message>
         <source>{number} to command, to reach {number2}</source>
@@ -7903,7 +7899,7 @@
     </message>
     <message>
         <source>at most half a range away; a list of corrections is no such file</source>
-        <translation>un écart d&apos;au plus un demi-intervalle ; une liste de corrections n&apos;est pas un tel fichier</translation>
+        <translation>un écart d&apos;au plus un demi-intervalle&#xa0;; une liste de corrections n&apos;est pas un tel fichier</translation>
     </message>
     <message>
         <source>a comment without an end</source>
@@ -7919,15 +7915,67 @@
     </message>
     <message>
         <source>the values for {column} have no unit; they are taken to be in {unit}, as the positions are</source>
-        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité ; l&apos;unité retenue est {unit}, celle des positions</translation>
+        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité&#xa0;; l&apos;unité retenue est {unit}, celle des positions</translation>
     </message>
     <message>
         <source>the values for {column} are in {unit}, and the positions that they are added to have no unit; state it in the header, as X [mm], or as the setting {key} of the file that is read</source>
-        <translation>les valeurs pour {column} sont en {unit}, et les positions auxquelles elles s&apos;ajoutent n&apos;ont pas d&apos;unité ; l&apos;indiquer dans l&apos;en-tête, comme X [mm], ou par le réglage {key} du fichier lu</translation>
+        <translation>les valeurs pour {column} sont en {unit}, et les positions auxquelles elles s&apos;ajoutent n&apos;ont pas d&apos;unité&#xa0;; l&apos;indiquer dans l&apos;en-tête, comme X [mm], ou par le réglage {key} du fichier lu</translation>
     </message>
     <message>
         <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
-        <translation>La table n&apos;indique pas l&apos;unité de ses valeurs ; l&apos;unité retenue est {before}, celle de ses positions, convertie en {after}. La plus grande correction est {largest}.</translation>
+        <translation>La table n&apos;indique pas l&apos;unité de ses valeurs&#xa0;; l&apos;unité retenue est {before}, celle de ses positions, convertie en {after}. La plus grande correction est {largest}.</translation>
+    </message>
+    <message>
+        <source>{name} has several tables of axis {axis}; which of them was active has to be said by its CRC, in the file of the measurement (// compensation: crc:{crc})</source>
+        <translation>{name} a plusieurs tables de l&apos;axe {axis} ; le CRC de celle qui était active doit figurer dans le fichier de la mesure (// compensation: crc:{crc})</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, none of which says its axis, so that it is not known which of them is meant: take a file with that table alone</source>
+        <translation>{name} a plusieurs tables dont aucune n&apos;indique son axe, si bien que l&apos;on ne sait pas laquelle est visée : prendre un fichier qui ne contient que cette table</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, and which of them is meant is not known: state the axis as it is called there (--target, or // axis: in the file of the measurement; there are: {axes}), or take a file with that table alone</source>
+        <translation>{name} a plusieurs tables, et l&apos;on ne sait pas laquelle est visée : indiquer l&apos;axe sous le nom qu&apos;il y porte (--target, ou // axis: dans le fichier de la mesure ; il y a : {axes}), ou prendre un fichier qui ne contient que cette table</translation>
+    </message>
+    <message>
+        <source>the targets go from {from} to {to}, which is more than a turn of {turn}: give the length of the whole turn (--turn), or leave out what lies in a second one (--exclude)</source>
+        <translation>les positions cibles vont de {from} à {to}, soit plus d&apos;un tour de {turn} : indiquer la longueur du tour entier (--turn), ou laisser de côté ce qui se trouve dans un second tour (--exclude)</translation>
+    </message>
+    <message>
+        <source>positions with a decimal point and blanks between them; without a Target-count nobody can tell two positions from one with a decimal comma</source>
+        <translation>des positions avec un point décimal, séparées par des espaces ; sans Target-count, rien ne distingue deux positions d&apos;une seule avec une virgule décimale</translation>
+    </message>
+    <message>
+        <source>{found} targets, but deviations of {used}</source>
+        <translation>{found} positions cibles, mais des écarts pour {used}</translation>
+    </message>
+    <message>
+        <source>a deviation of every target, or a Target-count</source>
+        <translation>un écart pour chaque position cible, ou un Target-count</translation>
+    </message>
+    <message>
+        <source>positions of targets that rise or fall throughout, with a decimal point and blanks between them</source>
+        <translation>des positions cibles qui croissent ou décroissent d&apos;un bout à l&apos;autre, avec un point décimal et séparées par des espaces</translation>
+    </message>
+    <message>
+        <source>every run goes {direction}, in a file of both directions (Flags: 0 0 2 0)</source>
+        <translation>chaque passe va {direction}, dans un fichier des deux sens (Flags: 0 0 2 0)</translation>
+    </message>
+    <message>
+        <source>the lines of each run in the order in which they were measured; sorted by target they all seem to rise</source>
+        <translation>les lignes de chaque passe dans l&apos;ordre où elles ont été mesurées ; triées par position cible, toutes semblent croître</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated (--not-corrected)</source>
+        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C ; si elles ne le sont pas, il faut l&apos;indiquer (--not-corrected)</translation>
+    </message>
+    <message>
+        <source>file {second} holds the same measurement as file {first}, value by value: give it once</source>
+        <translation>le fichier {second} contient la même mesure que le fichier {first}, valeur par valeur : ne la donner qu&apos;une fois</translation>
+    </message>
+    <message>
+        <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
+        <translation>les fichiers n&apos;indiquent pas tous, ou pas de la même façon, si leurs valeurs sont corrigées à 20 °C, si bien qu&apos;aucune correction ne conviendrait à tous ; l&apos;indiquer dans chacun (// corrected: 20C, ou // corrected: none), ou ne prendre que ceux qui concordent</translation>
     </message>
 </context>
 <context>
@@ -8082,10 +8130,6 @@
     <message>
         <source>Compare measurements before and after a compensation, and with what was promised</source>
         <translation>Comparer les mesures avant et après une compensation, entre elles et à la prévision</translation>
-    </message>
-    <message>
-        <source>Record of the compensation: its prediction, table and tolerances</source>
-        <translation>Fiche de la compensation&#xa0;: sa prévision, sa table et ses tolérances</translation>
     </message>
     <message>
         <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
@@ -9000,10 +9044,6 @@
         <translation>Désactiver la compensation</translation>
     </message>
     <message>
-        <source>Measurement before and measurement after</source>
-        <translation>Mesure avant et mesure après</translation>
-    </message>
-    <message>
         <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
         <translation>Enregistrer la table de l&apos;axe dans la mémoire flash du variateur : elle survit à un redémarrage</translation>
     </message>
@@ -9030,6 +9070,18 @@
     <message>
         <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
         <translation>Ouvrir ce fichier : une fiche (.axcal), un fichier machine (.toml), une configuration TAM (.TAMcfg), une table ou une mesure</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
+        <translation>Mesure avant et mesure après ; avec une fiche, qui contient la première, la seconde suffit</translation>
+    </message>
+    <message>
+        <source>Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>Omettre des valeurs de la seconde mesure : down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
+        <translation>Fiche de la compensation : la première mesure avec ses exclusions et corrections, la prévision, la table et les tolérances</translation>
     </message>
 </context>
 <context>
@@ -9632,6 +9684,26 @@
         <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
         <translation>{constant} a été retiré de toutes les valeurs des deux tables, ce qui annule leur moyenne au zéro</translation>
     </message>
+    <message>
+        <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
+        <translation>de {from} à {to}, rien n&apos;a été mesuré, soit {gap} d&apos;un tour de {turn} : la table y est devinée, et aucune caractéristique n&apos;en tient compte ; mesurer le tour entier</translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
+        <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime : la table vaut pour un sens, et il reste jusqu&apos;à {reversal} dans l&apos;autre</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table} ; {removed} ont été retirés pour le zéro de la table, le variateur ajoutera donc {added}</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table} ; {removed} ont été retirés pour le placement de l&apos;étalon et le zéro de la table, le variateur ajoutera donc {added}</translation>
+    </message>
+    <message>
+        <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
+        <translation>chaque caractéristique, avant et prévue, est la plus grande d&apos;un état thermique et de toutes les passes ensemble</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -9770,20 +9842,12 @@
         <translation>ce n&apos;est pas un fichier texte</translation>
     </message>
     <message>
-        <source>save it as UTF-8 CSV</source>
-        <translation>l&apos;enregistrer en CSV UTF-8</translation>
-    </message>
-    <message>
         <source>the file cannot be read</source>
         <translation>le fichier n&apos;est pas lisible</translation>
     </message>
     <message>
         <source>the file is not valid UTF-8 and is read as Windows-1252</source>
         <translation>le fichier n&apos;est pas un UTF-8 valide et est lu en Windows-1252</translation>
-    </message>
-    <message>
-        <source>check the names and notes, or save it as UTF-8 CSV</source>
-        <translation>vérifier les noms et les remarques, ou l&apos;enregistrer en CSV UTF-8</translation>
     </message>
     <message>
         <source>the positions are even only within the printed precision</source>
@@ -9978,14 +10042,6 @@
         <translation>la grandeur des valeurs est inhabituelle</translation>
     </message>
     <message>
-        <source>the two directions may have been exchanged</source>
-        <translation>les deux sens ont peut-être été intervertis</translation>
-    </message>
-    <message>
-        <source>compare with the data, and exchange them if so</source>
-        <translation>comparer avec les données et les permuter le cas échéant</translation>
-    </message>
-    <message>
         <source>a result in the file is not what its values give</source>
         <translation>un résultat du fichier ne correspond pas à ses valeurs</translation>
     </message>
@@ -10084,6 +10140,22 @@
     <message>
         <source>slot {name} is taken by the axis in line {line}</source>
         <translation>l&apos;emplacement {name} est pris par l&apos;axe de la ligne {line}</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8 text</source>
+        <translation>l&apos;enregistrer en texte UTF-8</translation>
+    </message>
+    <message>
+        <source>check the names and notes, or save it as UTF-8 text</source>
+        <translation>vérifier les noms et les remarques, ou l&apos;enregistrer en texte UTF-8</translation>
+    </message>
+    <message>
+        <source>the directions of the runs are doubtful</source>
+        <translation>les sens des passes sont douteux</translation>
+    </message>
+    <message>
+        <source>compare them with the data, and exchange them if they are the other way round</source>
+        <translation>les comparer avec les données et les permuter s&apos;ils sont inversés</translation>
     </message>
 </context>
 <context>

@@ -6534,10 +6534,6 @@
         <translation>ゼロ点の位置がありません</translation>
     </message>
     <message>
-        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
-        <translation>値が 20 deg C に補正済みかどうか、ファイルに記載がありません。補正済みでない場合は、それを指定してください</translation>
-    </message>
-    <message>
         <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
         <translation>ファイルによると {table} の値は {target} を補正しますが、軸 {axis} では次のとおりです: {role}。列、軸またはソースを選び直すか、それでも正しい場合は対象軸を {statement} と指定してください</translation>
     </message>
@@ -7888,6 +7884,58 @@
         <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
         <translation>テーブルに値の単位がないため、位置と同じ {before} とみなし、{after} に換算します。最大の補正量は {largest} です。</translation>
     </message>
+    <message>
+        <source>{name} has several tables of axis {axis}; which of them was active has to be said by its CRC, in the file of the measurement (// compensation: crc:{crc})</source>
+        <translation>{name} には軸 {axis} のテーブルが複数あります。どれが有効だったかを、測定ファイルに CRC で記載してください (// compensation: crc:{crc})</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, none of which says its axis, so that it is not known which of them is meant: take a file with that table alone</source>
+        <translation>{name} には複数のテーブルがあり、どれにも軸の記載がないため、どれを指すのか分かりません。そのテーブルだけのファイルを使ってください</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, and which of them is meant is not known: state the axis as it is called there (--target, or // axis: in the file of the measurement; there are: {axes}), or take a file with that table alone</source>
+        <translation>{name} には複数のテーブルがあり、どれを指すのか分かりません。そこでの軸名を指定するか (--target、または測定ファイルの // axis:。候補: {axes})、そのテーブルだけのファイルを使ってください</translation>
+    </message>
+    <message>
+        <source>the targets go from {from} to {to}, which is more than a turn of {turn}: give the length of the whole turn (--turn), or leave out what lies in a second one (--exclude)</source>
+        <translation>目標位置は {from} から {to} までで、1 回転 {turn} を超えています。1 回転全体の長さを指定するか (--turn)、2 回転目にあるものを除外してください (--exclude)</translation>
+    </message>
+    <message>
+        <source>positions with a decimal point and blanks between them; without a Target-count nobody can tell two positions from one with a decimal comma</source>
+        <translation>小数点を使い空白で区切った位置。Target-count がないと、2 つの位置なのか小数コンマの 1 つの位置なのか区別できません</translation>
+    </message>
+    <message>
+        <source>{found} targets, but deviations of {used}</source>
+        <translation>目標位置は {found} 個、偏差があるのは {used} 個</translation>
+    </message>
+    <message>
+        <source>a deviation of every target, or a Target-count</source>
+        <translation>すべての目標位置の偏差、または Target-count</translation>
+    </message>
+    <message>
+        <source>positions of targets that rise or fall throughout, with a decimal point and blanks between them</source>
+        <translation>増え続ける、または減り続ける目標位置。小数点を使い空白で区切ります</translation>
+    </message>
+    <message>
+        <source>every run goes {direction}, in a file of both directions (Flags: 0 0 2 0)</source>
+        <translation>両方向のファイル (Flags: 0 0 2 0) なのに、すべての走行の方向が {direction} です</translation>
+    </message>
+    <message>
+        <source>the lines of each run in the order in which they were measured; sorted by target they all seem to rise</source>
+        <translation>各走行の行を測定した順に並べること。目標位置で並べ替えると、すべてが増加に見えます</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated (--not-corrected)</source>
+        <translation>値が 20 deg C に補正済みかどうか、ファイルに記載がありません。補正済みでない場合は、それを指定してください (--not-corrected)</translation>
+    </message>
+    <message>
+        <source>file {second} holds the same measurement as file {first}, value by value: give it once</source>
+        <translation>ファイル {second} の測定はファイル {first} とすべての値が同じです。1 回だけ指定してください</translation>
+    </message>
+    <message>
+        <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
+        <translation>値が 20 °C に補正済みかどうかの記載がファイルによって異なるか欠けているため、すべてに正しい補正がありません。各ファイルに記載するか (// corrected: 20C または // corrected: none)、記載が一致するファイルだけを使ってください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8041,10 +8089,6 @@
     <message>
         <source>Compare measurements before and after a compensation, and with what was promised</source>
         <translation>補正前後の測定を相互に、また予測と比較します</translation>
-    </message>
-    <message>
-        <source>Record of the compensation: its prediction, table and tolerances</source>
-        <translation>補正の記録 (予測、テーブル、許容値)</translation>
     </message>
     <message>
         <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
@@ -8959,10 +9003,6 @@
         <translation>補正を無効にします</translation>
     </message>
     <message>
-        <source>Measurement before and measurement after</source>
-        <translation>補正前の測定と補正後の測定</translation>
-    </message>
-    <message>
         <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
         <translation>軸のテーブルをドライブのフラッシュメモリに保存します。再起動後も残ります</translation>
     </message>
@@ -8989,6 +9029,18 @@
     <message>
         <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
         <translation>このファイルを開く: 記録 (.axcal)、機械ファイル (.toml)、TAM 構成 (.TAMcfg)、テーブル、測定</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
+        <translation>補正前の測定と補正後の測定。最初の測定を含む記録があれば、2 つ目だけで十分です</translation>
+    </message>
+    <message>
+        <source>Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>2 つ目の測定の値を除外します: down:1:1 (方向、目標位置、走行)、run:up:3、target:7。コンマで区切って指定</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
+        <translation>補正の記録 (除外と補正を含む最初の測定、予測、テーブル、許容値)</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9635,26 @@
         <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
         <translation>ゼロ点での平均が 0 になるように、両方のテーブルのすべての値から {constant} を引きました</translation>
     </message>
+    <message>
+        <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
+        <translation>{from} から {to} まで (1 回転 {turn} のうち {gap}) は測定されていません。そこではテーブルは推測であり、どの特性値にも現れません。1 回転全体を測定してください</translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
+        <translation>この誤差の大部分は反転値で、テーブルでは除去できません。テーブルは片方向用のため、逆方向には最大 {reversal} 残ります</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
+        <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。テーブルの零点のために {removed} を取り除いたので、ドライブは {added} を加算します</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
+        <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。標準器の置かれ方とテーブルの零点のために {removed} を取り除いたので、ドライブは {added} を加算します</translation>
+    </message>
+    <message>
+        <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
+        <translation>補正前と予測の各特性値は、各熱状態と全走行一括のうち最大の値です</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -9721,20 +9793,12 @@
         <translation>テキストファイルではありません</translation>
     </message>
     <message>
-        <source>save it as UTF-8 CSV</source>
-        <translation>UTF-8 の CSV で保存してください</translation>
-    </message>
-    <message>
         <source>the file cannot be read</source>
         <translation>ファイルを読み取れません</translation>
     </message>
     <message>
         <source>the file is not valid UTF-8 and is read as Windows-1252</source>
         <translation>ファイルが有効な UTF-8 ではないため、Windows-1252 として読み取ります</translation>
-    </message>
-    <message>
-        <source>check the names and notes, or save it as UTF-8 CSV</source>
-        <translation>名前とメモを確認するか、UTF-8 の CSV で保存してください</translation>
     </message>
     <message>
         <source>the positions are even only within the printed precision</source>
@@ -9929,14 +9993,6 @@
         <translation>値の大きさが通常と異なります</translation>
     </message>
     <message>
-        <source>the two directions may have been exchanged</source>
-        <translation>2 つの方向が入れ替わっている可能性があります</translation>
-    </message>
-    <message>
-        <source>compare with the data, and exchange them if so</source>
-        <translation>データと照合し、入れ替わっている場合は交換してください</translation>
-    </message>
-    <message>
         <source>a result in the file is not what its values give</source>
         <translation>ファイル内の結果が、その値からの計算結果と一致しません</translation>
     </message>
@@ -10035,6 +10091,22 @@
     <message>
         <source>slot {name} is taken by the axis in line {line}</source>
         <translation>スロット {name} はすでに行 {line} の軸が使っています</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8 text</source>
+        <translation>UTF-8 のテキストで保存してください</translation>
+    </message>
+    <message>
+        <source>check the names and notes, or save it as UTF-8 text</source>
+        <translation>名前とメモを確認するか、UTF-8 のテキストで保存してください</translation>
+    </message>
+    <message>
+        <source>the directions of the runs are doubtful</source>
+        <translation>走行の方向が疑わしい</translation>
+    </message>
+    <message>
+        <source>compare them with the data, and exchange them if they are the other way round</source>
+        <translation>データと照合し、逆になっている場合は交換してください</translation>
     </message>
 </context>
 <context>

@@ -6534,10 +6534,6 @@
         <translation>缺少零点的位置</translation>
     </message>
     <message>
-        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated</source>
-        <translation>文件没有注明其值是否已修正到 20 °C；如果没有，须予以注明</translation>
-    </message>
-    <message>
         <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
         <translation>文件注明 {table} 的值修正 {target}，但对轴 {axis} 而言{role}；请选择其他列、轴或源；如果确实无误，请将目标轴注明为 {statement}</translation>
     </message>
@@ -7888,6 +7884,58 @@
         <source>The table states no unit for its values; they are taken to be in {before}, as its positions are, and converted to {after}. The largest correction is {largest}.</source>
         <translation>该表未注明值的单位；按其位置的单位 {before} 处理，并换算为 {after}。最大修正量为 {largest}。</translation>
     </message>
+    <message>
+        <source>{name} has several tables of axis {axis}; which of them was active has to be said by its CRC, in the file of the measurement (// compensation: crc:{crc})</source>
+        <translation>{name} 有轴 {axis} 的多个表；须在测量文件中用 CRC 注明当时启用的是哪一个 (// compensation: crc:{crc})</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, none of which says its axis, so that it is not known which of them is meant: take a file with that table alone</source>
+        <translation>{name} 有多个表，都没有注明所属的轴，因此不知道指的是哪一个：请采用只含该表的文件</translation>
+    </message>
+    <message>
+        <source>{name} has several tables, and which of them is meant is not known: state the axis as it is called there (--target, or // axis: in the file of the measurement; there are: {axes}), or take a file with that table alone</source>
+        <translation>{name} 有多个表，不知道指的是哪一个：请按其中的名称指定轴（--target，或测量文件中的 // axis:；有：{axes}），或采用只含该表的文件</translation>
+    </message>
+    <message>
+        <source>the targets go from {from} to {to}, which is more than a turn of {turn}: give the length of the whole turn (--turn), or leave out what lies in a second one (--exclude)</source>
+        <translation>目标位置从 {from} 到 {to}，超过一转 {turn}：请给出整转的长度（--turn），或排除位于第二转中的部分（--exclude）</translation>
+    </message>
+    <message>
+        <source>positions with a decimal point and blanks between them; without a Target-count nobody can tell two positions from one with a decimal comma</source>
+        <translation>使用小数点、以空格分隔的位置；没有 Target-count 就无法区分两个位置和一个带小数逗号的位置</translation>
+    </message>
+    <message>
+        <source>{found} targets, but deviations of {used}</source>
+        <translation>目标位置有 {found} 个，而有偏差的为 {used} 个</translation>
+    </message>
+    <message>
+        <source>a deviation of every target, or a Target-count</source>
+        <translation>每个目标位置都有偏差，或有 Target-count</translation>
+    </message>
+    <message>
+        <source>positions of targets that rise or fall throughout, with a decimal point and blanks between them</source>
+        <translation>始终递增或始终递减的目标位置，使用小数点、以空格分隔</translation>
+    </message>
+    <message>
+        <source>every run goes {direction}, in a file of both directions (Flags: 0 0 2 0)</source>
+        <translation>双向文件 (Flags: 0 0 2 0) 中每一趟的方向都是{direction}</translation>
+    </message>
+    <message>
+        <source>the lines of each run in the order in which they were measured; sorted by target they all seem to rise</source>
+        <translation>每一趟的行按测量的先后排列；按目标位置排序后，看上去都是递增</translation>
+    </message>
+    <message>
+        <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated (--not-corrected)</source>
+        <translation>文件没有注明其值是否已修正到 20 °C；如果没有，须予以注明 (--not-corrected)</translation>
+    </message>
+    <message>
+        <source>file {second} holds the same measurement as file {first}, value by value: give it once</source>
+        <translation>第 {second} 个文件与第 {first} 个文件是同一次测量，各值完全相同：只需给出一次</translation>
+    </message>
+    <message>
+        <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
+        <translation>各文件对其值是否已修正到 20 °C 的说明不一致或缺失，因此没有对所有文件都正确的修正；请在每个文件中注明（// corrected: 20C 或 // corrected: none），或只采用说明一致的文件</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8041,10 +8089,6 @@
     <message>
         <source>Compare measurements before and after a compensation, and with what was promised</source>
         <translation>比较补偿前后的测量，并与预期效果对照</translation>
-    </message>
-    <message>
-        <source>Record of the compensation: its prediction, table and tolerances</source>
-        <translation>补偿档案：其预测、表和公差</translation>
     </message>
     <message>
         <source>on: the second measurement was made with the table of the record active, where its file does not say it</source>
@@ -8959,10 +9003,6 @@
         <translation>停用补偿</translation>
     </message>
     <message>
-        <source>Measurement before and measurement after</source>
-        <translation>补偿前的测量和补偿后的测量</translation>
-    </message>
-    <message>
         <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
         <translation>将轴的补偿表存入驱动器闪存，重启后仍然保留</translation>
     </message>
@@ -8989,6 +9029,18 @@
     <message>
         <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
         <translation>打开此文件：档案 (.axcal)、机床文件 (.toml)、TAM 配置 (.TAMcfg)、表或测量</translation>
+    </message>
+    <message>
+        <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
+        <translation>补偿前的测量和补偿后的测量；有含前者的档案时，只给出后者即可</translation>
+    </message>
+    <message>
+        <source>Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
+        <translation>排除第二次测量的值：down:1:1（方向、目标位置、趟次）、run:up:3 或 target:7，之间用逗号分隔</translation>
+    </message>
+    <message>
+        <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
+        <translation>补偿档案：第一次测量及其排除和修正、预测、表和公差</translation>
     </message>
 </context>
 <context>
@@ -9583,6 +9635,26 @@
         <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
         <translation>已从两个表的所有值中去除 {constant}，使其平均值在零点处为 0</translation>
     </message>
+    <message>
+        <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
+        <translation>从 {from} 到 {to} 未作测量，占一转 {turn} 中的 {gap}：该处的表只是推测，任何指标都反映不出来；请测量整转</translation>
+    </message>
+    <message>
+        <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
+        <translation>此误差主要是反向差值，任何表都不能消除：该表用于一个方向，另一方向最多残留 {reversal}</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
+        <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；为表的零点去除了 {removed}，因此驱动器将叠加 {added}</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
+        <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；为标准器的放置状态和表的零点去除了 {removed}，因此驱动器将叠加 {added}</translation>
+    </message>
+    <message>
+        <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
+        <translation>补偿前和预测的各项指标，均取各热状态以及全部各趟合计中的最大值</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -9721,20 +9793,12 @@
         <translation>这不是文本文件</translation>
     </message>
     <message>
-        <source>save it as UTF-8 CSV</source>
-        <translation>保存为 UTF-8 编码的 CSV</translation>
-    </message>
-    <message>
         <source>the file cannot be read</source>
         <translation>无法读取该文件</translation>
     </message>
     <message>
         <source>the file is not valid UTF-8 and is read as Windows-1252</source>
         <translation>文件不是有效的 UTF-8，按 Windows-1252 读取</translation>
-    </message>
-    <message>
-        <source>check the names and notes, or save it as UTF-8 CSV</source>
-        <translation>检查名称和备注，或保存为 UTF-8 编码的 CSV</translation>
     </message>
     <message>
         <source>the positions are even only within the printed precision</source>
@@ -9929,14 +9993,6 @@
         <translation>值的大小异常</translation>
     </message>
     <message>
-        <source>the two directions may have been exchanged</source>
-        <translation>两个方向可能互换了</translation>
-    </message>
-    <message>
-        <source>compare with the data, and exchange them if so</source>
-        <translation>与数据对照，如确已互换则对调</translation>
-    </message>
-    <message>
         <source>a result in the file is not what its values give</source>
         <translation>文件中有一个结果与其值不符</translation>
     </message>
@@ -10035,6 +10091,22 @@
     <message>
         <source>slot {name} is taken by the axis in line {line}</source>
         <translation>表槽 {name} 已被第 {line} 行的轴占用</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8 text</source>
+        <translation>保存为 UTF-8 编码的文本</translation>
+    </message>
+    <message>
+        <source>check the names and notes, or save it as UTF-8 text</source>
+        <translation>检查名称和备注，或保存为 UTF-8 编码的文本</translation>
+    </message>
+    <message>
+        <source>the directions of the runs are doubtful</source>
+        <translation>各趟的方向可疑</translation>
+    </message>
+    <message>
+        <source>compare them with the data, and exchange them if they are the other way round</source>
+        <translation>与数据对照，如方向相反则对调</translation>
     </message>
 </context>
 <context>
