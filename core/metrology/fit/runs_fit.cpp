@@ -415,15 +415,18 @@ HeldOut together(const HeldOut& up, const HeldOut& down)
     both.residuals.insert(both.residuals.end(), down.residuals.begin(), down.residuals.end());
     both.rms = std::sqrt(0.5 * (up.rms * up.rms + down.rms * down.rms));
     both.largest = std::max(up.largest, down.largest);
-    const auto rangeOfMeans = [&](double HeldOut::Residual::*part) {
-        std::vector<double> means;
-        for (std::size_t i = 0; i < up.residuals.size(); ++i)
-            means.push_back(0.5 * (up.residuals[i].*part + down.residuals[i].*part));
+    using Residuals = std::vector<HeldOut::Residual>;
+    std::vector<double> means;
+    const auto rangeWith = [&](const Residuals& ups, const Residuals& downs, auto part) {
+        for (std::size_t i = 0; i < ups.size(); ++i)
+            means.push_back(0.5 * (ups[i].*part + downs[i].*part));
         const auto [lowest, highest] = std::ranges::minmax(means);
         return highest - lowest;
     };
-    both.range = rangeOfMeans(&HeldOut::Residual::value);
-    both.unknownRange = rangeOfMeans(&HeldOut::Residual::unknown);
+    both.unknownRange = rangeWith(up.residuals, down.residuals, &HeldOut::Residual::unknown);
+    means.clear();
+    rangeWith(up.residuals, down.residuals, &HeldOut::Residual::value);
+    both.range = rangeWith(up.ends, down.ends, &HeldOut::Residual::value);
     return both;
 }
 

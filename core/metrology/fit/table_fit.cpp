@@ -333,22 +333,28 @@ double leftBySlope(
     return slope == 0.0 ? 0.0 : slope * (position - zeroPlace(request, knots));
 }
 
-/// error: the whole of it at the target that is left out.
-Result<HeldOut::Residual> residualWithout(const std::vector<FitKnot>& knots, std::size_t left,
+/// What the table of some of the knots leaves at one. error: the whole of it there.
+Result<HeldOut::Residual> residualOf(const std::vector<FitKnot>& made, const FitKnot& knot,
     const FitKnot& error, const TableFitRequest& request)
 {
-    const FitKnot& knot = knots[left];
-    std::vector<FitKnot> others = knots;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
     TableFit ignored;
-    AXISCOMP_TRY(const FittedCurve curve, fitCurve(others, request, ignored));
+    AXISCOMP_TRY(const FittedCurve curve, fitCurve(made, request, ignored));
     AXISCOMP_TRY(const double fitted, tableAt(curve, request, knot.position));
     AXISCOMP_TRY(const double added,
         error.position == knot.position ? Result<double>(fitted)
                                         : tableAt(curve, request, error.position));
     return HeldOut::Residual{knot.target,
-        error.value - added + leftBySlope(request, others, error.position),
+        error.value - added + leftBySlope(request, made, error.position),
         (knot.value - fitted) / request.gain};
+}
+
+/// Whether a table that knows all of the error is not to take out all of it.
+bool leavesByRequest(const TableFitRequest& request)
+{
+    const bool leavesSlope =
+        request.slope != SlopeRemoval::Keep || (request.removed && request.removed->slope != 0.0);
+    const bool leavesDirection = request.servesBoth && request.direction != FitDirection::Mean;
+    return request.gain != 1.0 || leavesSlope || leavesDirection;
 }
 
 void describeReversal(const std::vector<TargetValues>& targets, TableFit& fit)
@@ -478,18 +484,29 @@ Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
     AXISCOMP_TRY(auto knots, meansOf(targets, request));
     AXISCOMP_CHECK(placeKnots(knots, request));
     AXISCOMP_TRY(const auto errors, wholeErrors(targets, request));
+    const auto errorAt = [&errors](const FitKnot& knot) -> const FitKnot& {
+        return *std::ranges::find(errors, knot.target, &FitKnot::target);
+    };
     HeldOut result;
     double square = 0.0;
     for (std::size_t left = 1; left + 1 < knots.size(); ++left) {
         if (stop.stop_requested())
             return fail(ErrorCode::Cancelled);
-        const auto error = std::ranges::find(errors, knots[left].target, &FitKnot::target);
-        AXISCOMP_TRY(const auto residual, residualWithout(knots, left, *error, request));
+        std::vector<FitKnot> others = knots;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
+        AXISCOMP_TRY(
+            const auto residual, residualOf(others, knots[left], errorAt(knots[left]), request));
         result.residuals.push_back(residual);
         square += residual.value * residual.value;
     }
-    const auto [lowest, highest] =
-        std::ranges::minmax(result.residuals, {}, &HeldOut::Residual::value);
+    if (leavesByRequest(request))
+        for (const FitKnot* const end : {&knots.front(), &knots.back()}) {
+            AXISCOMP_TRY(const auto residual, residualOf(knots, *end, errorAt(*end), request));
+            result.ends.push_back(residual);
+        }
+    std::vector<HeldOut::Residual> all = result.residuals;
+    all.insert(all.end(), result.ends.begin(), result.ends.end());
+    const auto [lowest, highest] = std::ranges::minmax(all, {}, &HeldOut::Residual::value);
     const auto [least, most] =
         std::ranges::minmax(result.residuals, {}, &HeldOut::Residual::unknown);
     result.rms = std::sqrt(square / static_cast<double>(result.residuals.size()));

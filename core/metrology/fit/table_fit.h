@@ -135,6 +135,10 @@ struct HeldOut {
     double largest = 0.0;
     double range = 0.0; ///< M: largest - smallest
     double unknownRange = 0.0; ///< the same of what is unknown; not on record
+    /// Of the first and the last target, which cannot be left out: what the whole table leaves
+    /// there, where a gain, a slope that was taken out or the other direction leaves something.
+    /// They count in the largest and in the range. Not on record.
+    std::vector<Residual> ends = {};
 };
 /// Takes as long as a fit for each target. Errors: as fitTable, also for fewer than 4 targets;
 /// Cancelled.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -453,14 +454,20 @@ Result<HeldOut> heldOutOf(
         AXISCOMP_TRY(
             auto one, predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n]));
         const LeftByTable left(input, curves, n, table);
-        for (HeldOut::Residual& residual : one.residuals) {
-            residual.value += left.at(residual.target);
+        if (one.ends.empty() && curves.states.size() > 2) // a line through two leaves nothing there
+            one.ends = {{curves.states[n].firstTarget()}, {curves.states[n].lastTarget()}};
+        double lowest = std::numeric_limits<double>::infinity();
+        double highest = -lowest;
+        for (auto* const residuals : {&one.residuals, &one.ends})
+            for (HeldOut::Residual& residual : *residuals) {
+                residual.value += left.at(residual.target);
+                lowest = std::min(lowest, residual.value);
+                highest = std::max(highest, residual.value);
+            }
+        for (const HeldOut::Residual& residual : one.residuals)
             squares += residual.value * residual.value;
-            all.largest = std::max(all.largest, std::abs(residual.value));
-        }
-        const auto [lowest, highest] =
-            std::ranges::minmax(one.residuals, {}, &HeldOut::Residual::value);
-        all.range = std::max(all.range, highest.value - lowest.value);
+        all.largest = std::max({all.largest, std::abs(lowest), std::abs(highest)});
+        all.range = std::max(all.range, highest - lowest);
         all.unknownRange = std::max(all.unknownRange, one.unknownRange);
         all.residuals.insert(all.residuals.end(), one.residuals.begin(), one.residuals.end());
     }

@@ -383,8 +383,9 @@ private Q_SLOTS:
         request.gain = 0.5;
         const auto heldOut = predictHeldOut(values, request);
         VERIFY_RESULT(heldOut);
-        QVERIFY(isNear(heldOut->range, 0.5 * a * (8100.0 - 100.0), 1e-12));
-        QVERIFY(isNear(heldOut->largest, 0.5 * a * (8100.0 - 100.0), 1e-12));
+        QVERIFY(isNear(heldOut->residuals.back().value, 0.5 * a * (8100.0 - 100.0), 1e-12));
+        QVERIFY(isNear(heldOut->range, 0.5 * a * 1e4, 1e-12)); // at the last target
+        QVERIFY(isNear(heldOut->largest, 0.5 * a * 1e4, 1e-12));
         QVERIFY(isNear(heldOut->unknownRange, 0.0, 1e-12));
     }
 
