@@ -406,6 +406,22 @@ Result<Measurement> predictedMeasurement(const FitInput& whole,
     return result;
 }
 
+/// Of both directions at each target.
+std::vector<double> heldOutMeans(const std::vector<HeldOut::Residual>& up,
+    const std::vector<HeldOut::Residual>& down, double HeldOut::Residual::*part)
+{
+    std::vector<double> means;
+    for (std::size_t i = 0; i < up.size(); ++i)
+        means.push_back(0.5 * (up[i].*part + down[i].*part));
+    return means;
+}
+
+double heldOutRange(const std::vector<double>& numbers)
+{
+    const auto [lowest, highest] = std::ranges::minmax(numbers);
+    return highest - lowest;
+}
+
 /// Of two tables: the residuals of both, and M as the standard has it, of their mean at each
 /// target.
 HeldOut together(const HeldOut& up, const HeldOut& down)
@@ -415,18 +431,13 @@ HeldOut together(const HeldOut& up, const HeldOut& down)
     both.residuals.insert(both.residuals.end(), down.residuals.begin(), down.residuals.end());
     both.rms = std::sqrt(0.5 * (up.rms * up.rms + down.rms * down.rms));
     both.largest = std::max(up.largest, down.largest);
-    using Residuals = std::vector<HeldOut::Residual>;
-    std::vector<double> means;
-    const auto rangeWith = [&](const Residuals& ups, const Residuals& downs, auto part) {
-        for (std::size_t i = 0; i < ups.size(); ++i)
-            means.push_back(0.5 * (ups[i].*part + downs[i].*part));
-        const auto [lowest, highest] = std::ranges::minmax(means);
-        return highest - lowest;
-    };
-    both.unknownRange = rangeWith(up.residuals, down.residuals, &HeldOut::Residual::unknown);
-    means.clear();
-    rangeWith(up.residuals, down.residuals, &HeldOut::Residual::value);
-    both.range = rangeWith(up.ends, down.ends, &HeldOut::Residual::value);
+    both.unknownRange =
+        heldOutRange(heldOutMeans(up.residuals, down.residuals, &HeldOut::Residual::unknown));
+    std::vector<double> left =
+        heldOutMeans(up.residuals, down.residuals, &HeldOut::Residual::value);
+    const auto ends = heldOutMeans(up.ends, down.ends, &HeldOut::Residual::value);
+    left.insert(left.end(), ends.begin(), ends.end());
+    both.range = heldOutRange(left);
     return both;
 }
 
