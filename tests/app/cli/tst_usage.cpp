@@ -131,7 +131,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("arguments");
         QTest::newRow("inspect") << QByteArray("FILE");
         QTest::newRow("judge") << QByteArray("FILE...");
-        QTest::newRow("compare") << QByteArray("BEFORE AFTER");
+        QTest::newRow("compare") << QByteArray("[BEFORE] AFTER");
         QTest::newRow("formats") << QByteArray("[NAME]");
         QTest::newRow("lookup") << QByteArray("FILE [X [Y [Z]]]");
     }
