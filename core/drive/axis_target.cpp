@@ -9,14 +9,6 @@ namespace axiscomp {
 
 namespace {
 
-std::vector<std::string> axisNames(const Grid& grid)
-{
-    std::vector<std::string> names;
-    for (const GridAxis& axis : grid.axes)
-        names.push_back(axis.name);
-    return names;
-}
-
 /// "dimension 1 (X)"
 Text sourceText(const Grid& grid, std::size_t source)
 {
@@ -44,7 +36,7 @@ std::string axisTarget(const DriveProfile& profile, int axis, std::span<const st
 Result<void> checkTarget(const DriveProfile& profile, int axis,
     std::span<const std::string> sources, const CompensationTable& table)
 {
-    const auto stated = targetAxis(table.target, axisNames(table.grid));
+    const auto stated = targetOf(table);
     const std::vector<std::string> nameless(table.grid.axes.size());
     const std::string statement = axisTarget(profile, axis, sources);
     const auto actual = targetAxis(statement, nameless);

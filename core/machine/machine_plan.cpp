@@ -6,6 +6,7 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
 #include "core/table/position_unit.h"
+#include "core/table/table_units.h"
 #include "core/write/write_planner.h"
 
 #include <algorithm>
@@ -136,6 +137,7 @@ Result<void> DrivePlanner::planAxis(
                          : static_cast<std::size_t>(plan.before.setup.dimensionality)));
     } else {
         AXISCOMP_TRY(request.table, settledTable(axis, table, plan));
+        request.unstatedUnit = unstatedUnit(axis.valueUnit);
         request.lookupAt = table.lookupAt;
         request.dimensionality = request.table->grid.dimensions();
         request.persistency = axis.persistency;

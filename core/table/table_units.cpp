@@ -49,44 +49,47 @@ void scaleAxis(GridAxis& axis, double factor, const std::string& unit)
 }
 
 /// What the values are in; empty: the table does not say, or nothing that the drive's unit can be.
-std::string unitOfValues(const CompensationTable& table, const std::string& drive)
+std::string unitOfValues(
+    const CompensationTable& table, const std::string& drive, UnstatedUnit unstated)
 {
-    if (table.unit == unitOfDrive)
-        return {};
-    if (!table.unit.empty())
+    if (!table.unit.empty() || unstated == UnstatedUnit::OfDrive)
         return table.unit;
     const std::string& positions = correctedUnit(table);
     return unitFactor(positions, drive) ? positions : std::string();
 }
 
-/// What a person has to know of the unit of the values, where there is something. before: what they
-/// were in, which the table has stated or not.
+/// The sentence for values that were in a unit before, which the table has stated or not.
+TextPattern valuePattern(const std::string& before, bool isStated, const std::string& drive)
+{
+    if (unitSymbol(drive).empty())
+        return before.empty()
+            ? AXISCOMP_TEXT("Error",
+                "Neither the table nor the drive states a unit for the values. The largest "
+                "correction is {largest}.")
+            : AXISCOMP_TEXT("Error",
+                "The drive states no unit for the axis; the values are written in "
+                "{before}. The largest correction is {largest}.");
+    if (isStated)
+        return AXISCOMP_TEXT("Error",
+            "The values are converted from {before} to {after}. The largest correction is "
+            "{largest}.");
+    return before.empty() || isSameUnit(before, drive)
+        ? AXISCOMP_TEXT("Error",
+            "The table states no unit for its values; they are taken to be in {after}. The "
+            "largest correction is {largest}.")
+        : AXISCOMP_TEXT("Error",
+            "The table states no unit for its values; they are taken to be in {before}, as its "
+            "positions are, and converted to {after}. The largest correction is {largest}.");
+}
+
+/// What a person has to know of the unit of the values, where there is something.
 std::optional<Text> valueRemark(const std::string& before, bool isStated, const std::string& drive,
     const CompensationTable& converted)
 {
-    const bool isKnown = !unitSymbol(drive).empty();
-    if (isKnown && isStated && isSameUnit(before, drive))
+    if (isStated && !unitSymbol(drive).empty() && isSameUnit(before, drive))
         return std::nullopt;
-    TextPattern pattern = AXISCOMP_TEXT("Error",
-        "Neither the table nor the drive states a unit for the values. The largest correction is "
-        "{largest}.");
-    if (!before.empty() && isKnown && !isStated && !isSameUnit(before, drive))
-        pattern = AXISCOMP_TEXT("Error",
-            "The table states no unit for its values; they are taken to be in {before}, as its "
-            "positions are, and converted to {after}. The largest correction is {largest}.");
-    else if (!before.empty() && isKnown && isStated)
-        pattern = AXISCOMP_TEXT("Error",
-            "The values are converted from {before} to {after}. The largest correction is "
-            "{largest}.");
-    else if (!before.empty() && !isKnown)
-        pattern = AXISCOMP_TEXT("Error",
-            "The drive states no unit for the axis; the values are written in {before}. The "
-            "largest correction is {largest}.");
-    else if (isKnown)
-        pattern = AXISCOMP_TEXT("Error",
-            "The table states no unit for its values; they are taken to be in {after}. The "
-            "largest correction is {largest}.");
-    return pattern.with("before", before)
+    return valuePattern(before, isStated, drive)
+        .with("before", before)
         .with("after", symbolOf(drive))
         .with("largest", largestCorrection(converted));
 }
@@ -115,38 +118,42 @@ Result<std::optional<Text>> convertPositions(
 
 } // namespace
 
+UnstatedUnit unstatedUnit(std::string_view statedForValues)
+{
+    return statedForValues == unitOfDrive ? UnstatedUnit::OfDrive : UnstatedUnit::OfPositions;
+}
+
 void takeStatedUnits(
     CompensationTable& table, const std::string& values, const std::string& positions)
 {
-    if (!values.empty())
-        table.unit = values;
-    if (positions.empty())
-        return;
+    const auto take = [](std::string& unit, const std::string& stated) {
+        if (!stated.empty())
+            unit = stated == unitOfDrive ? std::string() : stated;
+    };
+    take(table.unit, values);
     for (GridAxis& axis : table.grid.axes)
-        axis.unit = positions == unitOfDrive ? std::string() : positions;
+        take(axis.unit, positions);
 }
 
 const std::string& correctedUnit(const CompensationTable& table)
 {
-    std::vector<std::string> names;
-    for (const GridAxis& axis : table.grid.axes)
-        names.push_back(axis.name);
-    const auto target = targetAxis(table.target, names);
+    const auto target = targetOf(table);
     return table.grid.axes[target && target->source ? *target->source : 0].unit;
 }
 
-Result<TableInUnits> inDriveUnits(const CompensationTable& table, const TableUnits& units)
+Result<TableInUnits> inDriveUnits(
+    const CompensationTable& table, const TableUnits& units, UnstatedUnit unstated)
 {
     TableInUnits result{table, {}};
     CompensationTable& converted = result.table;
-    const std::string before = unitOfValues(table, units.values);
+    const std::string before = unitOfValues(table, units.values, unstated);
     AXISCOMP_TRY(
         const double factor, driveFactor(before, units.values, AXISCOMP_TEXT("Error", "values")));
     if (factor != 1.0) {
         for (float& value : converted.values)
             value = static_cast<float>(static_cast<double>(value) * factor);
     }
-    const bool isStated = !table.unit.empty() && table.unit != unitOfDrive;
+    const bool isStated = !table.unit.empty();
     if (factor != 1.0 || !isStated)
         converted.unit = unitSymbol(units.values);
     if (auto remark = valueRemark(before, isStated, units.values, converted))

@@ -24,23 +24,30 @@ struct TableInUnits {
     std::vector<Text> remarks;
 };
 
-/// In place of the unit of values: they are in that of the drive, whatever the positions are in.
-inline constexpr std::string_view unitOfDrive = "drive";
+/// What values without a unit are in.
+enum class UnstatedUnit {
+    OfPositions, ///< of those that they correct (AN140 3.1)
+    OfDrive, ///< as a person says, whatever the positions are in
+};
 
-/// What a person states in place of the units of a file, each of which may be empty or unitOfDrive.
+/// What a person states in place of the unit of values or positions: they are in the drive's own.
+inline constexpr std::string_view unitOfDrive = "drive";
+/// Takes what a person states in place of the units of a file; empty: as the file says.
 void takeStatedUnits(
     CompensationTable& table, const std::string& values, const std::string& positions);
+/// What the values are in after that, where they have no unit.
+[[nodiscard]] UnstatedUnit unstatedUnit(std::string_view statedForValues);
 
 /// Of the positions that the values correct: of the own axis, or of the first source of a table
 /// that corrects another one. Empty: the table does not say.
 [[nodiscard]] const std::string& correctedUnit(const CompensationTable& table);
 
-/// The same table in the units of the drive. Values without a unit are in that of the positions
-/// (AN140 3.1), and numbers without any unit are taken to be in the drive's, which a remark says;
-/// positions of a source without a unit stay as they are. Values are exact to
-/// one unit in the last place of a float32. Errors: UnitMismatch for a length on an angle, and for
-/// units that are not known.
-[[nodiscard]] Result<TableInUnits> inDriveUnits(
-    const CompensationTable& table, const TableUnits& units);
+/// The same table in the units of the drive. Values without a unit are in that of the positions,
+/// where it can be, or of the drive; where nothing has a unit, numbers are taken to be in the
+/// drive's, which a remark says. Positions of a source without a unit stay as they are. Values are
+/// exact to one unit in the last place of a float32. Errors: UnitMismatch for a length on an angle,
+/// and for units that are not known.
+[[nodiscard]] Result<TableInUnits> inDriveUnits(const CompensationTable& table,
+    const TableUnits& units, UnstatedUnit unstated = UnstatedUnit::OfPositions);
 
 } // namespace axiscomp

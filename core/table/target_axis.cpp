@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/target_axis.h"
 
+#include "core/table/compensation_table.h"
 #include "core/text/number_parser.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -125,6 +126,14 @@ std::optional<TargetAxis> targetAxis(
     if (std::ranges::any_of(sources, &std::string::empty))
         return std::nullopt;
     return TargetAxis{};
+}
+
+std::optional<TargetAxis> targetOf(const CompensationTable& table)
+{
+    std::vector<std::string> sources;
+    for (const GridAxis& axis : table.grid.axes)
+        sources.push_back(axis.name);
+    return targetAxis(table.target, sources);
 }
 
 std::string_view axisInHeader(std::string_view header)

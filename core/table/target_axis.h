@@ -37,6 +37,10 @@ struct TargetAxis {
 [[nodiscard]] std::optional<TargetAxis> targetAxis(
     std::string_view statement, std::span<const std::string> sources);
 
+struct CompensationTable;
+/// What the values of a table correct, by the names of its sources.
+[[nodiscard]] std::optional<TargetAxis> targetOf(const CompensationTable& table);
+
 /// The axis that a header of positions names: "X" of "X", "X position", "Pos. X", "X-Achse", and
 /// "3" of "3". Empty: none, as in "Position" or "Dim 1".
 [[nodiscard]] std::string_view axisInHeader(std::string_view header);

@@ -3,7 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/drive/drive_profile.h"
-#include "core/metrology/fit/lookup_frame.h"
+#include "core/neutral/lookup_note.h"
 
 #include <optional>
 #include <string_view>

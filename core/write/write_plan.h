@@ -6,8 +6,9 @@
 #include "core/base/text.h"
 #include "core/drive/compensation_setup.h"
 #include "core/drive/flash_wear.h"
-#include "core/metrology/fit/lookup_frame.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/compensation_table.h"
+#include "core/table/table_units.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -31,6 +32,7 @@ struct WriteRequest {
     /// The side of the compensation for which the table was made; none: not known. A source on the
     /// other side is refused.
     std::optional<LookupAt> lookupAt = {};
+    UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
 };

@@ -226,7 +226,7 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
                 AXISCOMP_TRY(auto facts, positionFacts(axis));
                 return std::move(facts.unit);
             }));
-    AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units));
+    AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     m_write.plan.table = std::move(converted.table);
     m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);

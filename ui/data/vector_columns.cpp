@@ -11,10 +11,7 @@ VectorColumns vectorColumns(std::span<const CompensationTable> tables)
     VectorColumns columns;
     for (std::size_t n = 0; n < tables.size(); ++n) {
         const std::vector<GridAxis>& axes = tables[n].grid.axes;
-        std::vector<std::string> names;
-        for (const GridAxis& axis : axes)
-            names.push_back(axis.name);
-        const auto target = targetAxis(tables[n].target, names);
+        const auto target = targetOf(tables[n]);
         if (!target || !target->source || axes.size() < 2)
             continue;
         const std::string& unit = axes[*target->source].unit;

@@ -92,6 +92,7 @@ Result<void> takeTable(Environment& environment, const WriteOptions& options,
         conversion.targets = {target};
     AXISCOMP_TRY(auto table, driveTable(environment, input, pending.inputOptions, conversion));
     takeStatedUnits(table, options.valueUnit, options.positionUnit);
+    pending.request.unstatedUnit = unstatedUnit(options.valueUnit);
     pending.request.dimensionality = table.grid.dimensions();
     pending.request.table = std::move(table);
     if (input.data) {

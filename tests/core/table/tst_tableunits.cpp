@@ -150,16 +150,24 @@ private Q_SLOTS:
         const CompensationTable file = tableIn("um", "um");
         CompensationTable stated = file;
         takeStatedUnits(stated, "drive", "");
-        const auto asTheyStand = inDriveUnits(stated, {"Millimeter", {"Millimeter"}});
+        const TableUnits drive{"Millimeter", {"Millimeter"}};
+        const auto asTheyStand = inDriveUnits(stated, drive, unstatedUnit("drive"));
         VERIFY_RESULT(asTheyStand);
         QVERIFY(asTheyStand->table.values == file.values);
         QCOMPARE(QString::fromStdString(asTheyStand->table.unit), QStringLiteral("mm"));
         QCOMPARE(asTheyStand->table.grid.axes[0].start, -0.0125);
         takeStatedUnits(stated, "nm", "drive");
-        const auto nanometres = inDriveUnits(stated, {"Millimeter", {"Millimeter"}});
+        const auto nanometres = inDriveUnits(stated, drive, unstatedUnit("nm"));
         VERIFY_RESULT(nanometres);
         QVERIFY(isWithinOneUlp(nanometres->table.values[1], 1.25e-6));
         QCOMPARE(nanometres->table.grid.axes[0].start, -12.5);
+    }
+
+    /// Only a person says so: of a file it is the name of a unit that nobody knows.
+    void aFileCannotSayThatItIsInTheUnitOfTheDrive()
+    {
+        VERIFY_ERROR(inDriveUnits(tableIn("drive", "mm"), {"Millimeter", {"Millimeter"}}),
+            ErrorCode::UnitMismatch);
     }
 
     void anAssumptionIsSaidWithTheLargestCorrection()
