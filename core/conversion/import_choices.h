@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/conversion/conversion.h"
+#include "core/neutral/lookup_note.h"
 
 #include <optional>
 #include <vector>
@@ -32,6 +33,9 @@ struct ImportChoices {
     /// What the axis is among its sources (core/drive/axis_target.h): for a file that does not say
     /// it. Nothing that the user says.
     std::string axisTarget;
+    /// For which side of the compensation a table that is written was made; nothing: not known.
+    /// Nothing that the user says, either.
+    std::optional<LookupAt> lookupAt;
     std::optional<SignConvention> sign; ///< of the file; nothing: as its format says
     std::optional<DirectionChoice> direction;
     MissingPoints missing = MissingPoints::Refuse;

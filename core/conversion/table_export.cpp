@@ -9,7 +9,9 @@ namespace axiscomp {
 Result<TableExport> exportTable(const CompensationTable& table, const ImportChoices& choices,
     const std::string& fileName, const TableLayout& layout)
 {
-    const NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
+    NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
+    if (choices.lookupAt)
+        source.notes.push_back(lookupNote(*choices.lookupAt));
     ConversionRequest request;
     request.from = &calibration_csv::format();
     request.to = choices.format;

@@ -72,6 +72,20 @@ std::string fittingUnit(const std::string& unit, std::string_view length, std::s
     return std::string(isAngle ? angle : length);
 }
 
+/// Of the positions that a column corrects: of its own axis, or of the first source.
+const std::string& correctedUnit(const NeutralTable& table, const CompensationColumn& column)
+{
+    return table.axes[ownAxis(table, column).value_or(0)].unit;
+}
+
+/// Whether values can be in the unit of the positions that they correct. Those of another axis than
+/// a source may be angles over lengths, and the other way round.
+bool canBeInCorrectedUnit(const NeutralTable& table, const CompensationColumn& column)
+{
+    const std::string& unit = correctedUnit(table, column);
+    return ownAxis(table, column) || unitFactor(column.unit.empty() ? "mm" : column.unit, unit);
+}
+
 Argument unitWords(const std::string& unit)
 {
     if (unit.empty())
@@ -109,9 +123,8 @@ Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Te
 {
     NeutralTable known = table;
     for (CompensationColumn& column : known.columns) {
-        const auto own = ownAxis(known, column);
-        const std::string& unit = known.axes[own.value_or(0)].unit;
-        if (column.unit.empty() && !unit.empty()) {
+        const std::string& unit = correctedUnit(known, column);
+        if (column.unit.empty() && !unit.empty() && canBeInCorrectedUnit(known, column)) {
             column.unit = unit;
             remarkOnce(remarks,
                 AXISCOMP_TEXT("Error",
@@ -119,7 +132,7 @@ Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Te
                     "positions are")
                     .with("column", columnText(known, column))
                     .with("unit", unit));
-        } else if (own && unit.empty() && !column.unit.empty()) {
+        } else if (unit.empty() && !column.unit.empty() && ownAxis(known, column)) {
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
                     AXISCOMP_TEXT("Error",
@@ -173,10 +186,10 @@ Result<NeutralTable> inSettingUnits(
         AXISCOMP_CHECK(convertAxis(axis, positionUnit));
     }
     for (CompensationColumn& column : converted.columns) {
-        const auto own = ownAxis(converted, column);
-        const std::string& corrected = converted.axes[own.value_or(0)].unit;
-        const bool canBe = own || column.unit.empty() || unitFactor(column.unit, corrected);
-        const std::string wanted = !valueUnit.empty() ? valueUnit : canBe ? corrected : column.unit;
+        const bool canBe = canBeInCorrectedUnit(converted, column);
+        const std::string wanted = !valueUnit.empty() ? valueUnit
+            : canBe                                   ? correctedUnit(converted, column)
+                                                      : column.unit;
         if (wanted.empty())
             continue;
         if (column.unit.empty())
@@ -198,7 +211,7 @@ Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text
 {
     NeutralTable converted = table;
     for (CompensationColumn& column : converted.columns) {
-        const std::string unit = converted.axes[ownAxis(converted, column).value_or(0)].unit;
+        const std::string& unit = correctedUnit(converted, column);
         if (unit.empty() || column.unit.empty()) {
             remarkOnce(remarks,
                 AXISCOMP_TEXT("Error",

@@ -14,8 +14,9 @@ void remarkOnce(std::vector<Text>& remarks, Text remark);
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
 
 /// Before numbers are converted: values without a unit get that of the positions that they correct,
-/// which is added to remarks. Errors: InvalidArgument for values with a unit that correct positions
-/// without one, since the controller adds one to the other.
+/// which is added to remarks; those of another axis over angles stay without. Errors:
+/// InvalidArgument for values with a unit that correct positions without one, since the controller
+/// adds one to the other.
 [[nodiscard]] Result<NeutralTable> withUnitsOfValues(
     const NeutralTable& table, std::vector<Text>& remarks);
 

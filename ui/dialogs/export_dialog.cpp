@@ -62,6 +62,7 @@ ImportChoices ExportDialog::choices()
 {
     ImportChoices choices = form().choices();
     choices.axisTarget = m_options.axisTarget;
+    choices.lookupAt = m_options.lookupAt;
     return choices;
 }
 

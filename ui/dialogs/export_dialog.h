@@ -19,6 +19,7 @@ public:
         QString tableName;
         TableLayout layout;
         std::string axisTarget; ///< see ImportChoices
+        std::optional<LookupAt> lookupAt{}; ///< likewise
         bool isFitted = false; ///< it was made of a measurement: more likely for the drive
     };
     explicit ExportDialog(Options options, QWidget* parent = nullptr);

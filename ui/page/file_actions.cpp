@@ -140,7 +140,7 @@ void FileActions::saveFitted(const std::shared_ptr<const FitOutcome>& outcome, s
 {
     const auto& chosen = outcome->tables[table].table;
     ExportDialog::Options options{chosen, QString::fromStdString(chosen->name), m_profile.layout,
-        m_controller.axisTarget(), true};
+        m_controller.axisTarget(), outcome->report->lookupAt, true};
     auto* dialog = new ExportDialog(std::move(options), &m_window);
     connect(dialog, &ExportDialog::chosen, this,
         [this, outcome, table](const auto&, const ImportChoices& choices) {
@@ -245,8 +245,10 @@ void FileActions::exportTable()
     const auto table = m_controller.selectedTable();
     if (!table)
         return;
+    const bool isOfFile = m_controller.setup().edited().table.fileTable.has_value();
     auto* dialog = new ExportDialog(
-        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.axisTarget()},
+        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.axisTarget(),
+            isOfFile ? m_controller.dataFile().lookupAt : std::nullopt},
         &m_window);
     connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
     dialog->open();

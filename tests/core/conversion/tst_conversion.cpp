@@ -257,6 +257,22 @@ private Q_SLOTS:
         QCOMPARE(feedback->bytes, std::string("1 2\n0 0.5\n10 0.25\n"));
     }
 
+    void aTableThatIsExportedSaysForWhichSideItWasMade()
+    {
+        CompensationTable table;
+        table.name = "X";
+        table.unit = "mm";
+        table.grid.axes = {{.name = "X", .unit = "mm", .start = 0, .distance = 10, .size = 2}};
+        table.values = {0.5F, 0.25F};
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.target = "#1";
+        choices.lookupAt = LookupAt::Encoder;
+        VERIFY_RESULT(exportTable(table, choices, "x.txt", layout()));
+        choices.lookupAt = LookupAt::Set;
+        VERIFY_ERROR(exportTable(table, choices, "x.txt", layout()), ErrorCode::InvalidArgument);
+    }
+
     void moreThanAFormatHoldsIsRefused()
     {
         NeutralTable table = test::tableOf(SignConvention::Feedback,
@@ -497,6 +513,20 @@ private Q_SLOTS:
             convertTables(std::span(&table, 1), requestFor(calibration_csv::format(), format));
         VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
         QVERIFY(test::mentions(sentence(refused.error()), "position-unit"));
+    }
+
+    /// Over a rotary axis they may be lengths as well as angles.
+    void valuesOfAnotherAxisOverAnglesKeepTheirUnknownUnit()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        nameAxes(table, siemens_cec::format());
+        table.axes[0].unit = "rad";
+        table.columns[0].target = "Z";
+        table.columns[0].unit.clear();
+        const auto conversion = convertTables(
+            std::span(&table, 1), requestFor(calibration_csv::format(), softmc::format()));
+        VERIFY_RESULT(conversion);
+        QCOMPARE(conversion->tables.front().result.columns[0].unit, std::string());
     }
 
     void theValuesOfAnotherAxisGetTheUnitOfTheFirstSource_data()

@@ -248,6 +248,21 @@ private Q_SLOTS:
         QVERIFY(std::abs(table.columns[0].values[1] + 0.001) < 1e-5);
     }
 
+    /// As `axiscomp convert` refuses it.
+    void aTableForTheSetPositionIsNotExported()
+    {
+        PageFixture bench;
+        bench.picked = bench.file(QStringLiteral("set.csv"),
+            "// lookup: set\n// target: X\nX [mm],first [mm]\n0,0\n10,0.001\n20,0.003\n");
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.click("openButton"));
+        QTRY_VERIFY(bench.controller().selectedTable());
+        QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
+        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("at the set position")),
+            qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+    }
+
     void anExportThatCannotBeWrittenSaysWhy()
     {
         PageFixture bench;
