@@ -295,10 +295,9 @@ Result<void> checkLookup(const NeutralTable& table, const ConversionRequest& req
     return fail(ErrorCode::InvalidArgument,
         {{"reason",
             AXISCOMP_TEXT("Error",
-                "the table was made for a drive that looks it up at the set position (lookup: "
-                "set), "
-                "and controllers of the format {format} do not: fit it for the position of the "
-                "encoder, the conversion does the rest")
+                "the table was made for a drive that looks it up at the set position "
+                "(lookup: set), and controllers of the format {format} do not: fit it for the "
+                "position of the encoder, the conversion does the rest")
                 .with("format", request.to->facts.name)}});
 }
 

@@ -46,12 +46,9 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
                     AXISCOMP_TEXT("Error",
-                        "the file says \"{note}\", where one comment, lookup: encoder or lookup: "
-                        "set, says "
-                        "for which side of the compensation the table was made: correct that line, "
-                        "or "
-                        "leave "
-                        "it out")
+                        "the file says \"{note}\", where one comment, lookup: encoder or "
+                        "lookup: set, says for which side of the compensation the table was "
+                        "made: correct that line, or leave it out")
                         .with("note", shownText(text, 60))}});
         said = side;
     }

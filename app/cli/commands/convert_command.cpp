@@ -12,7 +12,6 @@
 #include "core/table/large_correction.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
-#include "core/table/target_axis.h"
 
 #include <filesystem>
 

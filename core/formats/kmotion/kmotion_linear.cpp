@@ -156,16 +156,15 @@ bool checkPositions(const Header& header, const Positions& positions, Diagnostic
                     "file"));
             return false;
         }
-    // Positions to command are near those that are reached: a correction is never as large as a
-    // range.
+    // Positions to command are near those that are reached; corrections are near 0.
+    const std::vector<double> reached = evenKnots(header.start, header.size, header.count);
     for (std::size_t i = 0; i < header.count; ++i) {
-        const double reached = header.start + static_cast<double>(i) * header.size;
-        if (std::abs(positions.values[i] - reached) <= header.size / 2)
+        if (std::abs(positions.values[i] - reached[i]) <= header.size / 2)
             continue;
         diagnostics.error(DiagnosticCode::Contradiction, positions.lines[i], 0,
             AXISCOMP_TEXT("Error", "{number} to command, to reach {number2}")
                 .with("number", Quantity{toText(positions.values[i])})
-                .with("number2", Quantity{toText(reached)}),
+                .with("number2", Quantity{toText(reached[i])}),
             AXISCOMP_TEXT(
                 "Error", "at most half a range away; a list of corrections is no such file"));
         return false;

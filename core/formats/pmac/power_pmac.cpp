@@ -86,9 +86,8 @@ bool startsWith(std::string_view text, std::string_view begin)
     return text.size() >= begin.size() && sameLetters(text.substr(0, begin.size()), begin);
 }
 
-/// The statements of a text, line by line, without comments: // to the end of a line, and from /*
-/// to
-/// */, which may be lines below.
+/// The statements of a text, line by line, without comments: those of // end with their line, those
+/// in /* */ where they say it, perhaps on a line below.
 class Statements {
 public:
     explicit Statements(std::string_view text) : m_lines(text) { }

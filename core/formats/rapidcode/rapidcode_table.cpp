@@ -4,7 +4,6 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/units.h"
 #include "core/table/even_spacing.h"
-#include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
 

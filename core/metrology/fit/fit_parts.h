@@ -15,6 +15,11 @@ struct FitInput {
     LookupAt lookupAt;
     std::stop_token stop;
 
+    /// The axis that the table is made for; empty: nobody says it.
+    [[nodiscard]] const std::string& axis() const
+    {
+        return state.axis.empty() ? measurement.header.axis : state.axis;
+    }
     /// On a modulo axis positions repeat.
     [[nodiscard]] Outside outside() const { return settings.turn ? Outside::Wrap : Outside::Hold; }
 };

@@ -71,11 +71,8 @@ Result<MeasuredState> agreedState(const StateRequest& request)
 /// What a table corrects, by the name of the axis.
 std::string targetName(const CompensationTable& table)
 {
-    std::vector<std::string> sources;
-    for (const GridAxis& axis : table.grid.axes)
-        sources.push_back(axis.name);
-    const auto meant = targetAxis(table.target, sources);
-    return meant && meant->source ? sources[*meant->source] : table.target;
+    const auto meant = targetOf(table);
+    return meant && meant->source ? table.grid.axes[*meant->source].name : table.target;
 }
 
 std::vector<std::string> namedTargets(const std::vector<std::string>& targets)

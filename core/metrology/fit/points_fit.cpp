@@ -622,9 +622,7 @@ Result<FitReport> fitScattered(const FitInput& input)
         const KnownTables& known = *input.state.active;
         std::size_t ofTrack = 0;
         if (isTrack) {
-            AXISCOMP_TRY(ofTrack,
-                tableOfAxis(known,
-                    input.state.axis.empty() ? input.measurement.header.axis : input.state.axis));
+            AXISCOMP_TRY(ofTrack, tableOfAxis(known, input.axis()));
         }
         report.merge = mergeOnto(input,
             isTrack ? known.tables[ofTrack]

@@ -83,12 +83,6 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
 
 namespace {
 
-/// The axis that the table is made for.
-const std::string& fittedAxis(const FitInput& input)
-{
-    return input.state.axis.empty() ? input.measurement.header.axis : input.state.axis;
-}
-
 /// Of those that were active the one whose CRC is on record, else the one for the axis itself;
 /// null: nothing was. Errors: those of tableOfAxis.
 Result<const CompensationTable*> findActiveTable(const FitInput& input)
@@ -99,7 +93,7 @@ Result<const CompensationTable*> findActiveTable(const FitInput& input)
     if (input.state.tableCrc)
         if (const CompensationTable* const table = known.withCrc(*input.state.tableCrc))
             return table;
-    AXISCOMP_TRY(const std::size_t own, tableOfAxis(known, fittedAxis(input)));
+    AXISCOMP_TRY(const std::size_t own, tableOfAxis(known, input.axis()));
     return &known.tables[own];
 }
 
@@ -164,7 +158,7 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over position and temperature is for a drive, which has one value for both "
             "directions (--direction mean)"));
-    const std::string& axis = fittedAxis(input);
+    const std::string& axis = input.axis();
     AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
     if (active && areDifferentAxes(active->target, axis))
         return badFit(AXISCOMP_TEXT("Error",

@@ -215,21 +215,29 @@ double slopeOf(SlopeRemoval removal, const std::vector<FitKnot>& knots)
     return product / square;
 }
 
+/// Where the zero of a table is: on average of these places; none: it has no zero.
+std::vector<double> zeroPlaces(const TableFitRequest& request, const std::vector<FitKnot>& knots)
+{
+    if (request.zero == ZeroRule::First)
+        return {knots.front().position};
+    if (request.zero == ZeroRule::Position)
+        return {request.zeroPosition};
+    std::vector<double> places;
+    if (request.zero == ZeroRule::Mean)
+        for (const FitKnot& knot : knots)
+            places.push_back(knot.position);
+    return places;
+}
+
 RemovedLine removedLine(const TableFitRequest& request, const TableFit& fit)
 {
     if (request.removed)
         return *request.removed;
     RemovedLine line{slopeOf(request.slope, fit.knots), 0.0};
-    const auto flat = [&](double position) {
-        return fit.curve.at(position) - line.slope * position;
-    };
-    if (request.zero == ZeroRule::First)
-        line.constant = flat(fit.knots.front().position);
-    else if (request.zero == ZeroRule::Position)
-        line.constant = flat(request.zeroPosition);
-    else if (request.zero == ZeroRule::Mean)
-        for (const FitKnot& knot : fit.knots)
-            line.constant += flat(knot.position) / static_cast<double>(fit.knots.size());
+    const std::vector<double> places = zeroPlaces(request, fit.knots);
+    for (const double place : places)
+        line.constant +=
+            (fit.curve.at(place) - line.slope * place) / static_cast<double>(places.size());
     return line;
 }
 
@@ -312,25 +320,18 @@ Result<std::vector<FitKnot>> wholeErrors(
     return errors;
 }
 
-double zeroPlace(const TableFitRequest& request, const std::vector<FitKnot>& knots)
-{
-    if (request.zero == ZeroRule::First)
-        return knots.front().position;
-    if (request.zero == ZeroRule::Position)
-        return request.zeroPosition;
-    double place = 0.0;
-    if (request.zero == ZeroRule::Mean)
-        for (const FitKnot& knot : knots)
-            place += knot.position / static_cast<double>(knots.size());
-    return place;
-}
-
 /// What stays in the machine since its slope was taken out of the table; none at the zero.
 double leftBySlope(
     const TableFitRequest& request, const std::vector<FitKnot>& knots, double position)
 {
     const double slope = request.removed ? request.removed->slope : slopeOf(request.slope, knots);
-    return slope == 0.0 ? 0.0 : slope * (position - zeroPlace(request, knots));
+    if (slope == 0.0)
+        return 0.0;
+    double zero = 0.0;
+    const std::vector<double> places = zeroPlaces(request, knots);
+    for (const double place : places)
+        zero += place / static_cast<double>(places.size());
+    return slope * (position - zero);
 }
 
 /// What the table of some of the knots leaves at one. error: the whole of it there.

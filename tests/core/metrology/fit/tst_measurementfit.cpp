@@ -77,6 +77,26 @@ KnownTables toothed()
     return old;
 }
 
+/// 5 by 4 points of an artefact that lies turned and shifted.
+Measurement shiftedPlane()
+{
+    Measurement plane;
+    plane.kind = MeasurementKind::Points;
+    MeasuredPoints& points = plane.points;
+    points.axes = {"X", "Y"};
+    points.columns = {"dX", "dY"};
+    points.positions.resize(2);
+    points.values.resize(2);
+    for (int x = 0; x <= 4; ++x)
+        for (int y = 0; y <= 3; ++y) {
+            points.positions[0].push_back(25.0 * x);
+            points.positions[1].push_back(20.0 * y);
+            points.values[0].push_back(0.01 - 1e-4 * 20.0 * y);
+            points.values[1].push_back(-0.02 + 1e-4 * 25.0 * x);
+        }
+    return plane;
+}
+
 } // namespace
 
 class TestMeasurementFit : public QObject {
@@ -721,20 +741,7 @@ private Q_SLOTS:
     /// Of an artefact that lies turned and shifted nothing is left.
     void howAnArtefactLayIsTakenOut()
     {
-        Measurement plane;
-        plane.kind = MeasurementKind::Points;
-        MeasuredPoints& points = plane.points;
-        points.axes = {"X", "Y"};
-        points.columns = {"dX", "dY"};
-        points.positions.resize(2);
-        points.values.resize(2);
-        for (int x = 0; x <= 4; ++x)
-            for (int y = 0; y <= 3; ++y) {
-                points.positions[0].push_back(25.0 * x);
-                points.positions[1].push_back(20.0 * y);
-                points.values[0].push_back(0.01 - 1e-4 * 20.0 * y);
-                points.values[1].push_back(-0.02 + 1e-4 * 25.0 * x);
-            }
+        const Measurement plane = shiftedPlane();
         FitSettings settings;
         settings.lookupAt = LookupAt::Encoder;
         settings.remove = BodyRemoval::Rigid;
@@ -758,20 +765,10 @@ private Q_SLOTS:
     void theReferenceIsQuotedAsItWasRead()
     {
         const double p[] = {3.0, -1.0, -1.0, -1.0, 0.0};
-        Measurement plane;
-        plane.kind = MeasurementKind::Points;
-        MeasuredPoints& points = plane.points;
-        points.axes = {"X", "Y"};
-        points.columns = {"dX", "dY"};
-        points.positions.resize(2);
-        points.values.resize(2);
-        for (int x = 0; x <= 4; ++x)
-            for (int y = 0; y <= 3; ++y) {
-                points.positions[0].push_back(25.0 * x);
-                points.positions[1].push_back(20.0 * y);
-                points.values[0].push_back(0.01 - 1e-4 * 20.0 * y + 0.001 * p[x] * (y + 1.0));
-                points.values[1].push_back(-0.02 + 1e-4 * 25.0 * x);
-            }
+        Measurement plane = shiftedPlane();
+        for (std::size_t x = 0; x <= 4; ++x)
+            for (std::size_t y = 0; y <= 3; ++y)
+                plane.points.values[0][4 * x + y] += 0.001 * p[x] * (static_cast<double>(y) + 1.0);
         FitSettings settings;
         settings.lookupAt = LookupAt::Encoder;
         settings.remove = BodyRemoval::Rigid;
@@ -789,7 +786,7 @@ private Q_SLOTS:
         KnownTables old{Verbatim{"old.csv"}, {{}, {}}, {1, 2}};
         for (std::size_t axis = 0; axis < 2; ++axis) {
             CompensationTable& table = old.tables[axis];
-            table.target = points.axes[axis];
+            table.target = plane.points.axes[axis];
             table.grid.axes = {{"X", "mm", 0.0, 25.0, 5}, {"Y", "mm", 0.0, 20.0, 4}};
             table.values.assign(20, 0.0F);
         }
