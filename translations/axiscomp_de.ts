@@ -7870,10 +7870,6 @@
         <translation>nach dem Laden die Versorgung aus- und einschalten und den Referenzpunkt anfahren; der Alarm PW1102 sagt, dass die Nummern nicht passen</translation>
     </message>
     <message>
-        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
-        <translation>die Tabelle wurde für einen Antrieb erstellt, der sie an der Sollposition abliest (lookup: set), was Steuerungen des Formats {format} nicht tun: für die Position des Encoders ausgleichen, den Rest erledigt die Umrechnung</translation>
-    </message>
-    <message>
         <source>parameter {number}, which is {value} for no axis</source>
         <translation>Parameter {number}, der für keine Achse {value} ist</translation>
     </message>
@@ -7976,6 +7972,30 @@
     <message>
         <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
         <translation>die Dateien sagen nicht alle gleich oder gar nicht, ob ihre Werte auf 20 °C korrigiert sind, sodass keine Korrektur für alle richtig wäre; in jeder angeben (// corrected: 20C oder // corrected: none), oder nur die nehmen, die übereinstimmen</translation>
+    </message>
+    <message>
+        <source>the drive is taken to look the table up before the compensation, at the position of the encoder; at the set position (lookup: set) its corrections would differ by up to {largest}</source>
+        <translation>angenommen ist, dass der Antrieb vor der Kompensation nachschlägt, an der Position des Gebers; an der Sollposition (lookup: set) wären die Korrekturen um bis zu {largest} anders</translation>
+    </message>
+    <message>
+        <source>where a table is looked up (--lookup-at) is said of a table of the drive, and neither {from} nor {to} is one</source>
+        <translation>wo der Antrieb nachschlägt (--lookup-at), wird von einer Tabelle des Antriebs gesagt, und weder {from} noch {to} ist eine</translation>
+    </message>
+    <message>
+        <source>the file does not say where the drive looks its table up: in a calibration file add the line // lookup: encoder or // lookup: set</source>
+        <translation>die Datei sagt nicht, wo der Antrieb in ihrer Tabelle nachschlägt: in einer Kalibrierdatei die Zeile // lookup: encoder oder // lookup: set ergänzen</translation>
+    </message>
+    <message>
+        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
+        <translation>die Datei sagt lookup: {file}, und --lookup-at sagt {stated}: das Falsche von beiden korrigieren</translation>
+    </message>
+    <message>
+        <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
+        <translation>die Tabelle ist für einen Antrieb, der nach der Kompensation nachschlägt, an der Sollposition (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
+        <translation>die Werte sind aus denen umgerechnet, die der Antrieb nach der Kompensation nachschlägt, an der Sollposition (lookup: set)</translation>
     </message>
 </context>
 <context>
@@ -9082,6 +9102,10 @@
     <message>
         <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
         <translation>Protokoll der Kompensation: die erste Messung mit ihren Ausschlüssen und Korrekturen, Vorhersage, Tabelle und Toleranzen</translation>
+    </message>
+    <message>
+        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>Wo der Antrieb in derjenigen der beiden Tabellen nachschlägt, die seine ist: encoder (vor der Kompensation) oder set (danach); sonst wie die Datei es sagt, oder encoder</translation>
     </message>
 </context>
 <context>

@@ -7870,10 +7870,6 @@
         <translation>après le chargement, couper et remettre l&apos;alimentation et revenir au point de référence&#xa0;; l&apos;alarme PW1102 indique que les numéros ne conviennent pas</translation>
     </message>
     <message>
-        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
-        <translation>la table a été faite pour un variateur qui la lit à la position de consigne (lookup: set), ce que ne font pas les commandes du format {format}&#xa0;: l&apos;ajuster pour la position du codeur, la conversion fait le reste</translation>
-    </message>
-    <message>
         <source>parameter {number}, which is {value} for no axis</source>
         <translation>le paramètre {number}, qui ne vaut {value} pour aucun axe</translation>
     </message>
@@ -7927,23 +7923,23 @@
     </message>
     <message>
         <source>{name} has several tables of axis {axis}; which of them was active has to be said by its CRC, in the file of the measurement (// compensation: crc:{crc})</source>
-        <translation>{name} a plusieurs tables de l&apos;axe {axis} ; le CRC de celle qui était active doit figurer dans le fichier de la mesure (// compensation: crc:{crc})</translation>
+        <translation>{name} a plusieurs tables de l&apos;axe {axis}&#xa0;; le CRC de celle qui était active doit figurer dans le fichier de la mesure (// compensation: crc:{crc})</translation>
     </message>
     <message>
         <source>{name} has several tables, none of which says its axis, so that it is not known which of them is meant: take a file with that table alone</source>
-        <translation>{name} a plusieurs tables dont aucune n&apos;indique son axe, si bien que l&apos;on ne sait pas laquelle est visée : prendre un fichier qui ne contient que cette table</translation>
+        <translation>{name} a plusieurs tables dont aucune n&apos;indique son axe, si bien que l&apos;on ne sait pas laquelle est visée&#xa0;: prendre un fichier qui ne contient que cette table</translation>
     </message>
     <message>
         <source>{name} has several tables, and which of them is meant is not known: state the axis as it is called there (--target, or // axis: in the file of the measurement; there are: {axes}), or take a file with that table alone</source>
-        <translation>{name} a plusieurs tables, et l&apos;on ne sait pas laquelle est visée : indiquer l&apos;axe sous le nom qu&apos;il y porte (--target, ou // axis: dans le fichier de la mesure ; il y a : {axes}), ou prendre un fichier qui ne contient que cette table</translation>
+        <translation>{name} a plusieurs tables, et l&apos;on ne sait pas laquelle est visée&#xa0;: indiquer l&apos;axe sous le nom qu&apos;il y porte (--target, ou // axis: dans le fichier de la mesure&#xa0;; il y a&#xa0;: {axes}), ou prendre un fichier qui ne contient que cette table</translation>
     </message>
     <message>
         <source>the targets go from {from} to {to}, which is more than a turn of {turn}: give the length of the whole turn (--turn), or leave out what lies in a second one (--exclude)</source>
-        <translation>les positions cibles vont de {from} à {to}, soit plus d&apos;un tour de {turn} : indiquer la longueur du tour entier (--turn), ou laisser de côté ce qui se trouve dans un second tour (--exclude)</translation>
+        <translation>les positions cibles vont de {from} à {to}, soit plus d&apos;un tour de {turn}&#xa0;: indiquer la longueur du tour entier (--turn), ou laisser de côté ce qui se trouve dans un second tour (--exclude)</translation>
     </message>
     <message>
         <source>positions with a decimal point and blanks between them; without a Target-count nobody can tell two positions from one with a decimal comma</source>
-        <translation>des positions avec un point décimal, séparées par des espaces ; sans Target-count, rien ne distingue deux positions d&apos;une seule avec une virgule décimale</translation>
+        <translation>des positions avec un point décimal, séparées par des espaces&#xa0;; sans Target-count, rien ne distingue deux positions d&apos;une seule avec une virgule décimale</translation>
     </message>
     <message>
         <source>{found} targets, but deviations of {used}</source>
@@ -7963,19 +7959,43 @@
     </message>
     <message>
         <source>the lines of each run in the order in which they were measured; sorted by target they all seem to rise</source>
-        <translation>les lignes de chaque passe dans l&apos;ordre où elles ont été mesurées ; triées par position cible, toutes semblent croître</translation>
+        <translation>les lignes de chaque passe dans l&apos;ordre où elles ont été mesurées&#xa0;; triées par position cible, toutes semblent croître</translation>
     </message>
     <message>
         <source>the file does not say whether its values are corrected to 20 deg C already; if they are not, that has to be stated (--not-corrected)</source>
-        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C ; si elles ne le sont pas, il faut l&apos;indiquer (--not-corrected)</translation>
+        <translation>le fichier n&apos;indique pas si ses valeurs sont déjà corrigées à 20 °C&#xa0;; si elles ne le sont pas, il faut l&apos;indiquer (--not-corrected)</translation>
     </message>
     <message>
         <source>file {second} holds the same measurement as file {first}, value by value: give it once</source>
-        <translation>le fichier {second} contient la même mesure que le fichier {first}, valeur par valeur : ne la donner qu&apos;une fois</translation>
+        <translation>le fichier {second} contient la même mesure que le fichier {first}, valeur par valeur&#xa0;: ne la donner qu&apos;une fois</translation>
     </message>
     <message>
         <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
-        <translation>les fichiers n&apos;indiquent pas tous, ou pas de la même façon, si leurs valeurs sont corrigées à 20 °C, si bien qu&apos;aucune correction ne conviendrait à tous ; l&apos;indiquer dans chacun (// corrected: 20C, ou // corrected: none), ou ne prendre que ceux qui concordent</translation>
+        <translation>les fichiers n&apos;indiquent pas tous, ou pas de la même façon, si leurs valeurs sont corrigées à 20 °C, si bien qu&apos;aucune correction ne conviendrait à tous&#xa0;; l&apos;indiquer dans chacun (// corrected: 20C, ou // corrected: none), ou ne prendre que ceux qui concordent</translation>
+    </message>
+    <message>
+        <source>the drive is taken to look the table up before the compensation, at the position of the encoder; at the set position (lookup: set) its corrections would differ by up to {largest}</source>
+        <translation>il est admis que le variateur consulte la table avant compensation, à la position du codeur ; à la position de consigne (lookup: set), ses corrections différeraient de {largest} au plus</translation>
+    </message>
+    <message>
+        <source>where a table is looked up (--lookup-at) is said of a table of the drive, and neither {from} nor {to} is one</source>
+        <translation>la position de consultation (--lookup-at) se dit d&apos;une table du variateur, et ni {from} ni {to} n&apos;en est une</translation>
+    </message>
+    <message>
+        <source>the file does not say where the drive looks its table up: in a calibration file add the line // lookup: encoder or // lookup: set</source>
+        <translation>le fichier ne dit pas où le variateur consulte sa table : dans un fichier d&apos;étalonnage, ajouter la ligne // lookup: encoder ou // lookup: set</translation>
+    </message>
+    <message>
+        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
+        <translation>le fichier dit lookup: {file}, et --lookup-at dit {stated} : corriger celui qui est faux</translation>
+    </message>
+    <message>
+        <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
+        <translation>la table est faite pour un variateur qui la consulte après compensation, à la position de consigne (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
+        <translation>les valeurs sont converties depuis celles que le variateur consulte après compensation, à la position de consigne (lookup: set)</translation>
     </message>
 </context>
 <context>
@@ -9073,15 +9093,19 @@
     </message>
     <message>
         <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
-        <translation>Mesure avant et mesure après ; avec une fiche, qui contient la première, la seconde suffit</translation>
+        <translation>Mesure avant et mesure après&#xa0;; avec une fiche, qui contient la première, la seconde suffit</translation>
     </message>
     <message>
         <source>Leave values of the second measurement out: down:1:1 (direction, target, run), run:up:3 or target:7, with commas between them</source>
-        <translation>Omettre des valeurs de la seconde mesure : down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
+        <translation>Omettre des valeurs de la seconde mesure&#xa0;: down:1:1 (sens, position cible, passe), run:up:3 ou target:7, séparées par des virgules</translation>
     </message>
     <message>
         <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
-        <translation>Fiche de la compensation : la première mesure avec ses exclusions et corrections, la prévision, la table et les tolérances</translation>
+        <translation>Fiche de la compensation&#xa0;: la première mesure avec ses exclusions et corrections, la prévision, la table et les tolérances</translation>
+    </message>
+    <message>
+        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>Où le variateur consulte celle des deux tables qui est la sienne : encoder (avant compensation) ou set (après) ; par défaut selon le fichier, sinon encoder</translation>
     </message>
 </context>
 <context>
@@ -9686,19 +9710,19 @@
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
-        <translation>de {from} à {to}, rien n&apos;a été mesuré, soit {gap} d&apos;un tour de {turn} : la table y est devinée, et aucune caractéristique n&apos;en tient compte ; mesurer le tour entier</translation>
+        <translation>de {from} à {to}, rien n&apos;a été mesuré, soit {gap} d&apos;un tour de {turn}&#xa0;: la table y est devinée, et aucune caractéristique n&apos;en tient compte&#xa0;; mesurer le tour entier</translation>
     </message>
     <message>
         <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
-        <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime : la table vaut pour un sens, et il reste jusqu&apos;à {reversal} dans l&apos;autre</translation>
+        <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime&#xa0;: la table vaut pour un sens, et il reste jusqu&apos;à {reversal} dans l&apos;autre</translation>
     </message>
     <message>
         <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <translation>à {position}, la référence était à {measured} du codeur dans {table} ; {removed} ont été retirés pour le zéro de la table, le variateur ajoutera donc {added}</translation>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {removed} ont été retirés pour le zéro de la table, le variateur ajoutera donc {added}</translation>
     </message>
     <message>
         <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>à {position}, la référence était à {measured} du codeur dans {table} ; {removed} ont été retirés pour le placement de l&apos;étalon et le zéro de la table, le variateur ajoutera donc {added}</translation>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {removed} ont été retirés pour le placement de l&apos;étalon et le zéro de la table, le variateur ajoutera donc {added}</translation>
     </message>
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>

@@ -7829,10 +7829,6 @@
         <translation>読み込み後、電源を入れ直して原点復帰を行ってください。アラーム PW1102 は番号が合わないことを示します</translation>
     </message>
     <message>
-        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
-        <translation>このテーブルは指令位置で参照するドライブ用 (lookup: set) ですが、形式 {format} のコントローラはそうしません。エンコーダの位置用に作成してください。残りは変換が行います</translation>
-    </message>
-    <message>
         <source>parameter {number}, which is {value} for no axis</source>
         <translation>パラメータ {number} (どの軸でも {value} ではない)</translation>
     </message>
@@ -7935,6 +7931,30 @@
     <message>
         <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
         <translation>値が 20 °C に補正済みかどうかの記載がファイルによって異なるか欠けているため、すべてに正しい補正がありません。各ファイルに記載するか (// corrected: 20C または // corrected: none)、記載が一致するファイルだけを使ってください</translation>
+    </message>
+    <message>
+        <source>the drive is taken to look the table up before the compensation, at the position of the encoder; at the set position (lookup: set) its corrections would differ by up to {largest}</source>
+        <translation>ドライブは補正前のエンコーダの位置でテーブルを参照するものとしています。指令位置で参照する場合 (lookup: set)、補正値は最大 {largest} 異なります</translation>
+    </message>
+    <message>
+        <source>where a table is looked up (--lookup-at) is said of a table of the drive, and neither {from} nor {to} is one</source>
+        <translation>テーブルを参照する位置 (--lookup-at) はドライブのテーブルについて指定するものですが、{from} も {to} もドライブのテーブルではありません</translation>
+    </message>
+    <message>
+        <source>the file does not say where the drive looks its table up: in a calibration file add the line // lookup: encoder or // lookup: set</source>
+        <translation>ドライブがテーブルを参照する位置がファイルに書かれていません。校正ファイルに // lookup: encoder または // lookup: set の行を追加してください</translation>
+    </message>
+    <message>
+        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
+        <translation>ファイルでは lookup: {file}、--lookup-at では {stated} となっています。誤っている方を修正してください</translation>
+    </message>
+    <message>
+        <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
+        <translation>このテーブルは、補正後の指令位置で参照するドライブ用です (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
+        <translation>値は、ドライブが補正後の指令位置で参照する値 (lookup: set) から変換したものです</translation>
     </message>
 </context>
 <context>
@@ -9041,6 +9061,10 @@
     <message>
         <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
         <translation>補正の記録 (除外と補正を含む最初の測定、予測、テーブル、許容値)</translation>
+    </message>
+    <message>
+        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>2 つのうちドライブのテーブルを参照する位置: encoder (補正前) または set (補正後)。指定がなければファイルの記載、なければ encoder</translation>
     </message>
 </context>
 <context>

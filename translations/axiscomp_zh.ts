@@ -7829,10 +7829,6 @@
         <translation>载入后断电再上电并返回参考点；报警 PW1102 表示编号不符</translation>
     </message>
     <message>
-        <source>the table was made for a drive that looks it up at the set position (lookup: set), and controllers of the format {format} do not: fit it for the position of the encoder, the conversion does the rest</source>
-        <translation>该表是为按指令位置查表的驱动器制作的 (lookup: set)，而格式 {format} 的控制器不是这样：请按编码器位置拟合，其余由转换完成</translation>
-    </message>
-    <message>
         <source>parameter {number}, which is {value} for no axis</source>
         <translation>参数 {number}，没有任何轴为 {value}</translation>
     </message>
@@ -7935,6 +7931,30 @@
     <message>
         <source>some of the files say otherwise than the others, or do not say, whether their values are corrected to 20 deg C, so that no correction would be right for all; say it in each of them (// corrected: 20C, or // corrected: none), or take those alone that agree</source>
         <translation>各文件对其值是否已修正到 20 °C 的说明不一致或缺失，因此没有对所有文件都正确的修正；请在每个文件中注明（// corrected: 20C 或 // corrected: none），或只采用说明一致的文件</translation>
+    </message>
+    <message>
+        <source>the drive is taken to look the table up before the compensation, at the position of the encoder; at the set position (lookup: set) its corrections would differ by up to {largest}</source>
+        <translation>假定驱动器在补偿前按编码器位置查表；若按给定位置查表 (lookup: set)，补偿值最多相差 {largest}</translation>
+    </message>
+    <message>
+        <source>where a table is looked up (--lookup-at) is said of a table of the drive, and neither {from} nor {to} is one</source>
+        <translation>查表位置 (--lookup-at) 只适用于驱动器的表，而 {from} 和 {to} 都不是</translation>
+    </message>
+    <message>
+        <source>the file does not say where the drive looks its table up: in a calibration file add the line // lookup: encoder or // lookup: set</source>
+        <translation>文件没有说明驱动器在哪里查它的表：请在标定文件中添加一行 // lookup: encoder 或 // lookup: set</translation>
+    </message>
+    <message>
+        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
+        <translation>文件中写的是 lookup: {file}，而 --lookup-at 给的是 {stated}：请改正其中错误的一个</translation>
+    </message>
+    <message>
+        <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
+        <translation>该表是为在补偿后按给定位置查表的驱动器制作的 (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
+        <translation>这些值由驱动器在补偿后按给定位置查表所用的值转换而来 (lookup: set)</translation>
     </message>
 </context>
 <context>
@@ -9041,6 +9061,10 @@
     <message>
         <source>Record of the compensation: the first measurement with its exclusions and corrections, prediction, table and tolerances</source>
         <translation>补偿档案：第一次测量及其排除和修正、预测、表和公差</translation>
+    </message>
+    <message>
+        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>驱动器在哪里查两个表中属于它的那一个：encoder（补偿前）或 set（补偿后）；默认按文件所述，否则为 encoder</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/controller_preview.h"
 
+#include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
@@ -35,12 +36,15 @@ std::vector<float> valuesAt(const Grid& grid, const ControllerLookup& applied)
 } // namespace
 
 Result<CompensationTable> tableAsAppliedBy(
-    const CompensationTable& table, const std::string& axisTarget, const FormatFacts& facts)
+    const CompensationTable& table, const AxisPlace& place, const FormatFacts& facts)
 {
     NeutralTable neutral = neutralTable(CalibrationData{table.grid, {table}, {}});
+    const bool isOfDrive = &facts == &calibration_csv::format().facts;
+    if (place.lookupAt == LookupAt::Set && !isOfDrive)
+        neutral = withTurnedSigns(std::move(neutral), SignConvention::Command);
     if (facts.sign != neutral.sign) {
         if (neutral.columns.front().target.empty())
-            neutral.columns.front().target = axisTarget;
+            neutral.columns.front().target = place.target;
         AXISCOMP_TRY(auto converted,
             convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour));
         neutral = std::move(converted.table);

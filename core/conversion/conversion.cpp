@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
 
+#include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
-#include "core/neutral/lookup_note.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 
@@ -82,9 +82,9 @@ public:
 
     /// Everything up to the writing; the conversion keeps what the user wants to know of it.
     [[nodiscard]] Result<NeutralTable> prepare(NeutralTable table, TableConversion& conversion);
-    /// Compares; held: what the file says.
-    [[nodiscard]] Result<void> finish(
-        const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const;
+    /// Compares; asked: what was to be converted, held: what the file says.
+    [[nodiscard]] Result<void> finish(const NeutralTable& asked, const NeutralTable& prepared,
+        NeutralTable held, TableConversion& conversion) const;
 
 private:
     [[nodiscard]] Result<NeutralTable> merged(
@@ -92,7 +92,7 @@ private:
     [[nodiscard]] Result<NeutralTable> resampled(
         NeutralTable table, TableConversion& conversion) const;
     [[nodiscard]] Result<NeutralTable> signConverted(
-        NeutralTable table, TableConversion& conversion) const;
+        NeutralTable table, SetSides sides, TableConversion& conversion) const;
     void remarkOnEnds(const TableConversion& conversion) const;
 
     /// A grid that was asked for is kept, and so is an even one where that is all the target takes.
@@ -149,22 +149,29 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
     return std::move(resampled.table);
 }
 
-Result<NeutralTable> Converter::signConverted(NeutralTable table, TableConversion& conversion) const
+Result<NeutralTable> Converter::signConverted(
+    NeutralTable table, SetSides sides, TableConversion& conversion) const
 {
-    if (table.sign == targetSign()) {
+    const SignConvention to = sides.target ? SignConvention::Command : targetSign();
+    NeutralTable result = table;
+    if (table.sign == to) {
         conversion.example = examplePoint(table);
-        return table;
+    } else {
+        const ConvertedKnots knots = knotsFor(table);
+        AXISCOMP_TRY(
+            auto converted, convertSign(table, to, m_request.from->facts.behaviour, knots));
+        if (converted.usesHeldEnds)
+            remarkOnce(m_remarks,
+                AXISCOMP_TEXT("Error",
+                    "at the ends of the table the sign was converted with the end values held, "
+                    "where the controller of the source applies nothing"));
+        result = std::move(converted.table);
+        // What the drive looks up at the set position is of neither of the two conventions.
+        conversion.example = sides.target ? examplePoint(table)
+            : sides.source                ? examplePoint(result)
+                                          : std::move(converted.example);
     }
-    const ConvertedKnots knots = knotsFor(table);
-    AXISCOMP_TRY(
-        auto converted, convertSign(table, targetSign(), m_request.from->facts.behaviour, knots));
-    conversion.example = std::move(converted.example);
-    if (converted.usesHeldEnds)
-        remarkOnce(m_remarks,
-            AXISCOMP_TEXT("Error",
-                "at the ends of the table the sign was converted with the end values held, where "
-                "the controller of the source applies nothing"));
-    return std::move(converted.table);
+    return sides.target ? withTurnedSigns(std::move(result), targetSign()) : result;
 }
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
@@ -177,6 +184,12 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         AXISCOMP_TRY(table, withUnitsOfValues(table, m_remarks));
     }
     AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
+    AXISCOMP_TRY(const auto sides, setSides(table, m_request));
+    if (const auto remark = lookupRemark(table, sides, m_request))
+        remarkOnce(m_remarks, *remark);
+    if (sides.source)
+        table = withTurnedSigns(std::move(table), SignConvention::Command);
+    conversion.lookupAt = lookupOfResult(table, m_request);
     conversion.source = table;
     if (m_request.dropsWrap)
         for (SourceAxis& axis : table.axes)
@@ -185,13 +198,15 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     if (result)
         result = resampled(*std::move(result), conversion);
     if (result)
-        result = signConverted(*std::move(result), conversion);
+        result = signConverted(*std::move(result), sides, conversion);
     // The drive's table has no units: its values are in the unit of its axis.
     const bool holdsNoUnits = m_request.to == &tam_table::format();
     if (result && isTriamec(*m_request.to) && (holdsNoUnits || !isTriamec(*m_request.from)))
         result = inPositionUnits(*result, m_remarks);
     if (result)
         result->sign = m_request.to->facts.sign;
+    if (result && conversion.lookupAt)
+        result->notes = withLookupNote(std::move(result->notes), *conversion.lookupAt);
     return result;
 }
 
@@ -227,18 +242,21 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
     }
 }
 
-Result<void> Converter::finish(
-    const NeutralTable& prepared, NeutralTable held, TableConversion& conversion) const
+Result<void> Converter::finish(const NeutralTable& asked, const NeutralTable& prepared,
+    NeutralTable held, TableConversion& conversion) const
 {
+    AXISCOMP_TRY(const auto sides, setSides(asked, m_request));
     held.sign = targetSign();
     AXISCOMP_CHECK(checkSameTargets(prepared, held));
     NeutralTable source = conversion.source;
     if (m_request.direction)
         if (auto merge = mergeDirections(source, *m_request.direction))
             source = std::move(merge->table);
+    const NeutralTable applied =
+        sides.target ? withTurnedSigns(held, SignConvention::Command) : held;
     AXISCOMP_TRY(auto difference,
         conversionDifference(
-            source, m_request.from->facts.behaviour, held, m_request.to->facts.behaviour));
+            source, m_request.from->facts.behaviour, applied, m_request.to->facts.behaviour));
     conversion.difference = std::move(difference);
     remarkOnEnds(conversion);
     noteRounding(prepared, held, conversion);
@@ -283,24 +301,6 @@ Result<void> checkSigns(const ConversionRequest& request)
     return checkSignStated(request.to->facts, request.targetSign.has_value(), "--to-sign", {});
 }
 
-/// The positions of a table that is looked up at the set position are other places than those of
-/// the encoder, from which the sign is converted.
-Result<void> checkLookup(const NeutralTable& table, const ConversionRequest& request)
-{
-    if (isTriamec(*request.to))
-        return {};
-    AXISCOMP_TRY(const auto lookupAt, lookupInNotes(table.notes));
-    if (lookupAt != LookupAt::Set)
-        return {};
-    return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            AXISCOMP_TEXT("Error",
-                "the table was made for a drive that looks it up at the set position "
-                "(lookup: set), and controllers of the format {format} do not: fit it for the "
-                "position of the encoder, the conversion does the rest")
-                .with("format", request.to->facts.name)}});
-}
-
 } // namespace
 
 Result<Conversion> convertTables(
@@ -317,7 +317,6 @@ Result<Conversion> convertTables(
     Converter converter(request, conversion.remarks);
     std::vector<NeutralTable> prepared;
     for (const NeutralTable& table : tables) {
-        AXISCOMP_CHECK(checkLookup(table, request));
         conversion.tables.emplace_back();
         AXISCOMP_TRY(auto result, converter.prepare(table, conversion.tables.back()));
         prepared.push_back(std::move(result));
@@ -327,8 +326,8 @@ Result<Conversion> convertTables(
     conversion.written = std::move(written);
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
-        AXISCOMP_CHECK(
-            converter.finish(prepared[n], conversion.written.held[n], conversion.tables[n]));
+        AXISCOMP_CHECK(converter.finish(
+            tables[n], prepared[n], conversion.written.held[n], conversion.tables[n]));
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;

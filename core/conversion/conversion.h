@@ -6,6 +6,7 @@
 #include "core/conversion/resampling.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/table_format.h"
+#include "core/neutral/lookup_note.h"
 
 #include <optional>
 #include <variant>
@@ -34,6 +35,9 @@ struct ConversionRequest {
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
     bool dropsWrap = false; ///< a modulo axis becomes a linear one
     std::variant<std::monostate, ResamplingRequest, WantedDeviation> resampling;
+    /// Where the drive looks its table up, the one that is read or the one that is written.
+    /// Nothing: as the notes of a table of the drive say, and else at the encoder's position.
+    std::optional<LookupAt> lookupAt;
     /// Of the axis, in positions per second, for the steps of its velocity that are told.
     std::optional<double> speed;
     TableWriteOptions writing;
@@ -49,6 +53,9 @@ struct TableConversion {
     double valueRounding = 0.0; ///< the largest, by the steps of the target's numbers
     double positionRounding = 0.0;
     Text example; ///< one point in words, both conventions
+    /// Where the drive has to look up the table that it gets; nothing: no table of the drive is
+    /// written, or it does not matter, as for cross compensations, or nobody has said it.
+    std::optional<LookupAt> lookupAt;
 };
 
 struct Conversion {
@@ -59,9 +66,12 @@ struct Conversion {
 
 /// In this order: take values without a unit in that of their positions, adjust the values, merge
 /// directions, resample, convert the sign, check that the target can hold it, write, and compare
-/// what the file says with the source under both controllers' rules. Errors: of each of these
-/// steps; SignNotStated before any of them where the sign of one of two formats is assumed and the
-/// request does not state it.
+/// what the file says with the source under both controllers' rules. A table of the drive that is
+/// looked up at the set position x holds -c(x): there the drive moves the encoder to x + c(x), as a
+/// controller with command values does (docs/formats.md). Errors: of each of these steps;
+/// InvalidArgument for a lookupAt that the table contradicts, and between two tables of the drive
+/// where the first one does not say its own; SignNotStated before any of them where the sign of one
+/// of two formats is assumed and the request does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

@@ -36,9 +36,9 @@ std::vector<std::string> ImportChoices::targetsFor(const NeutralTable& table) co
 {
     if (!target.empty())
         return {target};
-    if (axisTarget.empty() || checkTargets(table))
+    if (place.target.empty() || checkTargets(table))
         return {};
-    return {axisTarget};
+    return {place.target};
 }
 
 bool ImportChoices::isConversion() const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/conversion/axis_place.h"
 #include "core/conversion/conversion.h"
-#include "core/neutral/lookup_note.h"
 
 #include <optional>
 #include <vector>
@@ -30,12 +30,9 @@ struct ImportChoices {
     const TableFormat* format = nullptr; ///< null: by the file's content and name
     FormatSettings settings;
     std::string target; ///< what the values correct (target_axis.h); empty: as the file says
-    /// What the axis is among its sources (core/drive/axis_target.h): for a file that does not say
-    /// it. Nothing that the user says.
-    std::string axisTarget;
-    /// For which side of the compensation a table that is written was made; nothing: not known.
-    /// Nothing that the user says, either.
-    std::optional<LookupAt> lookupAt;
+    /// Nothing that the user says: the target for a file that does not say it, and where the drive
+    /// looks up the table that is written, or made of the file of another controller.
+    AxisPlace place;
     std::optional<SignConvention> sign; ///< of the file; nothing: as its format says
     std::optional<DirectionChoice> direction;
     MissingPoints missing = MissingPoints::Refuse;

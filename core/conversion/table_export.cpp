@@ -10,8 +10,8 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     const std::string& fileName, const TableLayout& layout)
 {
     NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
-    if (choices.lookupAt)
-        source.notes.push_back(lookupNote(*choices.lookupAt));
+    if (choices.place.lookupAt)
+        source.notes.push_back(lookupNote(*choices.place.lookupAt));
     ConversionRequest request;
     request.from = &calibration_csv::format();
     request.to = choices.format;

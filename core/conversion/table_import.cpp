@@ -70,6 +70,7 @@ private:
     const TableImportRequest& m_request;
     TableImport m_result;
     std::set<std::string> m_names; ///< of the tables so far
+    std::optional<LookupAt> m_lookupAt; ///< for which the tables so far were made
     bool m_isOneOfSeveral = false; ///< the table that is converted
 };
 
@@ -239,6 +240,8 @@ void Import::convert(const std::vector<NeutralTable>& tables)
         data.tables.push_back(*std::move(one));
     }
     data.grid = data.tables.front().grid;
+    if (m_lookupAt)
+        data.notes = withLookupNote(std::move(data.notes), *m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
@@ -252,12 +255,16 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.targets = choices.targetsFor(column);
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
+    if (!isTriamec(*request.from))
+        request.lookupAt = choices.place.lookupAt;
     AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, column.axes.size()));
     request.resampling = std::move(resampling);
     AXISCOMP_TRY(const auto conversion, convertTables(std::span(&column, 1), request));
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
     CompensationTable& table = data.tables.front();
     keepName(table);
+    if (const auto lookupAt = conversion.tables.front().lookupAt)
+        m_lookupAt = lookupAt;
     if (m_isOneOfSeveral)
         m_result.report.emplace_back(Verbatim{table.name + ':'});
     std::ranges::move(conversionReport(conversion, request), std::back_inserter(m_result.report));

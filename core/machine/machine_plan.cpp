@@ -7,6 +7,7 @@
 #include "core/drive/axis_target.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_units.h"
+#include "core/write/lookup_side.h"
 #include "core/write/write_planner.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
 private:
     [[nodiscard]] Result<void> planAxis(
         const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
-    [[nodiscard]] Result<CompensationTable> settledTable(
+    [[nodiscard]] Result<MachineTable> settledTable(
         const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
     [[nodiscard]] Result<bool> isWithinTolerance(
         const ValueTolerance& tolerance, const AxisPlan& plan);
@@ -86,28 +87,28 @@ Result<DrivePlan> DrivePlanner::plan(
     return result;
 }
 
-/// A table whose numbers depend on what the axis is among its sources is read with that.
-Result<CompensationTable> DrivePlanner::settledTable(
+/// A table whose numbers depend on the axis's sources is read with these.
+Result<MachineTable> DrivePlanner::settledTable(
     const MachineAxis& axis, const MachineTable& table, AxisPlan& plan)
 {
-    if (table.table)
-        return *table.table;
     if (!table.isOpen)
-        return fail(*table.problem);
+        return table.table ? Result<MachineTable>(table) : fail(*table.problem);
     std::vector<std::string> paths;
-    for (const std::string& source : *axis.sources) {
+    if (!axis.sources)
+        paths = sourcePaths(plan.before.setup);
+    for (const std::string& source : axis.sources.value_or(std::vector<std::string>{})) {
         AXISCOMP_TRY(auto resolved, m_compensator.resolveSource(source, m_options));
         paths.push_back(std::move(resolved.path));
     }
-    const std::string target = axisTarget(m_profile, plan.axis, paths);
-    if (target.empty())
-        return fail(*table.problem);
+    const AxisPlace place{
+        axisTarget(m_profile, plan.axis, paths), lookupAtSources(m_profile, paths)};
     MachineTable again =
-        readMachineTable(axis, m_context.folder, m_profile.layout, target, m_options.stop);
-    plan.fileProblems = std::move(again.problems);
+        readMachineTable(axis, m_context.folder, m_profile.layout, place, m_options.stop);
+    plan.fileProblems = again.problems;
+    plan.fileReport = again.report;
     if (!again.table)
         return fail(*std::move(again.problem));
-    return *std::move(again.table);
+    return again;
 }
 
 Result<void> DrivePlanner::planAxis(
@@ -136,9 +137,10 @@ Result<void> DrivePlanner::planAxis(
             axis.sources ? request.sources.size()
                          : static_cast<std::size_t>(plan.before.setup.dimensionality)));
     } else {
-        AXISCOMP_TRY(request.table, settledTable(axis, table, plan));
+        AXISCOMP_TRY(auto settled, settledTable(axis, table, plan));
+        request.table = std::move(settled.table);
+        request.lookupAt = settled.lookupAt;
         request.unstatedUnit = unstatedUnit(axis.valueUnit);
-        request.lookupAt = table.lookupAt;
         request.dimensionality = request.table->grid.dimensions();
         request.persistency = axis.persistency;
         request.acceptsLarge = axis.acceptsLarge;

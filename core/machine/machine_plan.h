@@ -23,7 +23,9 @@ struct AxisPlan {
     std::optional<Error> problem; ///< why there is no plan
     /// Why the plan cannot be carried out now, although it is known what differs.
     std::optional<Error> obstacle;
-    std::vector<Diagnostic> fileProblems; ///< of a table that was read again (MachineTable::isOpen)
+    // Of a table that was read again (MachineTable::isOpen).
+    std::vector<Diagnostic> fileProblems;
+    std::vector<Text> fileReport;
 
     [[nodiscard]] bool writes() const { return !plan.changes.empty() || isUnfinished; }
     [[nodiscard]] bool differs() const { return writes() || switches.has_value(); }
@@ -65,7 +67,7 @@ struct MachineContext {
 };
 
 /// Reads the drive and compares it with the file; changes nothing. tables: one for each axis of the
-/// drive, as readMachineTable gives them with no axisTarget. What is wrong with one axis stands at
+/// drive, as readMachineTable gives them with no place. What is wrong with one axis stands at
 /// that axis. Errors: those of the link, OtherDrive, Cancelled.
 [[nodiscard]] Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& profile,
     const MachineDrive& drive, std::span<const MachineTable> tables, const MachineContext& context,

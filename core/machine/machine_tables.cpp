@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
+#include "core/formats/formats.h"
 #include "core/io/local_file.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/table_units.h"
@@ -50,7 +51,7 @@ Result<CompensationTable> chosenTable(const MachineAxis& axis, const Calibration
 } // namespace
 
 MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::path& folder,
-    const TableLayout& layout, const std::string& axisTarget, const std::stop_token& stop)
+    const TableLayout& layout, const std::optional<AxisPlace>& place, const std::stop_token& stop)
 {
     MachineTable result;
     if (axis.file.empty())
@@ -60,16 +61,15 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     request.file = result.file;
     request.dimensions = axis.sources ? static_cast<int>(axis.sources->size()) : 1;
     request.choices = axis.choices;
-    request.choices.axisTarget = axisTarget;
+    request.choices.place = place.value_or(AxisPlace{});
     request.layout = &layout;
     request.stop = stop;
     TableImport import = importTables(request);
     result.problems = std::move(import.problems);
-    result.report = std::move(import.report);
     if (import.isCancelled) {
         result.problem = Error{ErrorCode::Cancelled, {}, {}};
     } else if (import.refusal) {
-        result.isOpen = import.refusal->code == ErrorCode::TargetNotKnown && axisTarget.empty();
+        result.isOpen = import.refusal->code == ErrorCode::TargetNotKnown && !place;
         result.problem = std::move(import.refusal);
     } else if (!import.data) {
         import.problems = result.problems;
@@ -78,9 +78,12 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = std::move(table).error();
     } else if (const auto lookupAt = lookupInNotes(import.data->notes); !lookupAt) {
         result.problem = lookupAt.error();
+    } else if (!place && !isTriamec(*import.format)) {
+        result.isOpen = true;
     } else {
         result.table = *std::move(table);
         result.lookupAt = *lookupAt;
+        result.report = std::move(import.report);
     }
     return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/conversion/axis_place.h"
 #include "core/machine/machine_file.h"
 #include "core/metrology/fit/lookup_frame.h"
 #include "core/table/compensation_table.h"
@@ -18,8 +19,7 @@ struct MachineTable {
     std::filesystem::path file;
     /// As WriteRequest has it. none: the axis shall have no table, or `isOpen`.
     std::optional<CompensationTable> table;
-    /// It has to be known first what the axis is among its sources, which the drive says: read
-    /// again with its axisTarget.
+    /// Its sources have to be known first, which the drive says: read again with its place.
     bool isOpen = false;
     std::optional<LookupAt> lookupAt = {}; ///< as WriteRequest has it
     std::vector<Diagnostic> problems; ///< of the file, warnings too
@@ -28,14 +28,13 @@ struct MachineTable {
 };
 
 /// Reads the file of an axis and takes the column that the axis names. folder: of the machine
-/// file. axisTarget: what the axis is among its sources (core/drive/axis_target.h), for a file that
-/// does not say what its values correct; empty: not known yet. Takes long.
+/// file. place: nothing: not known yet. Takes long.
 [[nodiscard]] MachineTable readMachineTable(const MachineAxis& axis,
-    const std::filesystem::path& folder, const TableLayout& layout, const std::string& axisTarget,
-    const std::stop_token& stop = {});
+    const std::filesystem::path& folder, const TableLayout& layout,
+    const std::optional<AxisPlace>& place, const std::stop_token& stop = {});
 
 /// The same for every axis of every drive of a machine, in their order, several at the same time;
-/// what the axes are among their sources is not known yet. Takes long.
+/// the places of the axes are not known yet. Takes long.
 [[nodiscard]] std::vector<std::vector<MachineTable>> readMachineTables(const MachineFile& machine,
     const std::filesystem::path& folder, const TableLayout& layout,
     const std::stop_token& stop = {});

@@ -22,6 +22,11 @@ std::optional<LookupAt> sideNamed(std::string_view name)
     return std::nullopt;
 }
 
+bool isLookupNote(std::string_view note)
+{
+    return sameLetters(trimmed(note).substr(0, lookupKey.size()), lookupKey);
+}
+
 } // namespace
 
 std::string_view lookupAtName(LookupAt lookupAt)
@@ -34,13 +39,20 @@ std::string lookupNote(LookupAt lookupAt)
     return std::string(lookupKey) + ' ' + std::string(lookupAtName(lookupAt));
 }
 
+std::vector<std::string> withLookupNote(std::vector<std::string> notes, LookupAt lookupAt)
+{
+    std::erase_if(notes, isLookupNote);
+    notes.push_back(lookupNote(lookupAt));
+    return notes;
+}
+
 Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes)
 {
     std::optional<LookupAt> said;
     for (const std::string& note : notes) {
-        const std::string_view text = trimmed(note);
-        if (!sameLetters(text.substr(0, lookupKey.size()), lookupKey))
+        if (!isLookupNote(note))
             continue;
+        const std::string_view text = trimmed(note);
         const auto side = sideNamed(trimmed(text.substr(lookupKey.size())));
         if (!side || (said && side != said))
             return fail(ErrorCode::InvalidArgument,

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axiscomp {
 
@@ -21,6 +22,9 @@ enum class LookupAt {
 // which side of the compensation its values were made.
 
 [[nodiscard]] std::string lookupNote(LookupAt lookupAt); ///< "lookup: set"
+/// The notes with this one, in place of what they have said before.
+[[nodiscard]] std::vector<std::string> withLookupNote(
+    std::vector<std::string> notes, LookupAt lookupAt);
 
 /// What the notes say; nothing: none says it. notes: comments without their slashes. Errors:
 /// InvalidArgument for a note that says neither side, and for two that contradict each other.

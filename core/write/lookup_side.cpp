@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/lookup_side.h"
 
-#include <string>
-
 namespace axiscomp {
 
 std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_view source)
@@ -10,6 +8,16 @@ std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_
     if (!profile.axisOfPosition(source))
         return std::nullopt;
     return profile.isBeforeCompensation(source) ? LookupAt::Encoder : LookupAt::Set;
+}
+
+std::optional<LookupAt> lookupAtSources(
+    const DriveProfile& profile, std::span<const std::string> sources)
+{
+    std::optional<LookupAt> found;
+    for (const std::string& source : sources)
+        if (const auto side = lookupAtSource(profile, source); side && found != LookupAt::Set)
+            found = side;
+    return found;
 }
 
 Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::string_view source)

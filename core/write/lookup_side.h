@@ -6,6 +6,8 @@
 #include "core/neutral/lookup_note.h"
 
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace axiscomp {
@@ -14,6 +16,10 @@ namespace axiscomp {
 /// not know it as a position.
 [[nodiscard]] std::optional<LookupAt> lookupAtSource(
     const DriveProfile& profile, std::string_view source);
+
+/// The same for all sources of a table: the set position when one of them is on that side.
+[[nodiscard]] std::optional<LookupAt> lookupAtSources(
+    const DriveProfile& profile, std::span<const std::string> sources);
 
 /// Whether a source is on the side of the compensation for which a table was made: its values
 /// belong to other positions on the other one. A source that the profile does not know passes.

@@ -15,7 +15,7 @@ _axiscomp_options()
         "") echo "--help --version" ;;
         example) echo "--help --json --dims --tables --output" ;;
         inspect) echo "--help --json --dims --from --set-in --profile --fill --crop --snap" ;;
-        convert) echo "--help --json --dims --table --from --set-in --to --accept-large --persistent --volatile --name --profile --fill --crop --snap --value-unit --target --sign --direction --scale --offset --zero --no-wrap --points --distance --within --method --speed --hold --to-sign --set-out" ;;
+        convert) echo "--help --json --dims --table --from --set-in --to --accept-large --persistent --volatile --name --profile --fill --crop --snap --value-unit --target --sign --direction --scale --offset --zero --no-wrap --lookup-at --points --distance --within --method --speed --hold --to-sign --set-out" ;;
         lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --profile --fill --crop --snap --target --sign --direction --scale --offset --zero --no-wrap --to-sign --set-out" ;;
         formats) echo "--help --json --markdown --measurements" ;;
         targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
@@ -96,6 +96,7 @@ _axiscomp_value()
         *" --fill") echo "nearest plane smooth" ;;
         *" --sign" | *" --to-sign") echo "feedback command" ;;
         *" --direction") echo "mean positive negative" ;;
+        *" --lookup-at") echo "encoder set" ;;
         *" --method") echo "linear cubic spline smooth" ;;
         *" --outside") echo "hold zero wrap extrapolate error" ;;
         *" --dialect") echo "linuxcnc fanuc siemens" ;;
@@ -107,7 +108,6 @@ _axiscomp_value()
         *" --by") echo "temperature" ;;
         *" --remove-slope") echo "lsq ends" ;;
         *" --remove-drift") echo "offset trend" ;;
-        *" --lookup-at") echo "encoder set" ;;
         *" --measured-with") echo "off on @files" ;;
         *" --onto") echo "drive @files" ;;
         *" --remove") echo "rigid rigid:X scale" ;;

@@ -77,6 +77,7 @@ complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l scale -x -d 'Mu
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l offset -x -d 'Add this to the values, in their unit'
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l zero -x -d 'Shift the values so that they are 0 at this position'
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l no-wrap -d 'Treat a modulo axis as a linear one'
+complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l lookup-at -x -a 'encoder set' -d 'Where the drive looks up the table of the two that is its own'
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l points -x -d 'Resample onto an even grid with N points, for each source or for all'
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l distance -x -d 'Resample onto an even grid with spacing D, for each source or for all'
 complete -c axiscomp -n '__fish_seen_subcommand_from convert' -l within -x -d 'Resample onto the coarsest even grid within this deviation, in the unit of the values'

@@ -53,12 +53,14 @@ void TableSelection::openAs(const QString& path, int dimensions)
     open(path, m_file.choicesFor(path));
 }
 
-void TableSelection::readAgain()
+void TableSelection::readAgain(const AxisPlace& place)
 {
     if (m_file.file().isMade)
         return;
     const QString path = m_file.file().path;
-    m_file.open(path, m_setup.edited().dimensionality, m_file.choicesFor(path));
+    ImportChoices choices = m_file.choicesFor(path);
+    choices.place = place;
+    m_file.open(path, m_setup.edited().dimensionality, choices);
 }
 
 void TableSelection::followFile(

@@ -38,7 +38,7 @@ public:
     /// it; with what the user has said about the file.
     void openAs(const QString& path, int dimensions);
     /// The open file, which may have changed; what was selected stays selected.
-    void readAgain();
+    void readAgain(const AxisPlace& place); ///< which may be another one by now
     [[nodiscard]] DataFileModel& file() { return m_file; }
     [[nodiscard]] const DataFileModel& file() const { return m_file; }
     /// As it was; the setup follows by itself.

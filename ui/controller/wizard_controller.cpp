@@ -4,6 +4,7 @@
 #include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "core/write/lookup_side.h"
 #include "ui/controller/axis_overview.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/controller/multi_axis_controller.h"
@@ -19,6 +20,13 @@
 namespace axiscomp::ui {
 
 namespace {
+
+std::vector<std::string> chosenSources(const EditedSetup& edited)
+{
+    CompensationSetup chosen;
+    chosen.sources = edited.sources;
+    return sourcePaths(chosen);
+}
 
 /// All axes take longer to read than one.
 std::chrono::milliseconds overviewInterval(const WizardOptions& options)
@@ -413,7 +421,7 @@ void WizardController::importData(const QString& path, const ImportChoices& choi
     if (!m_parts->actions.mayStart(Action::OpenData))
         return;
     ImportChoices known = choices;
-    known.axisTarget = axisTarget();
+    known.place = chosenPlace();
     m_parts->tables.open(path, known);
 }
 
@@ -439,7 +447,7 @@ ImportChoices WizardController::importChoices(const QString& path) const
 void WizardController::readDataAgain()
 {
     if (!dataFile().path.isEmpty() && m_parts->actions.mayStart(Action::OpenData))
-        m_parts->tables.readAgain();
+        m_parts->tables.readAgain(chosenPlace());
 }
 
 void WizardController::closeData()
@@ -457,13 +465,23 @@ const DataFile& WizardController::dataFile() const
     return m_parts->tables.file().file();
 }
 
-std::string WizardController::axisTarget() const
+AxisPlace WizardController::chosenPlace() const
 {
     if (!status())
         return {};
-    CompensationSetup chosen;
-    chosen.sources = setup().edited().sources;
-    return axiscomp::axisTarget(m_parts->profile, status()->axis.index, sourcePaths(chosen));
+    const auto sources = chosenSources(setup().edited());
+    return {axisTarget(m_parts->profile, status()->axis.index, sources),
+        lookupAtSources(m_parts->profile, sources)};
+}
+
+AxisPlace WizardController::selectedPlace() const
+{
+    AxisPlace place = chosenPlace();
+    if (setup().edited().table.fileTable)
+        place.lookupAt = dataFile().lookupAt ? dataFile().lookupAt : place.lookupAt;
+    else if (status())
+        place.lookupAt = lookupAtSources(m_parts->profile, sourcePaths(status()->setup));
+    return place;
 }
 
 std::shared_ptr<const CompensationTable> WizardController::selectedTable() const

@@ -107,8 +107,10 @@ public:
     /// The chosen table: of the file, or the one on the drive (once it has been downloaded); may be
     /// null.
     [[nodiscard]] std::shared_ptr<const CompensationTable> selectedTable() const;
-    /// What the axis is among the sources that are chosen; see core/drive/axis_target.h.
-    [[nodiscard]] std::string axisTarget() const;
+    /// What the axis is to the sources that are chosen.
+    [[nodiscard]] AxisPlace chosenPlace() const;
+    /// The same, where the chosen table was made for another side of the compensation for that one.
+    [[nodiscard]] AxisPlace selectedPlace() const;
     [[nodiscard]] std::shared_ptr<const CompensationTable> driveTable() const;
     [[nodiscard]] std::size_t
     selectedTableBytes() const; ///< as a file on the drive; 0 without a table

@@ -61,8 +61,7 @@ ConversionDialog::Words ExportDialog::words() const
 ImportChoices ExportDialog::choices()
 {
     ImportChoices choices = form().choices();
-    choices.axisTarget = m_options.axisTarget;
-    choices.lookupAt = m_options.lookupAt;
+    choices.place = m_options.place;
     return choices;
 }
 

@@ -18,8 +18,7 @@ public:
         std::shared_ptr<const CompensationTable> table;
         QString tableName;
         TableLayout layout;
-        std::string axisTarget; ///< see ImportChoices
-        std::optional<LookupAt> lookupAt{}; ///< likewise
+        AxisPlace place; ///< see ImportChoices
         bool isFitted = false; ///< it was made of a measurement: more likely for the drive
     };
     explicit ExportDialog(Options options, QWidget* parent = nullptr);

@@ -54,7 +54,7 @@ ConversionDialog::Words ImportDialog::words() const
 void ImportDialog::compute()
 {
     ImportChoices choices = form().choices();
-    choices.axisTarget = m_options.choices.axisTarget;
+    choices.place = m_options.choices.place;
     const auto import = [path = QFileInfo(m_options.path).filesystemAbsoluteFilePath(),
                             dimensions = m_options.dimensions, choices = std::move(choices),
                             layout = m_options.layout](const std::stop_token& stop) {

@@ -140,7 +140,7 @@ void FileActions::saveFitted(const std::shared_ptr<const FitOutcome>& outcome, s
 {
     const auto& chosen = outcome->tables[table].table;
     ExportDialog::Options options{chosen, QString::fromStdString(chosen->name), m_profile.layout,
-        m_controller.axisTarget(), outcome->report->lookupAt, true};
+        {m_controller.chosenPlace().target, outcome->report->lookupAt}, true};
     auto* dialog = new ExportDialog(std::move(options), &m_window);
     connect(dialog, &ExportDialog::chosen, this,
         [this, outcome, table](const auto&, const ImportChoices& choices) {
@@ -232,7 +232,7 @@ void FileActions::askForImport(const QString& path)
     ImportChoices choices = m_controller.importChoices(path);
     if (!choices.format && m_controller.dataFile().path == path && m_controller.dataFile().data)
         choices.format = m_controller.dataFile().format;
-    choices.axisTarget = m_controller.axisTarget();
+    choices.place = m_controller.chosenPlace();
     m_import = new ImportDialog(
         {path, m_controller.setup().edited().dimensionality, std::move(choices), m_profile.layout},
         &m_window);
@@ -245,10 +245,8 @@ void FileActions::exportTable()
     const auto table = m_controller.selectedTable();
     if (!table)
         return;
-    const bool isOfFile = m_controller.setup().edited().table.fileTable.has_value();
-    auto* dialog = new ExportDialog(
-        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.axisTarget(),
-            isOfFile ? m_controller.dataFile().lookupAt : std::nullopt},
+    auto* dialog = new ExportDialog({table, QString::fromStdString(table->name), m_profile.layout,
+                                        m_controller.selectedPlace()},
         &m_window);
     connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
     dialog->open();

@@ -244,7 +244,7 @@ void PreviewPanel::showExample()
 
 void PreviewPanel::showTables()
 {
-    m_applied->setTable(m_controller.selectedTable(), m_controller.axisTarget());
+    m_applied->setTable(m_controller.selectedTable(), m_controller.selectedPlace());
     showApplied();
 }
 

@@ -68,14 +68,14 @@ void ControllerCombo::retranslate()
     setAccessibleDescription(toolTip());
 }
 
-void ControllerCombo::setTable(const Table& table, const std::string& axisTarget)
+void ControllerCombo::setTable(const Table& table, const AxisPlace& place)
 {
-    if (table == m_table && axisTarget == m_axisTarget)
+    if (table == m_table && place == m_place)
         return;
     const bool isSameKind =
         table && m_table && table->grid.dimensions() == m_table->grid.dimensions();
     m_table = table;
-    m_axisTarget = axisTarget;
+    m_place = place;
     if (!isSameKind)
         fill();
     compute();
@@ -88,8 +88,8 @@ void ControllerCombo::compute()
     m_shown = m_table;
     const TableFormat* const chosen = format();
     if (chosen && m_table)
-        m_job.start([table = m_table, target = m_axisTarget, chosen](const std::stop_token&) {
-            return tableAsAppliedBy(*table, target, chosen->facts);
+        m_job.start([table = m_table, place = m_place, chosen](const std::stop_token&) {
+            return tableAsAppliedBy(*table, place, chosen->facts);
         });
     Q_EMIT changed();
 }

@@ -20,8 +20,8 @@ public:
 
     explicit ControllerCombo(QWidget* parent = nullptr);
 
-    /// The table of the drive; null: none. axisTarget: see tableAsAppliedBy.
-    void setTable(const Table& table, const std::string& axisTarget);
+    /// The table of the drive; null: none. place: see tableAsAppliedBy.
+    void setTable(const Table& table, const AxisPlace& place);
     /// What is to be shown: the drive's table, or the other controller's as soon as it is there.
     [[nodiscard]] const Table& table() const { return m_shown; }
     [[nodiscard]] bool isOfDrive() const { return m_shown == m_table; }
@@ -39,7 +39,7 @@ private:
     [[nodiscard]] const TableFormat* format() const; ///< null: the drive
 
     Table m_table;
-    std::string m_axisTarget;
+    AxisPlace m_place;
     Table m_shown;
     std::optional<Error> m_problem;
     NewestJob<Result<CompensationTable>> m_job;

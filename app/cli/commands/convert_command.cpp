@@ -27,6 +27,7 @@ struct ConvertOptions {
     bool persistent = false;
     bool isVolatile = false;
     bool acceptsLarge = false;
+    std::string lookupAt;
     std::string valueUnit; ///< in a .TAMtbl, which does not say it; empty: that of the positions
     ConversionOptions conversion;
 };
@@ -256,7 +257,10 @@ void addConvertCommand(CommandLine& line)
     options->input.command = commandName("convert");
     CLI::App* command = line.add("convert", fileCommands,
         AXISCOMP_HELP("Help", "Convert a table file to another format"),
-        [options](Environment& environment) { return runConvert(environment, *options); });
+        [options](Environment& environment) {
+            options->conversion.lookupAt = lookupNamed(options->lookupAt);
+            return runConvert(environment, *options);
+        });
     command
         ->add_option(
             "IN", options->input.file, AXISCOMP_HELP("Help", "File to read; - for standard input"))
@@ -293,6 +297,11 @@ void addConvertCommand(CommandLine& line)
         ->option_text("TEXT");
     options->conversion.command = options->input.command;
     addConversionOptions(*command, options->conversion);
+    addLookupOption(*command, options->lookupAt,
+        AXISCOMP_HELP("Help",
+            "Where the drive looks up the table of the two that is its own: encoder (before the "
+            "compensation) or set (after it); by default as the file says, or encoder"))
+        ->group(AXISCOMP_HELP("Help", "Conversion"));
     addResamplingOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);

@@ -65,14 +65,6 @@ struct StateSources {
     std::optional<LookupAt> lookupAt; ///< by the drive's source
 };
 
-/// Of --lookup-at; nothing where it is not given.
-std::optional<LookupAt> statedLookup(const FitOptions& options)
-{
-    if (options.lookupAt.empty())
-        return std::nullopt;
-    return options.lookupAt == "set" ? LookupAt::Set : LookupAt::Encoder;
-}
-
 Result<void> takeZero(const FitOptions& options, FitSettings& settings)
 {
     static const std::map<std::string, FitZero> words{{"", FitZero::Automatic},
@@ -153,7 +145,7 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     if (!options.removedDrift.empty())
         settings.drift =
             options.removedDrift == "offset" ? DriftRemoval::Offset : DriftRemoval::Trend;
-    const auto stated = statedLookup(options);
+    const auto stated = lookupNamed(options.lookupAt);
     settings.lookupAt = stated ? stated : sources.lookupAt;
     settings.isByTemperature = !options.by.empty();
     settings.gain = options.gain;
@@ -214,7 +206,8 @@ Result<StateSources> readStates(
         sources.others.push_back(std::move(tables));
     }
     if (options.onto == ontoDrive) {
-        AXISCOMP_TRY(auto drive, options.drive.read(environment, unit, statedLookup(options)));
+        AXISCOMP_TRY(
+            auto drive, options.drive.read(environment, unit, lookupNamed(options.lookupAt)));
         sources.onto = std::move(drive.active);
         sources.lookupAt = drive.lookupAt;
         std::ranges::move(drive.backups, std::back_inserter(sources.others));
@@ -466,14 +459,11 @@ void addZeroOptions(CLI::App& command, FitOptions& options)
 void addStateOptions(CLI::App& command, FitOptions& options)
 {
     const std::string group = AXISCOMP_HELP("Help", "State of the drive");
-    command
-        .add_option("--lookup-at", options.lookupAt,
-            AXISCOMP_HELP("Help",
-                "Where the drive looks the table up: encoder (before the compensation) or set "
-                "(after "
-                "it); with --onto drive by its source"))
-        ->option_text("WHERE")
-        ->check(CLI::IsMember(std::vector<std::string>{"encoder", "set"}))
+    addLookupOption(command, options.lookupAt,
+        AXISCOMP_HELP("Help",
+            "Where the drive looks the table up: encoder (before the compensation) or set "
+            "(after "
+            "it); with --onto drive by its source"))
         ->group(group);
     command
         .add_option("--measured-with", options.measuredWith,

@@ -76,52 +76,65 @@ Result<TableInput> readData(
     return readInput(environment, inputOptions);
 }
 
-/// A request and the table for it, which may have to wait for the drive: where the file does not
-/// say what its values correct, that is what the axis is among its sources.
+/// A request and the table for it. Where the file leaves open what its values correct, that is what
+/// the axis is among its sources; and by these a table of another controller is made for the
+/// position before the compensation, or for the one after it.
 struct TableRequest {
     WriteRequest request;
     TableInputOptions inputOptions;
+    std::vector<std::string> report; ///< of what was converted
     bool needsTarget = false;
+    bool needsLookup = false;
 };
 
-Result<void> takeTable(Environment& environment, const WriteOptions& options,
-    const TableInput& input, TableRequest& pending, const std::string& target)
+Result<void> takeTable(const WriteOptions& options, const TableInput& input, TableRequest& pending,
+    const std::string& target, std::optional<LookupAt> lookupAt)
 {
     ConversionOptions conversion = options.conversion;
     if (conversion.targets.empty() && !target.empty())
         conversion.targets = {target};
-    AXISCOMP_TRY(auto table, driveTable(environment, input, pending.inputOptions, conversion));
-    takeStatedUnits(table, options.valueUnit, options.positionUnit);
+    if (!input.data)
+        conversion.lookupAt = lookupAt;
+    AXISCOMP_TRY(auto made, driveTable(input, pending.inputOptions, conversion));
+    takeStatedUnits(made.table, options.valueUnit, options.positionUnit);
     pending.request.unstatedUnit = unstatedUnit(options.valueUnit);
-    pending.request.dimensionality = table.grid.dimensions();
-    pending.request.table = std::move(table);
-    if (input.data) {
-        AXISCOMP_TRY(pending.request.lookupAt, lookupInNotes(input.data->notes));
-    }
+    pending.request.dimensionality = made.table.grid.dimensions();
+    pending.request.table = std::move(made.table);
+    pending.request.lookupAt = made.lookupAt;
+    pending.report = std::move(made.report);
     return {};
 }
 
 /// What can be done before the drive is asked, so that a bad file is said even when none is there.
-Result<void> beginTable(Environment& environment, const WriteOptions& options,
-    const TableInput& input, TableRequest& pending)
+Result<void> beginTable(const WriteOptions& options, const TableInput& input, TableRequest& pending)
 {
-    auto taken = takeTable(environment, options, input, pending, {});
+    auto taken = takeTable(options, input, pending, {}, {});
     pending.needsTarget = !taken && taken.error().code == ErrorCode::TargetNotKnown;
+    pending.needsLookup = !input.data;
     return pending.needsTarget ? Result<void>() : taken;
 }
 
 Result<void> finishTable(Environment& environment, const WriteOptions& options,
     const TableInput& input, TableRequest& pending, CommandSession& session, int axis)
 {
-    if (!pending.needsTarget)
-        return {};
-    std::vector<std::string> sources = pending.request.sources;
-    if (sources.empty()) {
-        AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
-        sources = sourcePaths(now.setup);
+    if (pending.needsTarget || pending.needsLookup) {
+        std::vector<std::string> sources;
+        for (const std::string& given : pending.request.sources) {
+            AXISCOMP_TRY(
+                auto source, session.compensator().resolveSource(given, session.operation()));
+            sources.push_back(std::move(source.path));
+        }
+        if (sources.empty()) {
+            AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
+            sources = sourcePaths(now.setup);
+        }
+        const std::string target =
+            pending.needsTarget ? axisTarget(session.profile(), axis, sources) : std::string();
+        AXISCOMP_CHECK(takeTable(
+            options, input, pending, target, lookupAtSources(session.profile(), sources)));
     }
-    return takeTable(
-        environment, options, input, pending, axisTarget(session.profile(), axis, sources));
+    noteReport(environment, pending.report);
+    return {};
 }
 
 /// The position of the axis itself. Errors: InvalidArgument where no register is known for it.
@@ -192,7 +205,7 @@ struct MappedColumn {
     TableRequest pending;
 };
 
-Result<std::vector<MappedColumn>> mappedColumns(Environment& environment,
+Result<std::vector<MappedColumn>> mappedColumns(
     const WriteOptions& options, const TableInput& input, TableInputOptions inputOptions)
 {
     std::vector<MappedColumn> columns;
@@ -207,8 +220,8 @@ Result<std::vector<MappedColumn>> mappedColumns(Environment& environment,
             inputOptions.table = pair.substr(0, equals);
         }
         AXISCOMP_TRY(auto request, requestWithoutTable(options));
-        MappedColumn column{axis, {std::move(request), inputOptions}};
-        AXISCOMP_CHECK(beginTable(environment, options, input, column.pending));
+        MappedColumn column{axis, {std::move(request), inputOptions, {}}};
+        AXISCOMP_CHECK(beginTable(options, input, column.pending));
         columns.push_back(std::move(column));
     }
     return columns;
@@ -246,7 +259,7 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
             options.drive.command);
     TableInputOptions inputOptions;
     AXISCOMP_TRY(const auto input, readData(environment, options, inputOptions));
-    AXISCOMP_TRY(const auto columns, mappedColumns(environment, options, input, inputOptions));
+    AXISCOMP_TRY(const auto columns, mappedColumns(options, input, inputOptions));
     return withDrive(environment, options.drive, [&](Environment& same, CommandSession& session) {
         return writeMapped(same, session, options, input, columns);
     });
@@ -346,10 +359,10 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
         AXISCOMP_CHECK(checkRecordAlone(record, options));
         pending.inputOptions = options.input;
         pending.inputOptions.file = options.record;
-        AXISCOMP_CHECK(beginTable(environment, options, input, pending));
+        AXISCOMP_CHECK(beginTable(options, input, pending));
     } else if (!options.input.file.empty()) {
         AXISCOMP_TRY(input, readData(environment, options, pending.inputOptions));
-        AXISCOMP_CHECK(beginTable(environment, options, input, pending));
+        AXISCOMP_CHECK(beginTable(options, input, pending));
     } else if (request.sources.empty() && !options.usesOwnPosition && !request.persistency) {
         return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
             options.drive.command);

@@ -219,6 +219,7 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     request.sourceSign = signOf(options.sign);
     request.targetSign = signOf(options.toSign);
     request.targets = options.targets;
+    request.lookupAt = options.lookupAt;
     request.adjustment = options.adjustment;
     request.direction = directionOf(options.direction);
     request.dropsWrap = options.dropsWrap;
@@ -238,12 +239,31 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     return request;
 }
 
-Result<CompensationTable> driveTable(Environment& environment, const TableInput& input,
-    const TableInputOptions& inputOptions, const ConversionOptions& options)
+CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::string help)
 {
+    return command.add_option("--lookup-at", lookupAt, std::move(help))
+        ->option_text("WHERE")
+        ->check(CLI::IsMember(std::vector<std::string>{"encoder", "set"}));
+}
+
+std::optional<LookupAt> lookupNamed(const std::string& name)
+{
+    if (name.empty())
+        return std::nullopt;
+    return name == lookupAtName(LookupAt::Set) ? LookupAt::Set : LookupAt::Encoder;
+}
+
+Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& inputOptions,
+    const ConversionOptions& options)
+{
+    DriveTable result;
+    if (input.data) {
+        AXISCOMP_TRY(result.lookupAt, lookupInNotes(input.data->notes));
+    }
     if (input.data && !options.isAnything()) {
         AXISCOMP_TRY(const auto index, chooseTable(*input.data, inputOptions));
-        return input.data->tables[index];
+        result.table = input.data->tables[index];
+        return result;
     }
     const std::vector<NeutralTable> columns = neutralColumns(input);
     AXISCOMP_TRY(const auto index, chooseColumn(columns, inputOptions));
@@ -253,9 +273,18 @@ Result<CompensationTable> driveTable(Environment& environment, const TableInput&
     AXISCOMP_TRY(
         const auto conversion, convertTables(std::span(columns).subspan(index, 1), request));
     for (const Text& line : conversionReport(conversion, request))
-        environment.console().note(displayName(inputOptions.file) + ": " + line.english());
+        result.report.push_back(displayName(inputOptions.file) + ": " + line.english());
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
-    return std::move(data.tables.front());
+    result.table = std::move(data.tables.front());
+    if (const auto lookupAt = conversion.tables.front().lookupAt)
+        result.lookupAt = lookupAt;
+    return result;
+}
+
+void noteReport(Environment& environment, const std::vector<std::string>& report)
+{
+    for (const std::string& line : report)
+        environment.console().note(line);
 }
 
 } // namespace axiscomp::app

@@ -19,6 +19,7 @@ struct ConversionOptions {
     std::string sign; ///< of the input; empty: as its format says
     std::string toSign; ///< of the output
     std::vector<std::string> targets; ///< what the columns correct; empty: as the file says
+    std::optional<LookupAt> lookupAt; ///< of the table of the drive; nothing: as its file says
     std::string direction; ///< mean, positive, negative; empty: as it is
     std::vector<std::size_t> points; ///< of the even grid, one for each source or one for all
     std::vector<double> distances; ///< likewise
@@ -38,7 +39,7 @@ struct ConversionOptions {
     [[nodiscard]] bool isAnything() const
     {
         return resamples() || adjustment != Adjustment{} || !sign.empty() || !toSign.empty()
-            || !targets.empty() || !direction.empty() || dropsWrap || !settings.empty()
+            || !targets.empty() || lookupAt || !direction.empty() || dropsWrap || !settings.empty()
             || method != "linear" || speed.has_value();
     }
 };
@@ -55,11 +56,20 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options);
 [[nodiscard]] Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     const TableFormat& from, const TableFormat& to, std::size_t dimensions);
 
-/// The table that a drive shall have, from a file of any format: one column, converted where the
-/// format is another controller's or something was asked for; then the report goes to standard
-/// error. Errors: those of the choice and of the conversion.
-[[nodiscard]] Result<CompensationTable> driveTable(Environment& environment,
-    const TableInput& input, const TableInputOptions& inputOptions,
-    const ConversionOptions& options);
+/// --lookup-at
+CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::string help);
+[[nodiscard]] std::optional<LookupAt> lookupNamed(const std::string& name); ///< of its values
+
+/// The table that a drive shall have, from a file of any format.
+struct DriveTable {
+    CompensationTable table;
+    std::optional<LookupAt> lookupAt; ///< where it has to be looked up, as far as that is known
+    std::vector<std::string> report; ///< of the conversion, for standard error
+};
+/// One column, converted where the format is another controller's or something was asked for.
+/// Errors: those of the choice and of the conversion.
+[[nodiscard]] Result<DriveTable> driveTable(const TableInput& input,
+    const TableInputOptions& inputOptions, const ConversionOptions& options);
+void noteReport(Environment& environment, const std::vector<std::string>& report);
 
 } // namespace axiscomp::app

@@ -36,8 +36,9 @@ Result<KnownTables> tablesOfFile(
     if (input.data) {
         tables = input.data->tables;
     } else {
-        AXISCOMP_TRY(auto table, driveTable(environment, input, options, {}));
-        tables.push_back(std::move(table));
+        AXISCOMP_TRY(auto made, driveTable(input, options, {}));
+        noteReport(environment, made.report);
+        tables.push_back(std::move(made.table));
     }
     AXISCOMP_TRY(auto known,
         axiscomp::tablesOfFile(displayName(options.file), std::move(tables), unit, profile.layout));

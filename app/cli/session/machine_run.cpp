@@ -133,8 +133,12 @@ void planMachine(Environment& environment, const MachineOptions& options, Machin
             return {};
         });
     for (const MachineDriveRun& drive : run.drives)
-        for (std::size_t n = 0; drive.plan && n < drive.tables.size(); ++n)
-            environment.diagnose(drive.tables[n].file.string(), drive.plan->axes[n].fileProblems);
+        for (std::size_t n = 0; drive.plan && n < drive.tables.size(); ++n) {
+            const std::string file = drive.tables[n].file.string();
+            environment.diagnose(file, drive.plan->axes[n].fileProblems);
+            for (const Text& line : drive.plan->axes[n].fileReport)
+                environment.console().note(file + ": " + line.english());
+        }
 }
 
 void applyMachine(Environment& environment, const MachineOptions& options, MachineRun& run)

@@ -117,6 +117,7 @@ def convert(
     offset: Value = None,
     zero: Values = None,
     no_wrap: bool = False,
+    lookup_at: Value = None,
     points: Values = None,
     distance: Values = None,
     within: Value = None,
@@ -158,6 +159,8 @@ def convert(
     offset: VALUE. Add this to the values, in their unit
     zero: P[,P[,P]]. Shift the values so that they are 0 at this position
     no_wrap: Treat a modulo axis as a linear one
+    lookup_at: WHERE. Where the drive looks up the table of the two that is its own: encoder (before the
+        compensation) or set (after it); by default as the file says, or encoder
     points: N[,N[,N]]. Resample onto an even grid with N points, for each source or for all
     distance: D[,D[,D]]. Resample onto an even grid with spacing D, for each source or for all
     within: DEVIATION. Resample onto the coarsest even grid within this deviation, in the unit of the values
@@ -195,6 +198,7 @@ def convert(
             "offset": offset,
             "zero": zero,
             "no_wrap": no_wrap,
+            "lookup_at": lookup_at,
             "points": points,
             "distance": distance,
             "within": within,

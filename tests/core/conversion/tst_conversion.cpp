@@ -2,6 +2,7 @@
 #include "core/conversion/conversion.h"
 #include "core/conversion/table_export.h"
 #include "core/conversion/table_import.h"
+#include "core/formats/triamec/triamec_tables.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
 #include "core/table/tam_table.h"
@@ -170,6 +171,17 @@ TableImport imported(const QString& name, std::string_view content, const Import
     return importTables(request);
 }
 
+/// Half a millimetre up and down within 10 mm, so that it matters where it is looked up.
+CompensationTable steepTable()
+{
+    CompensationTable table;
+    table.name = "X";
+    table.unit = "mm";
+    table.grid.axes = {{.name = "X", .unit = "mm", .start = 0, .distance = 10, .size = 5}};
+    table.values = {0.0F, 0.5F, -0.25F, 0.5F, 0.0F};
+    return table;
+}
+
 std::vector<float> valuesOf(const TableImport& import)
 {
     return import.data ? import.data->tables.front().values : std::vector<float>{};
@@ -257,20 +269,107 @@ private Q_SLOTS:
         QCOMPARE(feedback->bytes, std::string("1 2\n0 0.5\n10 0.25\n"));
     }
 
-    void aTableThatIsExportedSaysForWhichSideItWasMade()
+    /// The set position is x where another controller is commanded to x: the drive moves the
+    /// encoder to x - c(x), so that controller's value is -c(x), at the same position.
+    void whatIsLookedUpAtTheSetPositionHasTheSamePositionsInAFileOfCommandValues()
     {
-        CompensationTable table;
-        table.name = "X";
-        table.unit = "mm";
-        table.grid.axes = {{.name = "X", .unit = "mm", .start = 0, .distance = 10, .size = 2}};
-        table.values = {0.5F, 0.25F};
         ImportChoices choices;
         choices.format = &softmc::format();
         choices.target = "#1";
-        choices.lookupAt = LookupAt::Encoder;
-        VERIFY_RESULT(exportTable(table, choices, "x.txt", layout()));
-        choices.lookupAt = LookupAt::Set;
-        VERIFY_ERROR(exportTable(table, choices, "x.txt", layout()), ErrorCode::InvalidArgument);
+        choices.place.lookupAt = LookupAt::Set;
+        const auto set = exportTable(steepTable(), choices, "x.txt", layout());
+        VERIFY_RESULT(set);
+        QCOMPARE(set->bytes, std::string("1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n"));
+        QVERIFY(contains(set->report, "at the set position (lookup: set)"));
+
+        // The encoder is at 10 where it is commanded to 10.5.
+        choices.place.lookupAt = LookupAt::Encoder;
+        const auto encoder = exportTable(steepTable(), choices, "x.txt", layout());
+        VERIFY_RESULT(encoder);
+        QVERIFY(encoder->bytes != set->bytes);
+        QVERIFY(!contains(encoder->report, "(lookup: set)"));
+    }
+
+    void aFileOfCommandValuesIsMadeForThePlaceWhereTheDriveLooksItUp()
+    {
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        choices.target = "#1";
+        const std::string file = "1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n";
+        choices.place.lookupAt = LookupAt::Set;
+        const auto set = imported(QStringLiteral("x.txt"), file, choices);
+        QVERIFY(set.data);
+        QCOMPARE(valuesOf(set), steepTable().values);
+        QCOMPARE(lookupInNotes(set.data->notes).value(), std::optional(LookupAt::Set));
+
+        // u + c(u) = x and c(u) = 0.5 x / 10 up to x = 10: at the encoder's 10 the axis is
+        // commanded to between 10 and 20, where -e = 0.5 - 0.075 (x - 10).
+        choices.place.lookupAt = LookupAt::Encoder;
+        const auto encoder = imported(QStringLiteral("x.txt"), file, choices);
+        QVERIFY(encoder.data);
+        const double at10 = 0.5 / (1.0 + 0.075);
+        QVERIFY2(std::abs(static_cast<double>(valuesOf(encoder)[1]) - at10) < 1e-7,
+            qPrintable(QString::number(static_cast<double>(valuesOf(encoder)[1]), 'g', 9)));
+        QCOMPARE(lookupInNotes(encoder.data->notes).value(), std::optional(LookupAt::Encoder));
+        QVERIFY(!contains(encoder.report, "is taken to look the table up"));
+
+        choices.place.lookupAt.reset();
+        const auto assumed = imported(QStringLiteral("x.txt"), file, choices);
+        QVERIFY(assumed.data);
+        QCOMPARE(valuesOf(assumed), valuesOf(encoder));
+        QVERIFY(contains(assumed.report, "its corrections would differ by up to 0.0375 mm"));
+        QCOMPARE(lookupInNotes(assumed.data->notes).value(), std::optional(LookupAt::Encoder));
+
+        choices.target = "other"; // the place of X does not depend on what Z does
+        choices.place.lookupAt = LookupAt::Set;
+        const auto cross = imported(QStringLiteral("x.txt"), file, choices);
+        QVERIFY(cross.data);
+        QCOMPARE(valuesOf(cross), steepTable().values);
+        QCOMPARE(lookupInNotes(cross.data->notes).value(), std::optional<LookupAt>());
+    }
+
+    void aTableOfTheDriveIsMadeAnewForTheOtherPlace()
+    {
+        NeutralTable table = neutralTable({steepTable().grid, {steepTable()}, {}});
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.targets = {"#1"};
+        request.lookupAt = LookupAt::Encoder;
+        const auto unsaid = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(unsaid, ErrorCode::InvalidArgument);
+        QVERIFY(contains({textOf(unsaid.error())}, "// lookup: encoder or // lookup: set"));
+
+        table.notes = {lookupNote(LookupAt::Set), "measured on Monday"};
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        const NeutralTable& held = made->written.held.front();
+        QVERIFY(std::abs(held.columns[0].values[1] - 0.5 / 1.075) < 1e-7);
+        const std::string& file = made->written.bytes;
+        QVERIFY(file.find("// lookup: encoder") != std::string::npos);
+        QVERIFY(file.find("lookup: set") == std::string::npos);
+        QVERIFY(file.find("measured on Monday") != std::string::npos);
+
+        request.lookupAt = LookupAt::Set; // as it is
+        const auto same = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(same);
+        QCOMPARE(same->written.held.front().columns[0].values, table.columns[0].values);
+    }
+
+    void aPlaceOfTheLookupThatContradictsTheFileIsRefused()
+    {
+        NeutralTable table =
+            neutralTable({steepTable().grid, {steepTable()}, {lookupNote(LookupAt::Set)}});
+        ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
+        request.targets = {"#1"};
+        request.lookupAt = LookupAt::Encoder;
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
+        ConversionRequest others = requestFor(softmc::format(), linuxcnc::format());
+        others.targets = {"#1"};
+        others.lookupAt = LookupAt::Set;
+        table.notes.clear();
+        table.sign = SignConvention::Command;
+        VERIFY_ERROR(convertTables(std::span(&table, 1), others), ErrorCode::InvalidArgument);
     }
 
     void moreThanAFormatHoldsIsRefused()
@@ -553,21 +652,6 @@ private Q_SLOTS:
         VERIFY_RESULT(one);
         VERIFY_RESULT(other);
         QCOMPARE(other->written.bytes, one->written.bytes);
-    }
-
-    /// Its positions are other places than those of the encoder.
-    void aTableForTheSetPositionIsForDrivesThatLookItUpThere()
-    {
-        NeutralTable table = exampleTable(1, SignConvention::Feedback);
-        ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
-        table.notes = {"lookup: encoder"};
-        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
-        table.notes = {"lookup: set"};
-        const auto refused = convertTables(std::span(&table, 1), request);
-        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
-        QVERIFY(test::mentions(sentence(refused.error()), "for the position of the encoder"));
-        request = requestFor(calibration_csv::format(), tam_table::format());
-        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
     }
 
     void endsThatNoLongerGoOnAreSaidWithTheirNumber()

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
 #include "core/machine/machine_plan.h"
+#include "core/machine/machine_tables.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
 #include <QTest>
 
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,6 +108,32 @@ private Q_SLOTS:
         const auto again = machine.plan();
         QVERIFY(again.has_value());
         QVERIFY(again->axes.at(0).writes());
+    }
+
+    /// -c is what the drive adds at the set position x, and at the encoder's x + c another value.
+    void theFileOfAnotherControllerIsMadeForTheSourceOfTheAxis()
+    {
+        const auto valueAt10 = [](const std::string& source) {
+            Machine machine;
+            machine.context.folder = machine.bench.folder.path().toStdString();
+            std::ofstream(machine.context.folder / "x.txt")
+                << "1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n";
+            MachineAxis& axis = machine.drive.axes[0];
+            axis.file = "x.txt";
+            axis.choices.format = &softmc::format();
+            axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+            axis.sources = std::vector<std::string>{source};
+            axis.acceptsLarge = true;
+            machine.tables = {
+                readMachineTable(axis, machine.context.folder, genericTableLayout(), std::nullopt)};
+            const auto plan = machine.plan();
+            if (!plan || plan->axes[0].problem || !plan->axes[0].request.table)
+                return 0.0F;
+            return plan->axes[0].request.table->values[1];
+        };
+        QCOMPARE(valueAt10("Axes[0]/Signals/PathPlanner/Position"), 0.5F);
+        const float atEncoder = valueAt10(test::masterX);
+        QVERIFY2(std::abs(atEncoder - 0.5F / 1.075F) < 1e-6F, std::to_string(atEncoder).c_str());
     }
 
     void aLargeCorrectionIsConfirmedInTheFileAndNowhereElse()

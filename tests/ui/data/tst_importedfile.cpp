@@ -239,13 +239,17 @@ private Q_SLOTS:
     {
         CompensationTable table{"first", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
         table.values = {0.002F, 0.003F, 0.001F, 0.004F};
-        const auto applied = tableAsAppliedBy(table, "#1", softmc::format().facts);
+        const auto applied = tableAsAppliedBy(table, {"#1", {}}, softmc::format().facts);
         VERIFY_RESULT(applied);
         QCOMPARE(applied->grid.axes[0].start, 0.0);
         QCOMPARE(applied->grid.axes[0].size, 6U);
         QCOMPARE(applied->values.front(), 0.0F); // the drive would hold 0.002
         QVERIFY(applied->values[1] < -0.0019F); // of the command
         QVERIFY(applied->values[5] < -0.0039F); // held above the last one
+        const auto atSet = tableAsAppliedBy(table, {"#1", LookupAt::Set}, softmc::format().facts);
+        VERIFY_RESULT(atSet);
+        QCOMPARE(
+            atSet->values, (std::vector<float>{0.0F, -0.002F, -0.003F, -0.001F, -0.004F, -0.004F}));
         VERIFY_ERROR(
             tableAsAppliedBy(table, {}, softmc::format().facts), ErrorCode::TargetNotKnown);
         const auto ofDrive = tableAsAppliedBy(table, {}, calibration_csv::format().facts);

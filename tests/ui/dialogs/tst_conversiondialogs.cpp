@@ -248,19 +248,53 @@ private Q_SLOTS:
         QVERIFY(std::abs(table.columns[0].values[1] + 0.001) < 1e-5);
     }
 
-    /// As `axiscomp convert` refuses it.
-    void aTableForTheSetPositionIsNotExported()
+    /// As `axiscomp convert` does it: by the position at which the drive looks the table up.
+    void aTableForTheSetPositionIsExportedAtItsPositions()
     {
         PageFixture bench;
         bench.picked = bench.file(QStringLiteral("set.csv"),
-            "// lookup: set\n// target: X\nX [mm],first [mm]\n0,0\n10,0.001\n20,0.003\n");
+            "// lookup: set\n// target: X\nX [mm],first [mm]\n0,0\n10,0.5\n20,-0.25\n");
         QVERIFY(bench.open());
         QVERIFY(bench.user.click("openButton"));
         QTRY_VERIFY(bench.controller().selectedTable());
         QVERIFY(openExport(bench, QStringLiteral("text table of positions")));
-        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("at the set position")),
-            qPrintable(reason(bench)));
-        QVERIFY(!mayAccept(bench));
+        QTRY_VERIFY(mayAccept(bench));
+        QVERIFY2(report(bench).contains(QStringLiteral("at the set position (lookup: set)")),
+            qPrintable(report(bench)));
+        bench.picked = bench.path(QStringLiteral("out.txt"));
+        QVERIFY(bench.user.click("acceptConversion"));
+        QTRY_VERIFY(QFile::exists(bench.picked));
+        QFile file(bench.picked);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("1 3\n0 0\n10 -0.5\n20 0.25\n"));
+    }
+
+    /// The sources that are chosen say where the drive will look it up.
+    void theFileOfAnotherControllerIsMadeForTheChosenSource()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        const auto choose = [&](const std::string& source) {
+            bench.controller().chooseSource(1, QString::fromStdString(source));
+            return test::PageUser::waitFor(
+                [&] { return bench.controller().setup().edited().sources[0].path == source; });
+        };
+        QVERIFY(choose("Axes[0]/Signals/PathPlanner/Position"));
+        const QString file =
+            bench.file(QStringLiteral("x.txt"), "1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n");
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        bench.controller().importData(file, choices);
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QCOMPARE(bench.controller().dataFile().data->tables[0].values[1], 0.5F);
+        QCOMPARE(bench.controller().dataFile().lookupAt, std::optional(LookupAt::Set));
+
+        QVERIFY(choose(test::masterX));
+        bench.controller().readDataAgain();
+        QTRY_COMPARE(bench.controller().dataFile().lookupAt, std::optional(LookupAt::Encoder));
+        QVERIFY(std::abs(bench.controller().dataFile().data->tables[0].values[1] - 0.5F / 1.075F)
+            < 1e-6F);
     }
 
     void anExportThatCannotBeWrittenSaysWhy()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/neutral/lookup_note.h"
+
+#include <optional>
+#include <string>
+
+namespace axiscomp {
+
+/// What an axis of the drive is to the sources of its table.
+struct AxisPlace {
+    std::string target; ///< which of them it is (core/drive/axis_target.h); empty: not known
+    std::optional<LookupAt> lookupAt; ///< on which side of the compensation they are
+
+    friend bool operator==(const AxisPlace&, const AxisPlace&) = default;
+};
+
+} // namespace axiscomp
