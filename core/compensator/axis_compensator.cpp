@@ -5,6 +5,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/proof.h"
 #include "core/axis/verified_transfer.h"
+#include "core/compensator/table_of_axis.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/write_planner.h"
@@ -14,6 +15,21 @@
 #include <charconv>
 
 namespace axiscomp {
+
+namespace {
+
+Result<CompensationTable> usedTable(AxisCompensator& compensator, const AxisStatus& status,
+    const DriveProfile& profile, const OperationOptions& options)
+{
+    const TableSlot* slot = profile.slotNamed(status.setup.slot);
+    if (!slot || !status.table)
+        return fail(ErrorCode::NoTable, {{"axis", status.axis.index}});
+    AXISCOMP_TRY(auto bytes, compensator.download(slot->file, options));
+    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, profile.layout));
+    return std::move(decoded.table);
+}
+
+} // namespace
 
 AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, DriveStore& store,
     std::function<WallTime()> clock)
@@ -245,13 +261,18 @@ void AxisCompensator::Private::putBack(
 
 Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOptions& options)
 {
-    AXISCOMP_TRY(auto now, status(axis, options));
-    const TableSlot* slot = d->profile.slotNamed(now.setup.slot);
-    if (!slot || !now.table)
-        return fail(ErrorCode::NoTable, {{"axis", axis}});
-    AXISCOMP_TRY(auto bytes, download(slot->file, options));
-    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, d->profile.layout));
-    return std::move(decoded.table);
+    AXISCOMP_TRY(const auto now, status(axis, options));
+    return usedTable(*this, now, d->profile, options);
+}
+
+Result<CompensationTable> AxisCompensator::readDescribedTable(
+    int axis, const OperationOptions& options)
+{
+    AXISCOMP_TRY(const auto now, status(axis, options));
+    AXISCOMP_TRY(auto table, usedTable(*this, now, d->profile, options));
+    AXISCOMP_TRY(const auto all, axes(options));
+    describeTable(table, now, all, d->profile);
+    return table;
 }
 
 } // namespace axiscomp

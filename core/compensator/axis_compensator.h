@@ -117,6 +117,9 @@ public:
     /// The table that the axis uses. Errors: NoTable, InvalidTable.
     [[nodiscard]] Result<CompensationTable> readTable(
         int axis, const OperationOptions& options = {});
+    /// The same with its units and its target, as the drive states them (table_of_axis.h).
+    [[nodiscard]] Result<CompensationTable> readDescribedTable(
+        int axis, const OperationOptions& options = {});
 
     [[nodiscard]] Result<std::vector<DriveFile>> files(const OperationOptions& options = {});
     [[nodiscard]] Result<Bytes> download(

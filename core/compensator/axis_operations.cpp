@@ -189,7 +189,7 @@ OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,
 Result<LoadedTable> downloadTable(AxisCompensator& compensator, int axis,
     const LoadedTable& expected, const OperationOptions& options)
 {
-    AXISCOMP_TRY(auto table, compensator.readTable(axis, options));
+    AXISCOMP_TRY(auto table, compensator.readDescribedTable(axis, options));
     if (expected.table && sameSpans(expected.table->grid, table.grid)
         && expected.table->values == table.values)
         return expected;

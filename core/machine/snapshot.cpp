@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/machine/snapshot.h"
 
+#include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
-#include "core/drive/axis_target.h"
-#include "core/drive/drive_units.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
-#include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -41,9 +39,9 @@ bool isSameTable(const CompensationTable& a, const CompensationTable& b)
 }
 
 /// Nothing where a calibration file does not give every bit back.
-std::optional<std::string> csvText(const CompensationTable& table)
+std::optional<std::string> csvText(const CompensationTable& table, std::vector<std::string> notes)
 {
-    std::string text = writeCalibrationCsv({table.grid, {table}, {}});
+    std::string text = writeCalibrationCsv({table.grid, {table}, std::move(notes)});
     CsvOptions options;
     options.dimensions = table.grid.dimensions();
     const CsvReading reading = parseCalibrationCsv(text, options);
@@ -78,7 +76,6 @@ public:
 private:
     [[nodiscard]] Result<void> takeAxis(int index);
     [[nodiscard]] Result<void> takeTable(const AxisStatus& status, MachineAxis& axis);
-    [[nodiscard]] Result<void> nameParts(const AxisStatus& status, CompensationTable& table);
 
     AxisCompensator& m_compensator;
     const DriveProfile& m_profile;
@@ -99,29 +96,6 @@ Result<void> Snapshot::takeAxis(int index)
     return {};
 }
 
-/// A table of the drive has no names and units, but people read the file.
-Result<void> Snapshot::nameParts(const AxisStatus& status, CompensationTable& table)
-{
-    const auto dimensions = static_cast<std::size_t>(table.grid.dimensions());
-    AXISCOMP_TRY(const auto units,
-        driveUnits(m_profile, std::span(status.setup.sources).first(dimensions), status.axis.index,
-            [this](int axis) -> Result<std::string> {
-                const auto found = std::ranges::find(m_axes, axis, &AxisInfo::index);
-                return found == m_axes.end() ? std::string() : found->unit;
-            }));
-    const auto symbolOf = [](const std::string& unit) {
-        return isPositionUnit(unit) ? unitSymbol(unit) : std::string();
-    };
-    table.name = "Table";
-    table.unit = symbolOf(units.values);
-    for (std::size_t n = 0; n < dimensions; ++n) {
-        table.grid.axes[n].name = "Dim " + std::to_string(n + 1);
-        table.grid.axes[n].unit = symbolOf(units.positions[n]);
-    }
-    table.target = axisTarget(m_profile, status.axis.index, sourcePaths(status.setup));
-    return {};
-}
-
 Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
 {
     AXISCOMP_TRY(auto table, m_compensator.readTable(status.axis.index, m_options));
@@ -131,10 +105,11 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
             return fail(
                 ErrorCode::SourceMissing, {{"dimension", n + 1}, {"ofAxis", status.axis.index}});
     axis.sources->resize(dimensions);
-    AXISCOMP_CHECK(nameParts(status, table));
+    describeTable(table, status, m_axes, m_profile);
+    nameParts(table);
     DriveSnapshot::TableFile file;
     file.name = std::to_string(status.drive.serialNumber) + "-axis" + axis.axis;
-    if (const auto text = csvText(table)) {
+    if (const auto text = csvText(table, lookupNotes(status, m_profile))) {
         file.name += ".csv";
         const ByteView bytes = asBytes(*text);
         file.bytes.assign(bytes.begin(), bytes.end());

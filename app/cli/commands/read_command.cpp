@@ -7,13 +7,14 @@
 #include "app/cli/session/command_session.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
-#include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
+#include "core/write/lookup_side.h"
 
 #include <filesystem>
 
@@ -46,17 +47,13 @@ Result<ReadTable> readAsTamTable(CommandSession& session, const AxisStatus& stat
 
 Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 {
-    AXISCOMP_TRY(
-        auto table, session.compensator().readTable(status.axis.index, session.operation()));
-    // A table file has no names, but a CSV file is read by people.
-    for (std::size_t n = 0; n < table.grid.axes.size(); ++n)
-        table.grid.axes[n].name = "Dim " + std::to_string(n + 1);
-    if (table.name.empty())
-        table.name = "Table";
-    table.target = axisTarget(session.profile(), status.axis.index, sourcePaths(status.setup));
-    CalibrationData data{table.grid, {table}, {}};
-    data.notes.push_back("read from " + driveWords(status.drive) + ", " + axisWords(status.axis)
-        + ", slot " + status.setup.slot);
+    AXISCOMP_TRY(auto table,
+        session.compensator().readDescribedTable(status.axis.index, session.operation()));
+    nameParts(table);
+    CalibrationData data{table.grid, {table}, lookupNotes(status, session.profile())};
+    data.notes.insert(data.notes.begin(),
+        "read from " + driveWords(status.drive) + ", " + axisWords(status.axis) + ", slot "
+            + status.setup.slot);
     const std::string text = writeCalibrationCsv(data);
     const ByteView view = asBytes(text);
     return ReadTable{std::move(table), Bytes(view.begin(), view.end())};
@@ -66,23 +63,16 @@ Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     const AxisStatus& status, const ReadOptions& options, const TableFormat& to)
 {
-    AXISCOMP_TRY(
-        auto table, session.compensator().readTable(status.axis.index, session.operation()));
-    const std::string unit = unitSymbol(status.axis.unit);
-    NeutralTable neutral = neutralTable({table.grid, {table}, {}});
-    neutral.columns.front().unit = unit;
-    if (neutral.axes.size() == 1)
-        neutral.axes.front().unit = unit;
+    AXISCOMP_TRY(auto table,
+        session.compensator().readDescribedTable(status.axis.index, session.operation()));
+    const NeutralTable tables[] = {neutralTable({table.grid, {table}, {}})};
     AXISCOMP_TRY(auto request,
-        conversionRequest(options.conversion, tam_table::format(), to, neutral.axes.size()));
-    if (request.targets.empty())
-        request.targets = {
-            axisTarget(session.profile(), status.axis.index, sourcePaths(status.setup))};
-    if (request.targets.front().empty())
-        request.targets.clear();
+        conversionRequest(options.conversion, tam_table::format(), to, table.grid.axes.size()));
+    if (request.targets.empty() && !table.target.empty())
+        request.targets = {table.target};
+    request.lookupAt = lookupAtSources(session.profile(), sourcePaths(status.setup));
     request.writing.layout = &session.profile().layout;
     request.writing.fileName = pathFromText(options.output).filename().string();
-    const NeutralTable tables[] = {std::move(neutral)};
     AXISCOMP_TRY(const auto conversion, convertTables(tables, request));
     for (const Text& line : conversionReport(conversion, request))
         environment.console().note(options.output + ": " + line.english());

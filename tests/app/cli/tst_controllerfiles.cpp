@@ -356,6 +356,53 @@ private Q_SLOTS:
         QVERIFY2(std::abs(last.split(' ').at(1).toDouble() + 0.02) < 1e-5, last.constData());
     }
 
+    /// The same file for a source after the compensation and for one before it, there and back.
+    void theFileOfAnotherControllerIsMadeForTheSourceOfTheAxis()
+    {
+        const Sandbox box;
+        const QByteArray file = "1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n";
+        box.file("x.txt", file);
+        const test::VirtualDriveProcess drive(box);
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        const auto heldWith = [&](const QString& source) {
+            const ProgramRun run = box.run(
+                QStringList{"write", "--data", "x.txt", "--source1", source, "--accept-large"}
+                + unitsIn + axis);
+            return run.code == 0 ? box.run(QStringList{"read"} + axis).out : run.err;
+        };
+        const QByteArray set = heldWith("Axes[0]/Signals/PathPlanner/Position");
+        QVERIFY2(set.contains("// lookup: set\n") && set.contains("Dim 1 [mm],")
+                && set.contains("\n10,0.5\n20,-0.25\n"),
+            set.constData());
+        VERIFY_CODE(box.run(QStringList{"read", "-o", "again.txt", "--to", "softmc"} + axis), 0);
+        QCOMPARE(box.content("again.txt"), file);
+
+        const QByteArray encoder = heldWith("Axes[0]/Signals/PositionController/MasterPosition");
+        QVERIFY2(!encoder.contains("lookup: set") && encoder.contains("\n10,0.4651163\n"),
+            encoder.constData());
+    }
+
+    void whatIsReadInTwoDimensionsCanBecomeTheFileOfAnotherController()
+    {
+        const Sandbox box;
+        box.file(
+            "xy.csv", "X [mm],Y [mm],X error [mm]\n0,0,0\n10,0,0.001\n0,10,-0.002\n10,10,0.003\n");
+        const test::VirtualDriveProcess drive(box, {"--axes", "2"});
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        VERIFY_CODE(box.run(QStringList{"write", "--data", "xy.csv", "--dims", "2", "--source1",
+                                test::positionSource(0), "--source2", test::positionSource(1)}
+                        + axis),
+            0);
+        const ProgramRun read =
+            box.run(QStringList{"read", "-o", "again.txt", "--to", "softmc"} + axis);
+        VERIFY_CODE(read, 0);
+        VERIFY_CODE(box.run({"convert", "xy.csv", "converted.txt", "--dims", "2", "--to", "softmc",
+                        "--target", "X", "--lookup-at", "set"}),
+            0);
+        QVERIFY(!box.content("again.txt").isEmpty());
+        QCOMPARE(box.content("again.txt"), box.content("converted.txt"));
+    }
+
     void theColumnsOfOneFileAreWrittenToTheirAxes()
     {
         const Sandbox box;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/table_of_axis.h"
+#include "core/write/lookup_side.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -79,6 +81,37 @@ private Q_SLOTS:
         QVERIFY(plan->table);
         QCOMPARE(plan->table->grid.axes[1].distance, 11.0);
         QVERIFY(plan->unitRemarks.empty());
+    }
+
+    void aTableIsReadWithWhatTheDriveSaysOfIt()
+    {
+        LinearAndRotary f;
+        VERIFY_RESULT(f.compensator.write(0, requestIn("mm", "mm", "deg")));
+        const auto grid = f.compensator.readDescribedTable(0);
+        VERIFY_RESULT(grid);
+        QCOMPARE(grid->unit, std::string("mm"));
+        QCOMPARE(grid->grid.axes[0].unit, std::string("mm"));
+        QCOMPARE(grid->grid.axes[1].unit, std::string("deg"));
+        QCOMPARE(grid->target, std::string("#1"));
+        QVERIFY(lookupNotes(*f.compensator.status(0), drivecomm::genericProfile()).empty());
+
+        WriteRequest other = requestIn("deg", "mm", "mm");
+        other.sources = {
+            "Axes[0]/Signals/PathPlanner/Position", "Axes[0]/Signals/General/MotorTemperature"};
+        other.table->grid.axes[1].unit.clear();
+        VERIFY_RESULT(f.compensator.write(1, other));
+        const auto cross = f.compensator.readDescribedTable(1);
+        VERIFY_RESULT(cross);
+        QCOMPARE(cross->unit, std::string("deg"));
+        QCOMPARE(cross->grid.axes[0].unit, std::string("mm"));
+        QCOMPARE(cross->grid.axes[1].unit, std::string());
+        QCOMPARE(lookupNotes(*f.compensator.status(1), drivecomm::genericProfile()),
+            std::vector<std::string>{"lookup: set"});
+        const std::string setY = "Axes[1]/Signals/PathPlanner/Position";
+        QCOMPARE(lookupAtSources(drivecomm::genericProfile(), std::vector{test::masterX, setY}),
+            std::optional(LookupAt::Set));
+        QCOMPARE(lookupAtSources(drivecomm::genericProfile(), std::vector{test::masterX}),
+            std::optional(LookupAt::Encoder));
     }
 
     void theLibraryRefusesLargeCorrectionsUntilTheyAreAccepted()
