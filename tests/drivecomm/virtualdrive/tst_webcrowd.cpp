@@ -208,6 +208,7 @@ void WebCrowdTest::keepsTheConnectionWhoseRequestItHas()
     site.fault("slow=2000");
     RawClient first(site.server->port());
     first.send(get(registersOf({stateOfX}), "Connection: close\r\n"));
+    QTRY_COMPARE_WITH_TIMEOUT(site.requests.load(), 1, webPatienceMs);
     std::vector<std::unique_ptr<RawClient>> clients;
     for (std::size_t i = 0; i < 2 * ConnectionRelay::mostConnections; ++i)
         clients.push_back(std::make_unique<RawClient>(site.server->port()));

@@ -12,6 +12,8 @@
 
 #include <httplib.h>
 
+#include <atomic>
+
 namespace axiscomp::test {
 
 using namespace drivecomm;
@@ -75,7 +77,8 @@ struct Site {
     void fault(const std::string& text) { faults.add(parseFault(text).value()); }
 
     WebServerOptions options;
-    FaultPlan faults;
+    std::atomic<int> requests = 0; ///< to the drive
+    FaultPlan faults{{}, [this](bool) { ++requests; }};
     VirtualDrive drive;
     std::unique_ptr<WebServer> server;
     httplib::Client client;
