@@ -464,14 +464,14 @@ struct Numbers {
 };
 
 Result<Numbers> numbersOf(
-    const FormatFacts& facts, const NeutralTable& table, const SettingValues& settings)
+    const FormatFacts& facts, const NeutralTable& table, const SettingValues& given)
 {
-    Numbers numbers{settings.whole("table"), 0, 0};
-    AXISCOMP_TRY(numbers.source, axisNumber(facts, settings, "source-motor", table.axes[0].name));
-    const std::string target = ownAxis(table, table.columns[0]) && !settings.has("target-motor")
+    Numbers numbers{given.whole("table"), 0, 0};
+    AXISCOMP_TRY(numbers.source, axisNumber(facts, given, "source-motor", table.axes[0].name));
+    const std::string target = ownAxis(table, table.columns[0]) && !given.has("target-motor")
         ? std::to_string(numbers.source)
         : targetName(table, table.columns[0]);
-    AXISCOMP_TRY(numbers.target, axisNumber(facts, settings, "target-motor", target));
+    AXISCOMP_TRY(numbers.target, axisNumber(facts, given, "target-motor", target));
     for (const std::int64_t number : {numbers.table, numbers.source, numbers.target})
         if (number < 0 || number > mostNumber)
             return cannotHold(facts,
