@@ -7986,16 +7986,16 @@
         <translation>die Datei sagt nicht, wo der Antrieb in ihrer Tabelle nachschlägt: in einer Kalibrierdatei die Zeile // lookup: encoder oder // lookup: set ergänzen</translation>
     </message>
     <message>
-        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
-        <translation>die Datei sagt lookup: {file}, und --lookup-at sagt {stated}: das Falsche von beiden korrigieren</translation>
-    </message>
-    <message>
         <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
         <translation>die Tabelle ist für einen Antrieb, der nach der Kompensation nachschlägt, an der Sollposition (lookup: set)</translation>
     </message>
     <message>
         <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
         <translation>die Werte sind aus denen umgerechnet, die der Antrieb nach der Kompensation nachschlägt, an der Sollposition (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
+        <translation>die Datei der Tabelle sagt lookup: {file}, und angegeben ist {stated} (--lookup-at): das Falsche von beiden korrigieren</translation>
     </message>
 </context>
 <context>

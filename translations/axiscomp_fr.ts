@@ -7975,7 +7975,7 @@
     </message>
     <message>
         <source>the drive is taken to look the table up before the compensation, at the position of the encoder; at the set position (lookup: set) its corrections would differ by up to {largest}</source>
-        <translation>il est admis que le variateur consulte la table avant compensation, à la position du codeur ; à la position de consigne (lookup: set), ses corrections différeraient de {largest} au plus</translation>
+        <translation>il est admis que le variateur consulte la table avant compensation, à la position du codeur&#xa0;; à la position de consigne (lookup: set), ses corrections différeraient de {largest} au plus</translation>
     </message>
     <message>
         <source>where a table is looked up (--lookup-at) is said of a table of the drive, and neither {from} nor {to} is one</source>
@@ -7983,11 +7983,7 @@
     </message>
     <message>
         <source>the file does not say where the drive looks its table up: in a calibration file add the line // lookup: encoder or // lookup: set</source>
-        <translation>le fichier ne dit pas où le variateur consulte sa table : dans un fichier d&apos;étalonnage, ajouter la ligne // lookup: encoder ou // lookup: set</translation>
-    </message>
-    <message>
-        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
-        <translation>le fichier dit lookup: {file}, et --lookup-at dit {stated} : corriger celui qui est faux</translation>
+        <translation>le fichier ne dit pas où le variateur consulte sa table&#xa0;: dans un fichier d&apos;étalonnage, ajouter la ligne // lookup: encoder ou // lookup: set</translation>
     </message>
     <message>
         <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
@@ -7996,6 +7992,10 @@
     <message>
         <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
         <translation>les valeurs sont converties depuis celles que le variateur consulte après compensation, à la position de consigne (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
+        <translation>le fichier de la table dit lookup: {file}, et {stated} est indiqué (--lookup-at) : corriger celui qui est faux</translation>
     </message>
 </context>
 <context>
@@ -9105,7 +9105,7 @@
     </message>
     <message>
         <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
-        <translation>Où le variateur consulte celle des deux tables qui est la sienne : encoder (avant compensation) ou set (après) ; par défaut selon le fichier, sinon encoder</translation>
+        <translation>Où le variateur consulte celle des deux tables qui est la sienne&#xa0;: encoder (avant compensation) ou set (après)&#xa0;; par défaut selon le fichier, sinon encoder</translation>
     </message>
 </context>
 <context>

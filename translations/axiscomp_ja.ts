@@ -7945,16 +7945,16 @@
         <translation>ドライブがテーブルを参照する位置がファイルに書かれていません。校正ファイルに // lookup: encoder または // lookup: set の行を追加してください</translation>
     </message>
     <message>
-        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
-        <translation>ファイルでは lookup: {file}、--lookup-at では {stated} となっています。誤っている方を修正してください</translation>
-    </message>
-    <message>
         <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
         <translation>このテーブルは、補正後の指令位置で参照するドライブ用です (lookup: set)</translation>
     </message>
     <message>
         <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
         <translation>値は、ドライブが補正後の指令位置で参照する値 (lookup: set) から変換したものです</translation>
+    </message>
+    <message>
+        <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
+        <translation>テーブルのファイルでは lookup: {file}、指定は {stated} (--lookup-at) となっています。誤っている方を修正してください</translation>
     </message>
 </context>
 <context>

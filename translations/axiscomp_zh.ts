@@ -7945,16 +7945,16 @@
         <translation>文件没有说明驱动器在哪里查它的表：请在标定文件中添加一行 // lookup: encoder 或 // lookup: set</translation>
     </message>
     <message>
-        <source>the file says lookup: {file}, and --lookup-at says {stated}: correct the one that is wrong</source>
-        <translation>文件中写的是 lookup: {file}，而 --lookup-at 给的是 {stated}：请改正其中错误的一个</translation>
-    </message>
-    <message>
         <source>the table is made for a drive that looks it up after the compensation, at the set position (lookup: set)</source>
         <translation>该表是为在补偿后按给定位置查表的驱动器制作的 (lookup: set)</translation>
     </message>
     <message>
         <source>the values are converted from those that the drive looks up after the compensation, at the set position (lookup: set)</source>
         <translation>这些值由驱动器在补偿后按给定位置查表所用的值转换而来 (lookup: set)</translation>
+    </message>
+    <message>
+        <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
+        <translation>表的文件中写的是 lookup: {file}，而指定的是 {stated} (--lookup-at)：请改正其中错误的一个</translation>
     </message>
 </context>
 <context>

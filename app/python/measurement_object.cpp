@@ -139,10 +139,12 @@ py::dict runsOfCsv(const py::bytes& file)
 }
 
 /// In the unit of the measurement.
-KnownTables knownTable(const char* name, const TablePointer& table, const Measurement& measurement)
+KnownTables knownTable(
+    const char* name, const TablePointer& table, const Measurement& measurement, LookupAt lookupAt)
 {
-    return valueOf(tablesOfFile(name, {table->table}, std::string(positionUnit(measurement)),
-                       drivecomm::genericProfile().layout))
+    const CalibrationData data{table->table.grid, {table->table}, table->notes};
+    return valueOf(tablesOfFile(name, data, std::string(positionUnit(measurement)),
+                       drivecomm::genericProfile().layout, lookupAt))
         .tables;
 }
 
@@ -161,11 +163,11 @@ py::dict predict(const py::bytes& file, const TablePointer& table, const std::st
 {
     const Measurement measurement = measurementOf(file);
     const LookupAt side = lookupNamed(lookupAt);
-    const KnownTables wanted = knownTable("the table", table, measurement);
+    const KnownTables wanted = knownTable("the table", table, measurement, side);
     std::optional<KnownTables> onto;
     StateRequest request{measurement.header.compensation, {}, hasRawReadings(measurement)};
     if (active) {
-        onto = knownTable("the active table", active, measurement);
+        onto = knownTable("the active table", active, measurement, side);
         request.stated = MeasuredState{MeasuredState::Kind::On, onto->crcs.front()};
         request.onto = &*onto;
     } else if (isOff) {

@@ -93,16 +93,10 @@ Result<SetSides> setSides(const NeutralTable& table, const ConversionRequest& re
                     "the file does not say where the drive looks its table up: in a calibration "
                     "file "
                     "add the line // lookup: encoder or // lookup: set")}});
-    if (asked && isOfDrive && !isForDrive && source && source != asked)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the file says lookup: {file}, and --lookup-at says {stated}: correct "
-                    "the one that is wrong")
-                    .with("file", lookupAtName(*source))
-                    .with("stated", lookupAtName(*asked))}});
-    if (!isForDrive)
-        return SetSides{source.value_or(asked.value_or(LookupAt::Encoder)) == LookupAt::Set, false};
+    if (!isForDrive) {
+        AXISCOMP_TRY(source, lookupOfTable(table.notes, asked));
+        return SetSides{isOfDrive && source == LookupAt::Set, false};
+    }
     const std::optional<LookupAt> target = asked ? asked : source;
     if (!isOfDrive || source == target)
         return SetSides{false, !isOfDrive && target == LookupAt::Set};

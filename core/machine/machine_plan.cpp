@@ -101,7 +101,7 @@ Result<MachineTable> DrivePlanner::settledTable(
         paths.push_back(std::move(resolved.path));
     }
     const AxisPlace place{
-        axisTarget(m_profile, plan.axis, paths), lookupAtSources(m_profile, paths)};
+        axisTarget(m_profile, plan.axis, paths), lookupAtSources(m_profile, plan.axis, paths)};
     MachineTable again =
         readMachineTable(axis, m_context.folder, m_profile.layout, place, m_options.stop);
     plan.fileProblems = again.problems;

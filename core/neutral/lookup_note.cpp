@@ -67,4 +67,19 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
     return said;
 }
 
+Result<std::optional<LookupAt>> lookupOfTable(
+    std::span<const std::string> notes, std::optional<LookupAt> stated)
+{
+    AXISCOMP_TRY(const auto said, lookupInNotes(notes));
+    if (said && stated && said != stated)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the file of the table says lookup: {file}, and stated is {stated} "
+                    "(--lookup-at): correct the one that is wrong")
+                    .with("file", lookupAtName(*said))
+                    .with("stated", lookupAtName(*stated))}});
+    return said ? said : stated;
+}
+
 } // namespace axiscomp

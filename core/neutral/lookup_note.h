@@ -29,5 +29,9 @@ enum class LookupAt {
 /// What the notes say; nothing: none says it. notes: comments without their slashes. Errors:
 /// InvalidArgument for a note that says neither side, and for two that contradict each other.
 [[nodiscard]] Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes);
+/// The same, or what a person or a drive states of it. Errors: those of lookupInNotes, and
+/// InvalidArgument where they contradict each other.
+[[nodiscard]] Result<std::optional<LookupAt>> lookupOfTable(
+    std::span<const std::string> notes, std::optional<LookupAt> stated);
 
 } // namespace axiscomp

@@ -11,13 +11,18 @@ std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_
 }
 
 std::optional<LookupAt> lookupAtSources(
-    const DriveProfile& profile, std::span<const std::string> sources)
+    const DriveProfile& profile, int axis, std::span<const std::string> sources)
 {
-    std::optional<LookupAt> found;
-    for (const std::string& source : sources)
-        if (const auto side = lookupAtSource(profile, source); side && found != LookupAt::Set)
-            found = side;
-    return found;
+    std::optional<LookupAt> common;
+    bool areOnBothSides = false;
+    for (const std::string& source : sources) {
+        const auto side = lookupAtSource(profile, source);
+        if (profile.axisOfPosition(source) == axis)
+            return side;
+        areOnBothSides = areOnBothSides || (common && side && common != side);
+        common = side ? side : common;
+    }
+    return areOnBothSides ? std::nullopt : common;
 }
 
 Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::string_view source)

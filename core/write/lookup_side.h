@@ -17,9 +17,10 @@ namespace axiscomp {
 [[nodiscard]] std::optional<LookupAt> lookupAtSource(
     const DriveProfile& profile, std::string_view source);
 
-/// The same for all sources of a table: the set position when one of them is on that side.
+/// The same for the table of an axis: by the source that is its own position, or by all of them
+/// where none is and they are on one side. sources: paths of registers.
 [[nodiscard]] std::optional<LookupAt> lookupAtSources(
-    const DriveProfile& profile, std::span<const std::string> sources);
+    const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
 /// Whether a source is on the side of the compensation for which a table was made: its values
 /// belong to other positions on the other one. A source that the profile does not know passes.

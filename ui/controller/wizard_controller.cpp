@@ -471,7 +471,7 @@ AxisPlace WizardController::chosenPlace() const
         return {};
     const auto sources = chosenSources(setup().edited());
     return {axisTarget(m_parts->profile, status()->axis.index, sources),
-        lookupAtSources(m_parts->profile, sources)};
+        lookupAtSources(m_parts->profile, status()->axis.index, sources)};
 }
 
 AxisPlace WizardController::selectedPlace() const
@@ -480,7 +480,8 @@ AxisPlace WizardController::selectedPlace() const
     if (setup().edited().table.fileTable)
         place.lookupAt = dataFile().lookupAt ? dataFile().lookupAt : place.lookupAt;
     else if (status())
-        place.lookupAt = lookupAtSources(m_parts->profile, sourcePaths(status()->setup));
+        place.lookupAt =
+            lookupAtSources(m_parts->profile, status()->axis.index, sourcePaths(status()->setup));
     return place;
 }
 

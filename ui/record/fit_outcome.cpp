@@ -36,8 +36,8 @@ TableLayout layoutOf(const FitDrive& drive)
 }
 
 /// The tables of a file, as they are opened on the tab Write.
-Result<TablesOfFile> readTables(
-    const QString& path, const FitRequest& request, const std::stop_token& stop)
+Result<TablesOfFile> readTables(const QString& path, const FitRequest& request,
+    std::optional<LookupAt> lookupAt, const std::stop_token& stop)
 {
     const QFileInfo info(path);
     const std::string name = info.fileName().toStdString();
@@ -51,13 +51,14 @@ Result<TablesOfFile> readTables(
         ? static_cast<int>(measurement.points.axes.size())
         : 1;
     import.layout = &layout;
+    import.choices.place.lookupAt = lookupAt;
     import.stop = stop;
     const TableImport read = importTables(import);
     if (read.isCancelled)
         return fail(ErrorCode::Cancelled);
     if (read.data)
         return tablesOfFile(
-            name, read.data->tables, std::string(positionUnit(measurement)), layout);
+            name, *read.data, std::string(positionUnit(measurement)), layout, lookupAt);
     const auto problem = std::ranges::find(read.problems, Severity::Error, &Diagnostic::severity);
     Text reason = AXISCOMP_TEXT("Error", "its content cannot be used");
     if (read.refusal && read.refusal->code == ErrorCode::SignNotStated)
@@ -107,6 +108,7 @@ public:
     }
 
 private:
+    [[nodiscard]] std::optional<LookupAt> lookupAt() const;
     void chooseSettings();
     [[nodiscard]] Result<void> readKnown();
     [[nodiscard]] Result<void> readDrive();
@@ -122,13 +124,19 @@ private:
     bool m_hasOnto = false; ///< it is the first of those known
 };
 
+/// As it is chosen, or by the source of the drive.
+std::optional<LookupAt> Fitting::lookupAt() const
+{
+    const std::optional<LookupAt> chosen = m_choices.settings.lookupAt;
+    return chosen ? chosen : m_request.drive.lookupAt();
+}
+
 void Fitting::chooseSettings()
 {
     FitSettings settings = m_choices.areLengthsAngles == m_measurement.isAngular
         ? m_choices.settings
         : withoutLengths(m_choices.settings);
-    if (!settings.lookupAt)
-        settings.lookupAt = m_request.drive.lookupAt();
+    settings.lookupAt = lookupAt();
     // A limit of 10 um is none of an angle.
     if (m_request.record.areLimitsAngles == m_measurement.isAngular) {
         settings.tolerances = m_request.record.tolerances;
@@ -175,7 +183,7 @@ Result<void> Fitting::readKnown()
     if (m_choices.onto == Onto::Drive) {
         AXISCOMP_CHECK(readDrive());
     } else if (m_choices.onto == Onto::File) {
-        AXISCOMP_TRY(auto tables, readTables(m_choices.ontoFile, m_request, m_stop));
+        AXISCOMP_TRY(auto tables, readTables(m_choices.ontoFile, m_request, lookupAt(), m_stop));
         m_outcome.known.push_back(std::move(tables.tables));
         m_outcome.remarks = std::move(tables.remarks);
     }
@@ -189,7 +197,8 @@ Result<void> Fitting::readKnown()
         m_stated = MeasuredState{MeasuredState::Kind::On, {}};
     if (m_choices.measuredWith != MeasuredWith::File)
         return {};
-    AXISCOMP_TRY(auto tables, readTables(m_choices.measuredWithFile, m_request, m_stop));
+    AXISCOMP_TRY(
+        auto tables, readTables(m_choices.measuredWithFile, m_request, lookupAt(), m_stop));
     // Columns of points have a table each, all of which were active.
     std::size_t stated = 0;
     if (m_measurement.kind != MeasurementKind::Points) {

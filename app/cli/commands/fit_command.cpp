@@ -200,7 +200,8 @@ Result<StateSources> readStates(
             options.measuredWith == "off" ? MeasuredState::Kind::Off : MeasuredState::Kind::On, {}};
     } else if (!options.measuredWith.empty()) {
         AXISCOMP_TRY(auto tables,
-            tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit));
+            tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit,
+                lookupNamed(options.lookupAt)));
         AXISCOMP_TRY(const std::size_t stated, statedTable(options, measurement, tables));
         sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs[stated]};
         sources.others.push_back(std::move(tables));
@@ -213,7 +214,8 @@ Result<StateSources> readStates(
         std::ranges::move(drive.backups, std::back_inserter(sources.others));
     } else if (!options.onto.empty()) {
         AXISCOMP_TRY(sources.onto,
-            tablesOfFile(environment, tableFile(options, measurement, options.onto), unit));
+            tablesOfFile(environment, tableFile(options, measurement, options.onto), unit,
+                lookupNamed(options.lookupAt)));
     }
     return sources;
 }

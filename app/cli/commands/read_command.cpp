@@ -70,7 +70,8 @@ Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
         conversionRequest(options.conversion, tam_table::format(), to, table.grid.axes.size()));
     if (request.targets.empty() && !table.target.empty())
         request.targets = {table.target};
-    request.lookupAt = lookupAtSources(session.profile(), sourcePaths(status.setup));
+    request.lookupAt =
+        lookupAtSources(session.profile(), status.axis.index, sourcePaths(status.setup));
     request.writing.layout = &session.profile().layout;
     request.writing.fileName = pathFromText(options.output).filename().string();
     AXISCOMP_TRY(const auto conversion, convertTables(tables, request));

@@ -131,7 +131,7 @@ Result<void> finishTable(Environment& environment, const WriteOptions& options,
         const std::string target =
             pending.needsTarget ? axisTarget(session.profile(), axis, sources) : std::string();
         AXISCOMP_CHECK(takeTable(
-            options, input, pending, target, lookupAtSources(session.profile(), sources)));
+            options, input, pending, target, lookupAtSources(session.profile(), axis, sources)));
     }
     noteReport(environment, pending.report);
     return {};

@@ -26,22 +26,24 @@ Result<void> checkOneValue(const TableInputOptions& options, const TableInput& i
 
 } // namespace
 
-Result<KnownTables> tablesOfFile(
-    Environment& environment, const TableInputOptions& options, const std::string& unit)
+Result<KnownTables> tablesOfFile(Environment& environment, const TableInputOptions& options,
+    const std::string& unit, std::optional<LookupAt> lookupAt)
 {
     AXISCOMP_TRY(const auto profile, profileOf(options.profile));
     AXISCOMP_TRY(const auto input, readInput(environment, options));
     AXISCOMP_CHECK(checkOneValue(options, input));
-    std::vector<CompensationTable> tables;
+    CalibrationData data;
     if (input.data) {
-        tables = input.data->tables;
+        data = *input.data;
     } else {
-        AXISCOMP_TRY(auto made, driveTable(input, options, {}));
+        ConversionOptions conversion;
+        conversion.lookupAt = lookupAt;
+        AXISCOMP_TRY(auto made, driveTable(input, options, conversion));
         noteReport(environment, made.report);
-        tables.push_back(std::move(made.table));
+        data = {made.table.grid, {made.table}, {}};
     }
     AXISCOMP_TRY(auto known,
-        axiscomp::tablesOfFile(displayName(options.file), std::move(tables), unit, profile.layout));
+        axiscomp::tablesOfFile(displayName(options.file), data, unit, profile.layout, lookupAt));
     noteRemarks(environment, known.remarks);
     return std::move(known.tables);
 }

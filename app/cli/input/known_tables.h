@@ -7,9 +7,10 @@
 namespace axiscomp::app {
 
 /// The tables of a file in the unit of the measurement, mm or deg. Notes say what is assumed of
-/// units. Errors: those of reading the file, UnitMismatch.
-[[nodiscard]] Result<KnownTables> tablesOfFile(
-    Environment& environment, const TableInputOptions& options, const std::string& unit);
+/// units. lookupAt: where the drive looks them up, as far as that is stated. Errors: those of
+/// reading the file and of the other tablesOfFile.
+[[nodiscard]] Result<KnownTables> tablesOfFile(Environment& environment,
+    const TableInputOptions& options, const std::string& unit, std::optional<LookupAt> lookupAt);
 
 /// "note: ..." for each on standard error.
 void noteRemarks(Environment& environment, const std::vector<Text>& remarks);

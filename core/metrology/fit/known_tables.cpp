@@ -29,12 +29,13 @@ Result<void> addTable(KnownTables& known, const CompensationTable& table,
     return {};
 }
 
-Result<TablesOfFile> tablesOfFile(const std::string& name, std::vector<CompensationTable> tables,
-    const std::string& unit, const TableLayout& layout)
+Result<TablesOfFile> tablesOfFile(const std::string& name, const CalibrationData& data,
+    const std::string& unit, const TableLayout& layout, std::optional<LookupAt> lookupAt)
 {
+    AXISCOMP_CHECK(lookupOfTable(data.notes, lookupAt));
     TablesOfFile made;
     made.tables.name = Verbatim{name};
-    for (const CompensationTable& table : tables)
+    for (const CompensationTable& table : data.tables)
         AXISCOMP_CHECK(addTable(made.tables, table, std::nullopt, unit, layout, &made.remarks));
     return made;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/csv/calibration_csv.h"
 #include "core/metrology/fit/measured_state.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/compensation_table.h"
 #include "core/table/table_layout.h"
 
@@ -26,9 +28,11 @@ struct TablesOfFile {
     KnownTables tables;
     std::vector<Text> remarks; ///< what is assumed of units
 };
-/// name: of the file, as it is told. unit: of the measurement, mm or deg. The CRC of each table is
-/// that of a drive with this unit. Errors: UnitMismatch; those of elementCrc.
+/// name: of the file, as it is told. unit: of the measurement, mm or deg. lookupAt: where the drive
+/// looks them up, as far as that is stated. The CRC of each table is that of a drive with this
+/// unit. Errors: UnitMismatch; those of elementCrc and lookupOfTable.
 [[nodiscard]] Result<TablesOfFile> tablesOfFile(const std::string& name,
-    std::vector<CompensationTable> tables, const std::string& unit, const TableLayout& layout);
+    const CalibrationData& data, const std::string& unit, const TableLayout& layout,
+    std::optional<LookupAt> lookupAt);
 
 } // namespace axiscomp

@@ -338,6 +338,27 @@ private Q_SLOTS:
         VERIFY_CODE(box.run(words + QStringList{"mean.csv"}), 0);
     }
 
+    /// Nothing was left with it: what the controller commands at 50 the drive adds there.
+    void aTableThatWasActiveIsTakenForTheStatedLookup()
+    {
+        const Sandbox box;
+        box.file("m.csv", runs("// compensation: on\n", [](double) { return 0.0; }));
+        box.file("old.comp", "0 0 0\n50 50.5 50.5\n100 100 100\n");
+        const auto fitOnto = [&](const char* table, const char* lookup) {
+            return box.run({"fit", "m.csv", "--zero", "keep", "--onto", table, "--lookup-at",
+                lookup, "-o", "t.csv"});
+        };
+        VERIFY_CODE(fitOnto("old.comp", "set"), 0);
+        QVERIFY2(box.content("t.csv").contains("\n50,0.5\n"), box.content("t.csv").constData());
+
+        box.file("set.csv", "// lookup: set\nX [mm],dX [mm]\n0,0\n50,0.5\n100,0\n");
+        VERIFY_CODE(fitOnto("set.csv", "set"), 0);
+        const ProgramRun refused = fitOnto("set.csv", "encoder");
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("says lookup: set, and stated is encoder"),
+            refused.err.constData());
+    }
+
     /// Nothing was left with the table of Y active, which is -x/5 um.
     void ofSeveralTablesThatOfTheStatedAxisIsMergedOnto()
     {

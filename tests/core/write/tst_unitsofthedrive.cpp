@@ -107,11 +107,20 @@ private Q_SLOTS:
         QCOMPARE(cross->grid.axes[1].unit, std::string());
         QCOMPARE(lookupNotes(*f.compensator.status(1), drivecomm::genericProfile()),
             std::vector<std::string>{"lookup: set"});
-        const std::string setY = "Axes[1]/Signals/PathPlanner/Position";
-        QCOMPARE(lookupAtSources(drivecomm::genericProfile(), std::vector{test::masterX, setY}),
-            std::optional(LookupAt::Set));
-        QCOMPARE(lookupAtSources(drivecomm::genericProfile(), std::vector{test::masterX}),
+    }
+
+    void theLookupOfATableIsThatOfTheAxisItself()
+    {
+        const DriveProfile& profile = drivecomm::genericProfile();
+        const std::vector<std::string> sources{
+            test::masterX, "Axes[1]/Signals/PathPlanner/Position"};
+        QCOMPARE(lookupAtSources(profile, 0, sources), std::optional(LookupAt::Encoder));
+        QCOMPARE(lookupAtSources(profile, 1, sources), std::optional(LookupAt::Set));
+        QCOMPARE(lookupAtSources(profile, 2, sources), std::optional<LookupAt>());
+        QCOMPARE(lookupAtSources(profile, 2, std::vector{test::masterX, test::masterY}),
             std::optional(LookupAt::Encoder));
+        QCOMPARE(lookupAtSources(profile, 0, std::vector<std::string>{"Analog/Input"}),
+            std::optional<LookupAt>());
     }
 
     void theLibraryRefusesLargeCorrectionsUntilTheyAreAccepted()
