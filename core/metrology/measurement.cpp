@@ -116,9 +116,9 @@ std::span<const RunValue> valuesAt(
     const auto place = [](const RunValue& value) {
         return std::pair(value.direction, value.target);
     };
-    const auto found =
-        std::ranges::equal_range(measurement.values, std::pair(direction, target), {}, place);
-    return {found.begin(), found.end()};
+    const std::pair wanted(direction, target);
+    return {std::ranges::lower_bound(measurement.values, wanted, {}, place),
+        std::ranges::upper_bound(measurement.values, wanted, {}, place)};
 }
 
 const RunValue* findValue(

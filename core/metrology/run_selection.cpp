@@ -62,9 +62,11 @@ std::span<RunValue> candidates(Measurement& measurement, const Exclusion& exclus
     if (!exclusion.direction || !exclusion.target || !exclusion.run)
         return measurement.values;
     const std::tuple wanted(*exclusion.direction, *exclusion.target, *exclusion.run);
-    return std::ranges::equal_range(measurement.values, wanted, {}, [](const RunValue& value) {
+    const auto place = [](const RunValue& value) {
         return std::tuple(value.direction, value.target + 1, value.run);
-    });
+    };
+    return {std::ranges::lower_bound(measurement.values, wanted, {}, place),
+        std::ranges::upper_bound(measurement.values, wanted, {}, place)};
 }
 
 /// The targets of all, each once.

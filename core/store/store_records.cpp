@@ -205,8 +205,7 @@ std::vector<std::int32_t> drivesWithFlashLoss(
     for (Statement row(database, "SELECT serial FROM drive"); row.next();)
         drives.push_back(row.as<std::int32_t>(0));
     std::ranges::sort(drives);
-    const auto again = std::ranges::unique(drives);
-    drives.erase(again.begin(), again.end());
+    drives.erase(std::unique(drives.begin(), drives.end()), drives.end());
     std::erase_if(drives, [&](std::int32_t serialNumber) {
         return !flashHistory(database, serialNumber, root).damagedRecord;
     });

@@ -21,8 +21,7 @@ std::vector<double> pointsOfBoth(const GridAxis& one, const GridAxis* other)
         for (std::size_t i = 0; axis && i < axis->size; ++i)
             points.push_back(axis->position(i));
     std::ranges::sort(points);
-    const auto repeated = std::ranges::unique(points);
-    points.erase(repeated.begin(), repeated.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>

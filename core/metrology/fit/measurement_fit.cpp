@@ -184,7 +184,8 @@ Result<FitReport> fitMeasurement(const Measurement& measurement, const FitSettin
     if (!state.assumption.isEmpty())
         addRemark(report, "StateAssumed", state.assumption, true);
     addTableRemarks(input, report);
-    std::ranges::stable_partition(report.remarks, &FitRemark::isWarning);
+    std::stable_partition(report.remarks.begin(), report.remarks.end(),
+        [](const FitRemark& remark) { return remark.isWarning; });
     return report;
 }
 
