@@ -7997,6 +7997,14 @@
         <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
         <translation>die Datei der Tabelle sagt lookup: {file}, und angegeben ist {stated} (--lookup-at): das Falsche von beiden korrigieren</translation>
     </message>
+    <message>
+        <source>while {name} was active the sources of the axis were others, so that its values may belong to other positions: measure again with what the axis has now</source>
+        <translation>während {name} aktiv war, hatte die Achse andere Quellen, sodass die Werte zu anderen Positionen gehören können: noch einmal mit dem messen, was die Achse jetzt hat</translation>
+    </message>
+    <message>
+        <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
+        <translation>Die Tabelle bleibt, und ihre neue Quelle liegt auf der anderen Seite der Kompensation: Ihre Werte gehören zu anderen Positionen. Schreiben Sie die Tabelle, die für diese Quelle erstellt wurde.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -17569,6 +17577,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
         <translation>die Werte sind in %1, was sich nicht in %2 umrechnen lässt, die Einheit der Achse: Sie werden nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>at the set position %1 the drive will add %2</source>
+        <translation>an der Sollposition %1 wird der Antrieb %2 addieren</translation>
     </message>
 </context>
 <context>

@@ -7995,7 +7995,15 @@
     </message>
     <message>
         <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
-        <translation>le fichier de la table dit lookup: {file}, et {stated} est indiqué (--lookup-at) : corriger celui qui est faux</translation>
+        <translation>le fichier de la table dit lookup: {file}, et {stated} est indiqué (--lookup-at)&#xa0;: corriger celui qui est faux</translation>
+    </message>
+    <message>
+        <source>while {name} was active the sources of the axis were others, so that its values may belong to other positions: measure again with what the axis has now</source>
+        <translation>pendant que {name} était active, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions : mesurer à nouveau avec ce que l&apos;axe a maintenant</translation>
+    </message>
+    <message>
+        <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
+        <translation>La table reste, et sa nouvelle source est de l&apos;autre côté de la compensation : ses valeurs appartiennent à d&apos;autres positions. Écrivez la table qui a été faite pour cette source.</translation>
     </message>
 </context>
 <context>
@@ -17569,6 +17577,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
         <translation>les valeurs sont en %1, ce qui ne peut pas être converti en %2, l&apos;unité de l&apos;axe&#xa0;: elles ne seront pas écrites</translation>
+    </message>
+    <message>
+        <source>at the set position %1 the drive will add %2</source>
+        <translation>à la position de consigne %1, le variateur ajoutera %2</translation>
     </message>
 </context>
 <context>

@@ -7956,6 +7956,14 @@
         <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
         <translation>テーブルのファイルでは lookup: {file}、指定は {stated} (--lookup-at) となっています。誤っている方を修正してください</translation>
     </message>
+    <message>
+        <source>while {name} was active the sources of the axis were others, so that its values may belong to other positions: measure again with what the axis has now</source>
+        <translation>{name} が有効だったときは軸のソースが異なっていたため、値は別の位置のものかもしれません。現在の軸の設定で測定し直してください</translation>
+    </message>
+    <message>
+        <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
+        <translation>テーブルはそのまま残りますが、新しいソースは補正の反対側の位置です。値は別の位置のものになります。このソース用に作成したテーブルを書き込んでください。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -17518,6 +17526,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
         <translation>値の単位 %1 を軸の単位 %2 に変換できないため、書き込みません</translation>
+    </message>
+    <message>
+        <source>at the set position %1 the drive will add %2</source>
+        <translation>指令位置 %1 で、ドライブは %2 を加算します</translation>
     </message>
 </context>
 <context>

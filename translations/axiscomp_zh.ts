@@ -7956,6 +7956,14 @@
         <source>the file of the table says lookup: {file}, and stated is {stated} (--lookup-at): correct the one that is wrong</source>
         <translation>表的文件中写的是 lookup: {file}，而指定的是 {stated} (--lookup-at)：请改正其中错误的一个</translation>
     </message>
+    <message>
+        <source>while {name} was active the sources of the axis were others, so that its values may belong to other positions: measure again with what the axis has now</source>
+        <translation>{name} 有效时轴的源与现在不同，其值可能属于其他位置：请用轴现在的设置重新测量</translation>
+    </message>
+    <message>
+        <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
+        <translation>表保持不变，而它的新源位于补偿的另一侧：其值属于其他位置。请写入为该源制作的表。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -17518,6 +17526,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
         <translation>值以 %1 为单位，无法换算成轴的单位 %2：不会写入</translation>
+    </message>
+    <message>
+        <source>at the set position %1 the drive will add %2</source>
+        <translation>在给定位置 %1 处，驱动器将叠加 %2</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include "core/compensator/file_kind.h"
 #include "core/drive/drive_profile.h"
+#include "core/write/lookup_side.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/controller/setup_history.h"
@@ -342,8 +343,9 @@ void CompensationWizard::Private::tellDrive()
     drive.profile = options.profile;
     drive.storeRoot = options.storeRoot;
     if (const auto& status = controller.status()) {
-        drive.axis = axisOfDrive(*status);
-        drive.axis->source = controller.setup().edited().sources.front().path;
+        drive.axis = axisOfDrive(*status, *options.profile);
+        drive.axis->source = lookupSource(
+            *options.profile, status->axis.index, sourcePaths(controller.setup().edited()));
         drive.hasTable = status->table.has_value();
         drive.table = controller.driveTable();
     }

@@ -8,19 +8,32 @@
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 
+#include <algorithm>
+
 namespace axiscomp {
 
 namespace {
 
-Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
-    const DriveProfile& profile, const std::string& driveUnit, const std::string& unit)
+/// Whether the sources of a backup are others than those of the axis: of these it has addresses.
+bool hasOtherSources(const AxisBackup& backup, const AxisOfDrive& axis)
 {
+    for (std::size_t n = 0; n < axis.addresses.size() && n + 1 < backup.registers.size(); ++n)
+        if (toDouble(backup.registers[n + 1].value) != static_cast<double>(axis.addresses[n]))
+            return true;
+    return false;
+}
+
+Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file, const AxisOfDrive& of,
+    const DriveProfile& profile, const std::string& unit)
+{
+    const std::string driveUnit = unitSymbol(of.axis.unit);
     AXISCOMP_TRY(const auto bytes, loadFile(file, maximumBackupSize));
     AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), file.string()));
     KnownTables known;
     known.name = AXISCOMP_TEXT("Measurement", "the backup {file}")
                      .with("file", Verbatim{file.filename().string()});
     for (const AxisBackup& axis : backup.axes) {
+        known.hadOtherSources = known.hadOtherSources || hasOtherSources(axis, of);
         for (const AxisBackup::File& one : axis.files) {
             if (one.bytes.empty())
                 continue;
@@ -39,10 +52,14 @@ Result<void> addBackup(AxisTables& tables, const std::filesystem::path& file,
 
 } // namespace
 
-AxisOfDrive axisOfDrive(const AxisStatus& status)
+AxisOfDrive axisOfDrive(const AxisStatus& status, const DriveProfile& profile)
 {
     const auto sources = sourcePaths(status.setup);
-    return {status.axis, status.drive.serialNumber, sources.empty() ? "" : sources.front()};
+    AxisOfDrive axis{status.axis, status.drive.serialNumber,
+        lookupSource(profile, status.axis.index, sources),
+        lookupAtSources(profile, status.axis.index, sources), {}};
+    std::ranges::transform(status.setup.sources, axis.addresses.begin(), &DimSource::address);
+    return axis;
 }
 
 Result<AxisTables> tablesOfAxis(const AxisOfDrive& axis, CompensationTable table,
@@ -66,8 +83,10 @@ Result<AxisTables> tablesOfAxis(const AxisOfDrive& axis, CompensationTable table
     tables.source = axis.source;
     if (!axis.source.empty())
         tables.lookupAt = lookupAtSource(profile, axis.source);
+    tables.active.hadOtherSources =
+        axis.lookupAt && tables.lookupAt && axis.lookupAt != tables.lookupAt;
     for (const auto& file : store.backups(axis.serialNumber, axis.axis.index)) {
-        const auto added = addBackup(tables, file, profile, driveUnit, unit);
+        const auto added = addBackup(tables, file, axis, profile, unit);
         if (!added)
             tables.unreadable.push_back(added.error());
     }

@@ -10,6 +10,7 @@
 #include "core/store/drive_store.h"
 #include "core/table/compensation_table.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,13 +30,15 @@ struct AxisTables {
     std::vector<Error> unreadable; ///< backups that cannot be read
 };
 
-/// Which axis, and by which register it looks its table up.
+/// Which axis, and by which register its new table will be looked up.
 struct AxisOfDrive {
     AxisInfo axis;
     std::int32_t serialNumber = 0; ///< of the drive
-    std::string source; ///< of the first dimension; empty: none is set
+    std::string source; ///< see lookupSource; empty: none is set
+    std::optional<LookupAt> lookupAt; ///< of the table that it has
+    std::array<std::uint32_t, 3> addresses{}; ///< of the sources that it has
 };
-[[nodiscard]] AxisOfDrive axisOfDrive(const AxisStatus& status);
+[[nodiscard]] AxisOfDrive axisOfDrive(const AxisStatus& status, const DriveProfile& profile);
 
 /// table: the one that the axis uses, as it was downloaded. Reads the backups of the axis: not for
 /// a thread that must not wait. Errors: UnitMismatch; those of elementCrc.

@@ -40,13 +40,8 @@ void nameParts(CompensationTable& table)
 
 std::vector<std::string> lookupNotes(const AxisStatus& status, const DriveProfile& profile)
 {
-    const auto sources = sourcePaths(status.setup);
-    const bool isForOneSide = std::ranges::all_of(sources, [&](const std::string& source) {
-        return checkLookupSource(LookupAt::Set, profile, source).has_value();
-    });
-    if (!isForOneSide || lookupAtSources(profile, status.axis.index, sources) != LookupAt::Set)
-        return {};
-    return {lookupNote(LookupAt::Set)};
+    return withLookupNote(
+        {}, lookupAtSources(profile, status.axis.index, sourcePaths(status.setup)));
 }
 
 } // namespace axiscomp

@@ -21,8 +21,7 @@ void describeTable(CompensationTable& table, const AxisStatus& status,
 /// For a file that people read: dimensions and values that have no name get one.
 void nameParts(CompensationTable& table);
 
-/// For the same file: that the axis looks its table up at the set position, where it does. Not
-/// where a source of another axis is on the other side: the file could not be written again.
+/// For the same file: where the axis looks its table up, as far as that is known.
 [[nodiscard]] std::vector<std::string> lookupNotes(
     const AxisStatus& status, const DriveProfile& profile);
 

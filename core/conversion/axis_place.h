@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/neutral/lookup_note.h"
 
 #include <optional>
@@ -15,5 +16,8 @@ struct AxisPlace {
 
     friend bool operator==(const AxisPlace&, const AxisPlace&) = default;
 };
+
+/// Whether a conversion that was refused may be possible for another place.
+[[nodiscard]] bool dependsOnPlace(const Error& refusal);
 
 } // namespace axiscomp

@@ -152,10 +152,12 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
 Result<NeutralTable> Converter::signConverted(
     NeutralTable table, SetSides sides, TableConversion& conversion) const
 {
-    const SignConvention to = sides.target ? SignConvention::Command : targetSign();
+    const SignConvention to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
     NeutralTable result = table;
     if (table.sign == to) {
-        conversion.example = examplePoint(table);
+        const bool isForSet = sides.source && sides.target;
+        conversion.example =
+            examplePoint(isForSet ? withTurnedSigns(table, SignConvention::Command) : table);
     } else {
         const ConvertedKnots knots = knotsFor(table);
         AXISCOMP_TRY(
@@ -167,11 +169,11 @@ Result<NeutralTable> Converter::signConverted(
                     "where the controller of the source applies nothing"));
         result = std::move(converted.table);
         // What the drive looks up at the set position is of neither of the two conventions.
-        conversion.example = sides.target ? examplePoint(table)
-            : sides.source                ? examplePoint(result)
-                                          : std::move(converted.example);
+        conversion.example = sides.isTargetConverted() ? examplePoint(table)
+            : sides.isSourceConverted()                ? examplePoint(result)
+                                                       : std::move(converted.example);
     }
-    return sides.target ? withTurnedSigns(std::move(result), targetSign()) : result;
+    return sides.isTargetConverted() ? withTurnedSigns(std::move(result), targetSign()) : result;
 }
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
@@ -187,7 +189,7 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     AXISCOMP_TRY(const auto sides, setSides(table, m_request));
     if (const auto remark = lookupRemark(table, sides, m_request))
         remarkOnce(m_remarks, *remark);
-    if (sides.source)
+    if (sides.isSourceConverted())
         table = withTurnedSigns(std::move(table), SignConvention::Command);
     conversion.lookupAt = lookupOfResult(table, m_request);
     conversion.source = table;
@@ -205,8 +207,8 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         result = inPositionUnits(*result, m_remarks);
     if (result)
         result->sign = m_request.to->facts.sign;
-    if (result && conversion.lookupAt)
-        result->notes = withLookupNote(std::move(result->notes), *conversion.lookupAt);
+    if (result)
+        result->notes = notesOfResult(*result, m_request);
     return result;
 }
 
@@ -253,7 +255,7 @@ Result<void> Converter::finish(const NeutralTable& asked, const NeutralTable& pr
         if (auto merge = mergeDirections(source, *m_request.direction))
             source = std::move(merge->table);
     const NeutralTable applied =
-        sides.target ? withTurnedSigns(held, SignConvention::Command) : held;
+        sides.isTargetConverted() ? withTurnedSigns(held, SignConvention::Command) : held;
     AXISCOMP_TRY(auto difference,
         conversionDifference(
             source, m_request.from->facts.behaviour, applied, m_request.to->facts.behaviour));

@@ -2,6 +2,7 @@
 #include "core/conversion/lookup_sides.h"
 
 #include "core/formats/formats.h"
+#include "core/formats/triamec/triamec_tables.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 #include "core/text/number_text.h"
@@ -13,10 +14,12 @@ namespace axiscomp {
 
 namespace {
 
-bool hasOwnAxis(const NeutralTable& table)
+/// Whether a column corrects a source, or nobody has said that it does not.
+bool mayMoveSource(const NeutralTable& table)
 {
-    return std::ranges::any_of(table.columns,
-        [&](const CompensationColumn& column) { return ownAxis(table, column).has_value(); });
+    return std::ranges::any_of(table.columns, [&](const CompensationColumn& column) {
+        return !targetOf(table, column) || ownAxis(table, column);
+    });
 }
 
 /// By how much a column says something else one of its own values further on: the most that the
@@ -48,13 +51,14 @@ std::optional<Text> assumption(const NeutralTable& table)
     double largest = 0.0;
     std::string unit;
     for (const CompensationColumn& column : table.columns) {
-        const auto axis = ownAxis(table, column);
-        if (!axis)
-            continue;
-        const double shift = largestShift(table, column, *axis);
-        if (shift > largest) {
-            largest = shift;
-            unit = column.unit;
+        const auto own = ownAxis(table, column);
+        for (std::size_t axis = 0; axis < table.axes.size(); ++axis) {
+            const bool isMoved = own ? axis == *own : !targetOf(table, column);
+            const double shift = isMoved ? largestShift(table, column, axis) : 0.0;
+            if (shift > largest) {
+                largest = shift;
+                unit = column.unit;
+            }
         }
     }
     if (largest <= 0.0)
@@ -69,16 +73,17 @@ std::optional<Text> assumption(const NeutralTable& table)
 
 } // namespace
 
+bool isOfDrive(const TableFormat& format, std::optional<SignConvention> stated)
+{
+    return isTriamec(format) && stated != SignConvention::Command;
+}
+
 Result<SetSides> setSides(const NeutralTable& table, const ConversionRequest& request)
 {
-    const bool isOfDrive = isTriamec(*request.from);
-    const bool isForDrive = isTriamec(*request.to);
-    std::optional<LookupAt> source;
-    if (isOfDrive) {
-        AXISCOMP_TRY(source, lookupInNotes(table.notes));
-    }
+    const bool isFromDrive = isOfDrive(*request.from, request.sourceSign);
+    const bool isForDrive = isOfDrive(*request.to, request.targetSign);
     const std::optional<LookupAt> asked = request.lookupAt;
-    if (asked && !isOfDrive && !isForDrive)
+    if (asked && !isFromDrive && !isForDrive)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",
@@ -86,47 +91,66 @@ Result<SetSides> setSides(const NeutralTable& table, const ConversionRequest& re
                     "neither {from} nor {to} is one")
                     .with("from", request.from->facts.name)
                     .with("to", request.to->facts.name)}});
-    if (asked && isOfDrive && isForDrive && !source)
+    SetSides sides;
+    sides.target = isForDrive && asked == LookupAt::Set;
+    if (!isFromDrive)
+        return sides;
+    if (!isForDrive) {
+        AXISCOMP_TRY(const auto source, lookupOfTable(table.notes, asked));
+        sides.source = source == LookupAt::Set;
+        return sides;
+    }
+    AXISCOMP_TRY(auto source, lookupInNotes(table.notes));
+    if (!source && request.from == &tam_table::format())
+        source = asked; // which has no room for it
+    if (asked && !source)
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT("Error",
                     "the file does not say where the drive looks its table up: in a calibration "
                     "file "
                     "add the line // lookup: encoder or // lookup: set")}});
-    if (!isForDrive) {
-        AXISCOMP_TRY(source, lookupOfTable(table.notes, asked));
-        return SetSides{isOfDrive && source == LookupAt::Set, false};
-    }
-    const std::optional<LookupAt> target = asked ? asked : source;
-    if (!isOfDrive || source == target)
-        return SetSides{false, !isOfDrive && target == LookupAt::Set};
-    return SetSides{source == LookupAt::Set, target == LookupAt::Set};
+    sides.source = source == LookupAt::Set;
+    sides.target = asked ? sides.target : sides.source;
+    return sides;
 }
 
 std::optional<LookupAt> lookupOfResult(const NeutralTable& table, const ConversionRequest& request)
 {
-    if (!isTriamec(*request.to) || !hasOwnAxis(table))
+    if (!isOfDrive(*request.to, request.targetSign))
         return std::nullopt;
-    if (!request.lookupAt && isTriamec(*request.from))
+    if (isOfDrive(*request.from, request.sourceSign))
+        return request.lookupAt;
+    if (!mayMoveSource(table))
         return std::nullopt;
     return request.lookupAt.value_or(LookupAt::Encoder);
+}
+
+std::vector<std::string> notesOfResult(const NeutralTable& table, const ConversionRequest& request)
+{
+    const auto lookupAt = lookupOfResult(table, request);
+    const bool isKept =
+        isOfDrive(*request.from, request.sourceSign) && isOfDrive(*request.to, request.targetSign);
+    return lookupAt || !isKept ? withLookupNote(table.notes, lookupAt) : table.notes;
 }
 
 std::optional<Text> lookupRemark(
     const NeutralTable& source, SetSides sides, const ConversionRequest& request)
 {
-    if (!hasOwnAxis(source))
+    if (!mayMoveSource(source))
         return std::nullopt;
-    if (sides.target)
+    if (sides.isTargetConverted())
         return AXISCOMP_TEXT("Error",
             "the table is made for a drive that looks it up after the compensation, at the set "
             "position (lookup: set)");
-    if (sides.source)
+    if (sides.isSourceConverted())
         return AXISCOMP_TEXT("Error",
             "the values are converted from those that the drive looks up after the compensation, "
             "at the set position (lookup: set)");
-    const bool isSaid = request.lookupAt || isTriamec(*request.from) == isTriamec(*request.to)
-        || (isTriamec(*request.from) && lookupInNotes(source.notes).value_or(std::nullopt));
+    const bool isFromDrive = isOfDrive(*request.from, request.sourceSign);
+    const bool isSaid = request.lookupAt
+        || isFromDrive == isOfDrive(*request.to, request.targetSign)
+        || (isFromDrive && lookupInNotes(source.notes).value_or(std::nullopt));
     return isSaid ? std::nullopt : assumption(source);
 }
 

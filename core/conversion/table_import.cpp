@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/table_import.h"
 
+#include "core/conversion/lookup_sides.h"
 #include "core/csv/cells.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
@@ -240,8 +241,8 @@ void Import::convert(const std::vector<NeutralTable>& tables)
         data.tables.push_back(*std::move(one));
     }
     data.grid = data.tables.front().grid;
-    if (m_lookupAt)
-        data.notes = withLookupNote(std::move(data.notes), *m_lookupAt);
+    if (!isOfDrive(*m_result.format, m_request.choices.sign))
+        data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
@@ -255,7 +256,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.targets = choices.targetsFor(column);
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
-    if (!isTriamec(*request.from))
+    if (!isOfDrive(*request.from, choices.sign))
         request.lookupAt = choices.place.lookupAt;
     AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, column.axes.size()));
     request.resampling = std::move(resampling);

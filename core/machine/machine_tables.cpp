@@ -2,9 +2,9 @@
 #include "core/machine/machine_tables.h"
 
 #include "core/base/parallel.h"
+#include "core/conversion/lookup_sides.h"
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
-#include "core/formats/formats.h"
 #include "core/io/local_file.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/table_units.h"
@@ -69,7 +69,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     if (import.isCancelled) {
         result.problem = Error{ErrorCode::Cancelled, {}, {}};
     } else if (import.refusal) {
-        result.isOpen = import.refusal->code == ErrorCode::TargetNotKnown && !place;
+        result.isOpen = !place && dependsOnPlace(*import.refusal);
         result.problem = std::move(import.refusal);
     } else if (!import.data) {
         import.problems = result.problems;
@@ -78,7 +78,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = std::move(table).error();
     } else if (const auto lookupAt = lookupInNotes(import.data->notes); !lookupAt) {
         result.problem = lookupAt.error();
-    } else if (!place && !isTriamec(*import.format)) {
+    } else if (!place && !isOfDrive(*import.format, axis.choices.sign)) {
         result.isOpen = true;
     } else {
         result.table = *std::move(table);

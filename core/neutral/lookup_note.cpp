@@ -39,10 +39,12 @@ std::string lookupNote(LookupAt lookupAt)
     return std::string(lookupKey) + ' ' + std::string(lookupAtName(lookupAt));
 }
 
-std::vector<std::string> withLookupNote(std::vector<std::string> notes, LookupAt lookupAt)
+std::vector<std::string> withLookupNote(
+    std::vector<std::string> notes, std::optional<LookupAt> lookupAt)
 {
     std::erase_if(notes, isLookupNote);
-    notes.push_back(lookupNote(lookupAt));
+    if (lookupAt)
+        notes.push_back(lookupNote(*lookupAt));
     return notes;
 }
 

@@ -22,9 +22,9 @@ enum class LookupAt {
 // which side of the compensation its values were made.
 
 [[nodiscard]] std::string lookupNote(LookupAt lookupAt); ///< "lookup: set"
-/// The notes with this one, in place of what they have said before.
+/// The notes with this one, or none of this kind, in place of what they have said before.
 [[nodiscard]] std::vector<std::string> withLookupNote(
-    std::vector<std::string> notes, LookupAt lookupAt);
+    std::vector<std::string> notes, std::optional<LookupAt> lookupAt);
 
 /// What the notes say; nothing: none says it. notes: comments without their slashes. Errors:
 /// InvalidArgument for a note that says neither side, and for two that contradict each other.

@@ -25,6 +25,15 @@ std::optional<LookupAt> lookupAtSources(
     return areOnBothSides ? std::nullopt : common;
 }
 
+std::string lookupSource(
+    const DriveProfile& profile, int axis, std::span<const std::string> sources)
+{
+    for (const std::string& source : sources)
+        if (profile.axisOfPosition(source) == axis)
+            return source;
+    return sources.empty() ? std::string() : sources.front();
+}
+
 Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::string_view source)
 {
     const auto found = lookupAtSource(profile, source);
@@ -39,6 +48,19 @@ Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::
             "it: choose another source, or make the table anew for this one (--lookup-at encoder)");
     return fail(ErrorCode::InvalidArgument,
         {{"reason", pattern.with("source", Verbatim{std::string(source)})}});
+}
+
+Result<void> checkLookupSources(
+    LookupAt made, const DriveProfile& profile, int axis, std::span<const std::string> sources)
+{
+    if (lookupAtSources(profile, axis, sources).value_or(made) == made)
+        return {};
+    for (const std::string& source : sources)
+        if (profile.axisOfPosition(source) == axis)
+            return checkLookupSource(made, profile, source);
+    for (const std::string& source : sources)
+        AXISCOMP_CHECK(checkLookupSource(made, profile, source));
+    return {};
 }
 
 } // namespace axiscomp

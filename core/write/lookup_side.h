@@ -22,10 +22,18 @@ namespace axiscomp {
 [[nodiscard]] std::optional<LookupAt> lookupAtSources(
     const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
+/// The source that decides it: the position of the axis itself, or else the first one.
+[[nodiscard]] std::string lookupSource(
+    const DriveProfile& profile, int axis, std::span<const std::string> sources);
+
 /// Whether a source is on the side of the compensation for which a table was made: its values
 /// belong to other positions on the other one. A source that the profile does not know passes.
 /// Errors: InvalidArgument, with the way out.
 [[nodiscard]] Result<void> checkLookupSource(
     LookupAt made, const DriveProfile& profile, std::string_view source);
+
+/// The same for the sources of an axis, by the rule of lookupAtSources.
+[[nodiscard]] Result<void> checkLookupSources(
+    LookupAt made, const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
 } // namespace axiscomp

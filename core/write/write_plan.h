@@ -60,6 +60,8 @@ struct WritePlan {
     FlashBudget flashBudget; ///< before the write
     std::vector<Text> warnings;
     std::optional<CompensationTable> table; ///< in the drive's units; none: the table stays
+    std::optional<LookupAt>
+        lookupAt; ///< where the axis looks its table up then; nothing: not known
     std::vector<Text> largeCorrections; ///< what has to be confirmed (WriteRequest::acceptsLarge)
     std::vector<DimensionCoverage> coverage; ///< where the drive says how far an axis travels
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units

@@ -145,6 +145,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     auto decided = decideSources(request);
     if (!decided)
         return fail(decided.error());
+    plan.lookupAt = lookupAtSources(m_access.profile(), axis, sourcePaths(plan.after));
     if (request.deletesTable) {
         decided = decideDeletion(request);
     } else if (request.withoutTable) {
@@ -331,8 +332,8 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
     AXISCOMP_CHECK(checkTargetName(table));
     if (request.lookupAt)
-        for (const std::string& source : sourcePaths(m_write.plan.after))
-            AXISCOMP_CHECK(checkLookupSource(*request.lookupAt, m_access.profile(), source));
+        AXISCOMP_CHECK(checkLookupSources(
+            *request.lookupAt, m_access.profile(), m_axis, sourcePaths(m_write.plan.after)));
     AXISCOMP_TRY(auto file, encodeTamTable(table, false, m_access.profile().layout));
     m_write.elementCrc = elementCrcOf(file, table);
     m_write.plan.tableBytes = file.size();

@@ -2,6 +2,7 @@
 //
 // What a person should know before a write.
 #include "core/text/number_text.h"
+#include "core/write/lookup_side.h"
 #include "core/write/write_planner.h"
 
 namespace axiscomp {
@@ -54,6 +55,12 @@ void WritePlanner::warn()
                 "{source} is a position after the compensation: the table would be looked up where "
                 "its own values have moved the axis.")
                                         .with("source", source.path));
+    const auto before = lookupAtSources(m_access.profile(), m_axis, sourcePaths(plan.before));
+    const bool isKept = !plan.table && !plan.after.slot.empty();
+    if (isKept && before && plan.lookupAt && before != plan.lookupAt)
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The table stays, and its new source is on the other side of the compensation: its "
+            "values belong to other positions. Write the table that was made for this source."));
     if (plan.slotReason == SlotReason::OverwriteOwn)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "

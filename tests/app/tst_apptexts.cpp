@@ -117,6 +117,15 @@ private Q_SLOTS:
         QTEST(QString::fromStdString(signSentence(table, "mm")), "sentence");
     }
 
+    void atTheSetPositionNobodyKnowsWhatTheEncoderReads()
+    {
+        CompensationTable table;
+        table.grid.axes = {{"X", "mm", 0.0, 40.0, 3}};
+        table.values = {0.0F, 0.0021F, 0.001F};
+        QCOMPARE(signSentence(table, "mm", LookupAt::Set),
+            "at the set position 40.0000 the drive will add +0.0021 mm");
+    }
+
     void signSentenceNamesAllSources()
     {
         CompensationTable table;

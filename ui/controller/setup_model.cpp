@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controller/setup_model.h"
 
+#include "core/drive/axis_target.h"
+
 namespace axiscomp::ui {
 
 namespace {
@@ -73,6 +75,13 @@ QVariant valueOf(Field field, const EditedSetup& setup)
 bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
 {
     return withMember(field, [&](auto member) { return member(a) == member(b); });
+}
+
+std::vector<std::string> sourcePaths(const EditedSetup& edited)
+{
+    CompensationSetup chosen;
+    chosen.sources = edited.sources;
+    return axiscomp::sourcePaths(chosen);
 }
 
 std::string requestedSource(const DimSource& source)

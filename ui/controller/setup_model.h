@@ -39,6 +39,9 @@ struct EditedSetup {
 
 [[nodiscard]] bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b);
 
+/// The paths of the sources that are set.
+[[nodiscard]] std::vector<std::string> sourcePaths(const EditedSetup& edited);
+
 /// As a request names it: by its path, by its address when it has none.
 [[nodiscard]] std::string requestedSource(const DimSource& source);
 

@@ -146,10 +146,12 @@ void WizardActions::lookAtTables(ActionSnapshot& now) const
     const EditedSetup& edited = m_setup.edited();
     if (now.isNewTable)
         now.lookupProblem = file.lookupProblem;
-    for (int n = 0; n < edited.dimensionality && now.isNewTable && file.lookupAt; ++n) {
-        const auto checked = checkLookupSource(
-            *file.lookupAt, m_profile, edited.sources[static_cast<std::size_t>(n)].path);
-        if (!checked && !now.lookupProblem)
+    if (now.isNewTable && file.lookupAt && status && !now.lookupProblem) {
+        std::vector<std::string> sources = sourcePaths(edited);
+        sources.resize(std::min(sources.size(), static_cast<std::size_t>(edited.dimensionality)));
+        const auto checked =
+            checkLookupSources(*file.lookupAt, m_profile, status->axis.index, sources);
+        if (!checked)
             now.lookupProblem = checked.error();
     }
 }

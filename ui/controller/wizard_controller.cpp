@@ -21,13 +21,6 @@ namespace axiscomp::ui {
 
 namespace {
 
-std::vector<std::string> chosenSources(const EditedSetup& edited)
-{
-    CompensationSetup chosen;
-    chosen.sources = edited.sources;
-    return sourcePaths(chosen);
-}
-
 /// All axes take longer to read than one.
 std::chrono::milliseconds overviewInterval(const WizardOptions& options)
 {
@@ -469,7 +462,7 @@ AxisPlace WizardController::chosenPlace() const
 {
     if (!status())
         return {};
-    const auto sources = chosenSources(setup().edited());
+    const auto sources = sourcePaths(setup().edited());
     return {axisTarget(m_parts->profile, status()->axis.index, sources),
         lookupAtSources(m_parts->profile, status()->axis.index, sources)};
 }
@@ -503,7 +496,8 @@ std::size_t WizardController::selectedTableBytes() const
 QString WizardController::signSentence() const
 {
     const AxisInfo axis = status() ? status()->axis : AxisInfo{};
-    return signSentenceFor(m_parts->tables.selected(), axis, setup().edited().sources);
+    return signSentenceFor(
+        m_parts->tables.selected(), axis, setup().edited().sources, selectedPlace().lookupAt);
 }
 
 ActionState WizardController::action(Action action) const

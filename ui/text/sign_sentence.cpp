@@ -56,8 +56,9 @@ class Sentence {
 
 public:
     Sentence(const CompensationTable& table, std::size_t element, const AxisInfo& axis,
-        const std::array<DimSource, 3>& sources)
+        const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt)
         : m_table(table)
+        , m_isAtSet(lookupAt == LookupAt::Set)
         , m_unit(unitSymbol(axis.unit))
         , m_value(static_cast<double>(table.values[element]))
     {
@@ -100,10 +101,11 @@ private:
         const auto own = static_cast<std::size_t>(m_own);
         const double encoder = m_position[own];
         const int decimals = std::max(decimalsOf(encoder), decimalsFor(m_value));
-        const QString where =
-            tr("where the encoder reads %1, the reference reads %2: the drive will add %3")
-                .arg(withUnit(fixedText(encoder, decimals), positionUnit(own)),
-                    withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
+        const QString position = withUnit(fixedText(encoder, decimals), positionUnit(own));
+        const QString where = m_isAtSet
+            ? tr("at the set position %1 the drive will add %2").arg(position, added())
+            : tr("where the encoder reads %1, the reference reads %2: the drive will add %3")
+                  .arg(position, withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
         const QString others = place(m_own);
         return others.isEmpty() ? where : tr("at %1, %2").arg(others, where);
     }
@@ -138,6 +140,7 @@ private:
     }
 
     const CompensationTable& m_table;
+    bool m_isAtSet = false; ///< the axis's own position is one after the compensation
     QString m_unit; ///< of what the drive adds
     double m_value = 0.0;
     std::vector<double> m_position;
@@ -146,12 +149,12 @@ private:
 
 } // namespace
 
-QString signSentenceFor(
-    const LoadedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources)
+QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
+    const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt)
 {
     if (!table.table || table.table->values.empty())
         return {};
-    return Sentence(*table.table, table.largestElement, axis, sources).text();
+    return Sentence(*table.table, table.largestElement, axis, sources, lookupAt).text();
 }
 
 } // namespace axiscomp::ui

@@ -12,8 +12,9 @@ namespace axiscomp::ui {
 /// reference says 40.0021 mm: the drive will add +0.0021 mm". It is there so that a wrong sign,
 /// unit or column is seen before it moves a machine. Positions have the file's names and units;
 /// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
-/// between the two is said. sources tell which dimension is the axis's own position.
-[[nodiscard]] QString signSentenceFor(
-    const LoadedTable& table, const AxisInfo& axis, const std::array<DimSource, 3>& sources);
+/// between the two is said. sources tell which dimension is the axis's own position; lookupAt, on
+/// which side of the compensation that is.
+[[nodiscard]] QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
+    const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt);
 
 } // namespace axiscomp::ui

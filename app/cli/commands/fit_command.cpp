@@ -195,27 +195,28 @@ Result<StateSources> readStates(
 {
     const std::string unit(positionUnit(measurement));
     StateSources sources;
+    auto lookupAt = lookupNamed(options.lookupAt);
+    if (options.onto == ontoDrive) {
+        AXISCOMP_TRY(auto drive, options.drive.read(environment, unit, lookupAt));
+        sources.onto = std::move(drive.active);
+        sources.lookupAt = drive.lookupAt;
+        sources.others = std::move(drive.backups);
+        lookupAt = lookupAt ? lookupAt : drive.lookupAt;
+    } else if (!options.onto.empty()) {
+        AXISCOMP_TRY(sources.onto,
+            tablesOfFile(
+                environment, tableFile(options, measurement, options.onto), unit, lookupAt));
+    }
     if (options.measuredWith == "off" || options.measuredWith == "on") {
         sources.stated = MeasuredState{
             options.measuredWith == "off" ? MeasuredState::Kind::Off : MeasuredState::Kind::On, {}};
     } else if (!options.measuredWith.empty()) {
         AXISCOMP_TRY(auto tables,
             tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit,
-                lookupNamed(options.lookupAt)));
+                lookupAt));
         AXISCOMP_TRY(const std::size_t stated, statedTable(options, measurement, tables));
         sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs[stated]};
-        sources.others.push_back(std::move(tables));
-    }
-    if (options.onto == ontoDrive) {
-        AXISCOMP_TRY(
-            auto drive, options.drive.read(environment, unit, lookupNamed(options.lookupAt)));
-        sources.onto = std::move(drive.active);
-        sources.lookupAt = drive.lookupAt;
-        std::ranges::move(drive.backups, std::back_inserter(sources.others));
-    } else if (!options.onto.empty()) {
-        AXISCOMP_TRY(sources.onto,
-            tablesOfFile(environment, tableFile(options, measurement, options.onto), unit,
-                lookupNamed(options.lookupAt)));
+        sources.others.insert(sources.others.begin(), std::move(tables));
     }
     return sources;
 }

@@ -15,11 +15,11 @@ Result<AxisTables> tablesOfAxis(
     Environment& environment, CommandSession& session, int axis, const std::string& unit)
 {
     AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
-    AXISCOMP_TRY(auto table, session.compensator().readTable(axis, session.operation()));
+    AXISCOMP_TRY(auto table, session.compensator().readDescribedTable(axis, session.operation()));
     const DriveStore store(session.storeRoot());
     AXISCOMP_TRY(auto tables,
-        axiscomp::tablesOfAxis(
-            axisOfDrive(settled.status), std::move(table), session.profile(), store, unit));
+        axiscomp::tablesOfAxis(axisOfDrive(settled.status, session.profile()), std::move(table),
+            session.profile(), store, unit));
     noteRemarks(environment, tables.remarks);
     for (const Error& error : tables.unreadable)
         environment.warn(sentence(error));

@@ -93,7 +93,7 @@ Result<void> takeTable(const WriteOptions& options, const TableInput& input, Tab
     ConversionOptions conversion = options.conversion;
     if (conversion.targets.empty() && !target.empty())
         conversion.targets = {target};
-    if (!input.data)
+    if (!isOfDrive(input, conversion))
         conversion.lookupAt = lookupAt;
     AXISCOMP_TRY(auto made, driveTable(input, pending.inputOptions, conversion));
     takeStatedUnits(made.table, options.valueUnit, options.positionUnit);
@@ -110,8 +110,10 @@ Result<void> beginTable(const WriteOptions& options, const TableInput& input, Ta
 {
     auto taken = takeTable(options, input, pending, {}, {});
     pending.needsTarget = !taken && taken.error().code == ErrorCode::TargetNotKnown;
-    pending.needsLookup = !input.data;
-    return pending.needsTarget ? Result<void>() : taken;
+    pending.needsLookup = !isOfDrive(input, options.conversion);
+    const bool isOpen =
+        !taken && (pending.needsTarget || (pending.needsLookup && dependsOnPlace(taken.error())));
+    return isOpen ? Result<void>() : taken;
 }
 
 Result<void> finishTable(Environment& environment, const WriteOptions& options,

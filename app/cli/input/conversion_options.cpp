@@ -3,6 +3,7 @@
 
 #include "app/cli/input/number_checks.h"
 #include "app/common/arguments.h"
+#include "core/conversion/lookup_sides.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/text/token_scanner.h"
@@ -253,11 +254,16 @@ std::optional<LookupAt> lookupNamed(const std::string& name)
     return name == lookupAtName(LookupAt::Set) ? LookupAt::Set : LookupAt::Encoder;
 }
 
+bool isOfDrive(const TableInput& input, const ConversionOptions& options)
+{
+    return axiscomp::isOfDrive(*input.format, signOf(options.sign));
+}
+
 Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& inputOptions,
     const ConversionOptions& options)
 {
     DriveTable result;
-    if (input.data) {
+    if (input.data && isOfDrive(input, options)) {
         AXISCOMP_TRY(result.lookupAt, lookupInNotes(input.data->notes));
     }
     if (input.data && !options.isAnything()) {

@@ -60,6 +60,9 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options);
 CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::string help);
 [[nodiscard]] std::optional<LookupAt> lookupNamed(const std::string& name); ///< of its values
 
+/// Whether a file holds what the drive adds (core/conversion/lookup_sides.h).
+[[nodiscard]] bool isOfDrive(const TableInput& input, const ConversionOptions& options);
+
 /// The table that a drive shall have, from a file of any format.
 struct DriveTable {
     CompensationTable table;

@@ -65,7 +65,8 @@ std::string tableWords(const WritePlan& plan, const CompensationTable& table, st
 
 } // namespace
 
-std::string signSentence(const CompensationTable& table, std::string_view unit)
+std::string signSentence(
+    const CompensationTable& table, std::string_view unit, std::optional<LookupAt> lookupAt)
 {
     const auto largest =
         std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
@@ -75,9 +76,12 @@ std::string signSentence(const CompensationTable& table, std::string_view unit)
     const std::string added = withUnit(signedText(floatText(value)), unit);
     if (value == 0.0)
         return "all values are 0: the drive will add nothing";
-    if (position.size() == 1) {
+    if (position.size() == 1 && table.target != otherAxis) {
         const int decimals =
             std::max(decimalsOf(position[0], mostDecimals), decimalsOf(value, mostDecimals));
+        if (lookupAt == LookupAt::Set)
+            return "at the set position " + fixedText(position[0], decimals)
+                + " the drive will add " + added;
         return "where the encoder reads " + fixedText(position[0], decimals)
             + " the reference says " + fixedText(position[0] + value, decimals)
             + ": the drive will add " + added;
@@ -108,7 +112,7 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
     if (plan.table) {
         const std::string unit = unitSymbol(axis.unit);
         lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
-        lines.emplace_back("Sign", signSentence(*plan.table, unit));
+        lines.emplace_back("Sign", signSentence(*plan.table, unit, plan.lookupAt));
     }
     lines.emplace_back("Flash", flashWords(plan.flashOperations, plan.flashBudget));
     return text + "\n" + labelled(lines, "  ");

@@ -14,8 +14,9 @@ namespace axiscomp::app {
 [[nodiscard]] std::string planText(const WritePlan& plan, const AxisInfo& axis);
 
 /// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
-/// reference says 40.0021: the drive will add +0.0021 mm".
-[[nodiscard]] std::string signSentence(const CompensationTable& table, std::string_view unit);
+/// reference says 40.0021: the drive will add +0.0021 mm". lookupAt: of the axis's own source.
+[[nodiscard]] std::string signSentence(
+    const CompensationTable& table, std::string_view unit, std::optional<LookupAt> lookupAt = {});
 
 [[nodiscard]] std::string planText(const SlotDeletion& plan);
 

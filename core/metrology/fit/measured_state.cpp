@@ -92,6 +92,15 @@ const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
     return found == request.others.end() ? nullptr : &*found;
 }
 
+tl::unexpected<Error> otherSources(const KnownTables& active)
+{
+    return wrongState(AXISCOMP_TEXT("Error",
+        "while {name} was active the sources of the axis were others, so that its values may "
+        "belong "
+        "to other positions: measure again with what the axis has now")
+                          .with("name", active.name));
+}
+
 Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& state)
 {
     if (!request.onto)
@@ -118,12 +127,16 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
                                   .with("crc", crcText(*state.tableCrc))
                                   .with("name", request.onto->name)
                                   .with("known", crcList(*request.onto)));
+        if (found.active->hadOtherSources)
+            return otherSources(*found.active);
         found.tableCrc = state.tableCrc;
         found.text = AXISCOMP_TEXT("Measurement", "measured with the table {crc} of {name} active")
                          .with("crc", crcText(*state.tableCrc))
                          .with("name", found.active->name);
         return found;
     }
+    if (request.onto->hadOtherSources)
+        return otherSources(*request.onto);
     found.text = AXISCOMP_TEXT("Measurement", "measured with {name} active ({known})")
                      .with("name", request.onto->name)
                      .with("known", crcList(*request.onto));

@@ -19,6 +19,9 @@ struct KnownTables {
     Text name; ///< "x.csv", "the table of axis 0 (X)"
     std::vector<CompensationTable> tables; ///< consistent; positions and values in mm or deg
     std::vector<std::uint32_t> crcs; ///< of each, as a drive shows it
+    /// While they were active the axis had other sources than the new table will have: their values
+    /// may belong to other positions.
+    bool hadOtherSources = false;
 
     [[nodiscard]] bool has(std::uint32_t crc) const;
     /// Null: there is none with it.

@@ -378,8 +378,24 @@ private Q_SLOTS:
         QCOMPARE(box.content("again.txt"), file);
 
         const QByteArray encoder = heldWith("Axes[0]/Signals/PositionController/MasterPosition");
-        QVERIFY2(!encoder.contains("lookup: set") && encoder.contains("\n10,0.4651163\n"),
+        QVERIFY2(encoder.contains("// lookup: encoder\n") && encoder.contains("\n10,0.4651163\n"),
             encoder.constData());
+    }
+
+    /// Refused for the encoder, since its knots are not even then.
+    void whatFitsTheSetPositionAloneIsWrittenThere()
+    {
+        const Sandbox box;
+        box.file("set.csv", "// lookup: set\nX [mm],X error [mm]\n0,0\n10,0.5\n20,0.2\n30,0\n");
+        VERIFY_CODE(box.run({"convert", "set.csv", "x.comp", "--dims", "1", "--target", "#1",
+                        "--to", "linuxcnc", "--set-out", "type=0", "--to-sign", "feedback"}),
+            0);
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "x.comp", "--drive", drive.url(), "--axis", "0",
+            "--sign", "feedback", "--accept-large", "--set-in", "position-unit=mm", "--source1"};
+        VERIFY_CODE(box.run(write + QStringList{"Axes[0]/Signals/PathPlanner/Position"}), 0);
+        const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
+        QVERIFY2(read.out.contains("\n10,0.5\n20,0.2\n"), read.out.constData());
     }
 
     void whatIsReadInTwoDimensionsCanBecomeTheFileOfAnotherController()

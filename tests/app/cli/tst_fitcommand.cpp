@@ -440,6 +440,17 @@ private Q_SLOTS:
                 values[i].constData());
         }
 
+        box.file("open.csv", runs("// axis: X\n", [](double) { return 2.0; }));
+        box.file("other-side.csv",
+            "// lookup: " + other.toUtf8() + '\n' + box.content("first-table.csv"));
+        const ProgramRun sides = box.run(
+            QStringList{"fit", "open.csv", "--measured-with", "other-side.csv", "--onto", "drive"}
+            + axis);
+        VERIFY_CODE(sides, 2);
+        QVERIFY2(sides.err.contains(
+                     "says lookup: " + other.toUtf8() + ", and stated is " + lookupAt.toUtf8()),
+            sides.err.constData());
+
         // What the axis had before is in its backups, and no longer what is merged onto.
         VERIFY_CODE(
             box.run(QStringList{"write", "--data", "second-table.csv", "--dims", "1"} + axis), 0);

@@ -68,8 +68,7 @@ private Q_SLOTS:
                  "tam://mc/Virtual-1/Axes[0]/Signals/PathPlanner/Position",
                  "Small1, the smallest empty one that is large enough",
                  "3 values from -0.001 mm to +0.0021 mm, 140 bytes",
-                 "where the encoder reads 40.0000 the reference says 40.0021: the drive will add "
-                 "+0.0021 mm",
+                 "at the set position 40.0000 the drive will add +0.0021 mm",
                  "1 operation; 8 operations possible now", "  ok      upload the table\n",
                  "  ok      read the table back and compare every byte\n",
                  "  ok      store the table in flash\n", "Written and verified: ",

@@ -356,6 +356,66 @@ private Q_SLOTS:
         QCOMPARE(same->written.held.front().columns[0].values, table.columns[0].values);
     }
 
+    /// Then the numbers are not those that the drive adds, wherever it looks them up.
+    void aCalibrationFileOfCommandValuesIsAFileOfAnotherController()
+    {
+        const std::string file = "X [mm],X error [mm]\n0,0\n10,-0.5\n20,0.25\n30,-0.5\n40,0\n";
+        ImportChoices choices;
+        choices.sign = SignConvention::Command;
+        choices.place = {"#1", LookupAt::Set};
+        const auto set = imported(QStringLiteral("x.csv"), file, choices);
+        QVERIFY(set.data);
+        QCOMPARE(valuesOf(set), steepTable().values);
+        QCOMPARE(lookupInNotes(set.data->notes).value(), std::optional(LookupAt::Set));
+        choices.place.lookupAt = LookupAt::Encoder;
+        const auto encoder = imported(QStringLiteral("x.csv"), "// lookup: set\n" + file, choices);
+        QVERIFY(encoder.data);
+        QVERIFY(std::abs(static_cast<double>(valuesOf(encoder)[1]) - 0.5 / 1.075) < 1e-7);
+        QCOMPARE(lookupInNotes(encoder.data->notes).value(), std::optional(LookupAt::Encoder));
+
+        const NeutralTable table =
+            neutralTable({steepTable().grid, {steepTable()}, {lookupNote(LookupAt::Set)}});
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.targets = {"#1"};
+        request.targetSign = SignConvention::Command;
+        const auto command = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(command);
+        QCOMPARE(command->written.held.front().columns[0].values,
+            (std::vector<double>{0.0, -0.5, 0.25, -0.5, 0.0}));
+        QVERIFY(command->written.bytes.find("lookup:") == std::string::npos);
+        QVERIFY(contains(conversionReport(*command, request), "the command file says -0.5 mm"));
+
+        ConversionRequest back = requestFor(calibration_csv::format(), softmc::format());
+        back.targets = {"#1"};
+        back.sourceSign = SignConvention::Command;
+        back.lookupAt = LookupAt::Set; // of neither of the two
+        VERIFY_ERROR(convertTables(std::span(&table, 1), back), ErrorCode::InvalidArgument);
+    }
+
+    void aTableWhoseTargetNobodyKnowsSaysItsPlaceAllTheSame()
+    {
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        choices.place.lookupAt = LookupAt::Set;
+        const auto import =
+            imported(QStringLiteral("x.txt"), "1 3\n0 0\n10 -0.5\n20 0.25\n", choices);
+        QVERIFY(import.data);
+        QCOMPARE(lookupInNotes(import.data->notes).value(), std::optional(LookupAt::Set));
+    }
+
+    void whatATableFileHasNoRoomForIsStated()
+    {
+        const NeutralTable table = neutralTable({steepTable().grid, {steepTable()}, {}});
+        ConversionRequest request = requestFor(tam_table::format(), calibration_csv::format());
+        request.lookupAt = LookupAt::Set;
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        QCOMPARE(made->written.held.front().columns[0].values, table.columns[0].values);
+        QVERIFY(made->written.bytes.find("// lookup: set") != std::string::npos);
+    }
+
     void aPlaceOfTheLookupThatContradictsTheFileIsRefused()
     {
         NeutralTable table =

@@ -6,6 +6,8 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <algorithm>
+
 namespace tst_targetofthetable {
 
 using namespace axiscomp;
@@ -99,6 +101,37 @@ private Q_SLOTS:
         request.sources.clear();
         request.lookupAt = LookupAt::Encoder;
         VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::InvalidArgument);
+    }
+
+    void whereATableIsLookedUpIsAskedOfTheAxisItself()
+    {
+        CompensatorFixture f;
+        WriteRequest request = test::exampleRequest();
+        request.sources = {"Axes[0]/Signals/PathPlanner/Position", test::masterY};
+        request.lookupAt = LookupAt::Encoder;
+        VERIFY_ERROR(f.compensator.plan(0, request), ErrorCode::InvalidArgument);
+        request.lookupAt = LookupAt::Set;
+        const auto plan = f.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->lookupAt, std::optional(LookupAt::Set));
+    }
+
+    void aTableThatStaysForASourceOnTheOtherSideIsWarnedOf()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, requestFor("X", "X")));
+        WriteRequest request;
+        request.dimensionality = 1;
+        const auto warns = [&](const std::string& source) {
+            request.sources = {source};
+            const auto plan = f.compensator.plan(0, request);
+            return plan && std::ranges::any_of(plan->warnings, [](const Text& warning) {
+                return warning.english().find("on the other side of the compensation")
+                    != std::string::npos;
+            });
+        };
+        QVERIFY(warns("Axes[0]/Signals/PathPlanner/Position"));
+        QVERIFY(!warns("Axes[0]/Signals/Encoders[0]/Position"));
     }
 
     void aFileSaysForWhichSideItsTableWasMade_data()

@@ -93,7 +93,8 @@ private Q_SLOTS:
         QCOMPARE(grid->grid.axes[0].unit, std::string("mm"));
         QCOMPARE(grid->grid.axes[1].unit, std::string("deg"));
         QCOMPARE(grid->target, std::string("#1"));
-        QVERIFY(lookupNotes(*f.compensator.status(0), drivecomm::genericProfile()).empty());
+        QCOMPARE(lookupNotes(*f.compensator.status(0), drivecomm::genericProfile()),
+            std::vector<std::string>{"lookup: encoder"});
 
         WriteRequest other = requestIn("deg", "mm", "mm");
         other.sources = {

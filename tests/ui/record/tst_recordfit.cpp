@@ -59,7 +59,7 @@ FitDrive driveWith(const std::string& source)
     AxisInfo axis;
     axis.name = "X";
     axis.unit = "Millimeter";
-    drive.axis = AxisOfDrive{axis, 1559, source};
+    drive.axis = AxisOfDrive{axis, 1559, source, {}, {}};
     return drive;
 }
 

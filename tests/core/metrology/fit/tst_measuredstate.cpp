@@ -120,6 +120,21 @@ private Q_SLOTS:
         QCOMPARE(found->kind, FoundState::Kind::On);
     }
 
+    void aTableThatWasActiveWithOtherSourcesIsNotTakenForItsPlaces()
+    {
+        KnownTables onto = known("the table of axis 0", first);
+        StateRequest request;
+        request.onto = &onto;
+        request.onFile = {MeasuredState::Kind::On, onto.crcs.front()};
+        VERIFY_RESULT(findState(request));
+        onto.hadOtherSources = true;
+        const auto refused = findState(request);
+        VERIFY_ERROR(refused, ErrorCode::MeasurementState);
+        QVERIFY(sentence(refused.error()).find("measure again") != std::string::npos);
+        request.onFile.tableCrc.reset();
+        VERIFY_ERROR(findState(request), ErrorCode::MeasurementState);
+    }
+
     void aTableThatIsNotNamedIsTakenForGrantedAloud()
     {
         const KnownTables now = known("old.csv", first);
