@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a person should know before a write.
+#include "core/drive/axis_target.h"
 #include "core/text/number_text.h"
 #include "core/write/lookup_side.h"
 #include "core/write/write_planner.h"

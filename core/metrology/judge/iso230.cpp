@@ -38,7 +38,7 @@ constexpr std::array figureRows{
 };
 static_assert(figureRows.size() == iso230FigureCount);
 
-constexpr auto figures = [] {
+constexpr auto allFigures = [] {
     std::array<Iso230Figure, iso230FigureCount> all{};
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i] = figureRows[i].figure;
@@ -170,7 +170,7 @@ void judgeAxis(Iso230Figures& result)
         at(Iso230Figure::A).add(up.high, up.low, i);
         at(Iso230Figure::A).add(down.high, down.low, i);
     }
-    for (const Iso230Figure figure : figures) {
+    for (const Iso230Figure figure : allFigures) {
         const bool isMaximum = figure == Iso230Figure::B || figure == Iso230Figure::R
             || figure == Iso230Figure::RUp || figure == Iso230Figure::RDown;
         result.axis[static_cast<std::size_t>(figure)] =
@@ -184,7 +184,7 @@ void judgeAxis(Iso230Figures& result)
 
 std::span<const Iso230Figure> allIso230Figures()
 {
-    return figures;
+    return allFigures;
 }
 
 std::string_view figureName(Iso230Figure figure)
