@@ -7999,11 +7999,11 @@
     </message>
     <message>
         <source>while {name} was active the sources of the axis were others, so that its values may belong to other positions: measure again with what the axis has now</source>
-        <translation>pendant que {name} était active, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions : mesurer à nouveau avec ce que l&apos;axe a maintenant</translation>
+        <translation>pendant que {name} était active, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions&#xa0;: mesurer à nouveau avec ce que l&apos;axe a maintenant</translation>
     </message>
     <message>
         <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
-        <translation>La table reste, et sa nouvelle source est de l&apos;autre côté de la compensation : ses valeurs appartiennent à d&apos;autres positions. Écrivez la table qui a été faite pour cette source.</translation>
+        <translation>La table reste, et sa nouvelle source est de l&apos;autre côté de la compensation&#xa0;: ses valeurs appartiennent à d&apos;autres positions. Écrivez la table qui a été faite pour cette source.</translation>
     </message>
 </context>
 <context>

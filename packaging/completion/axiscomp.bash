@@ -16,7 +16,7 @@ _axiscomp_options()
         example) echo "--help --json --dims --tables --output" ;;
         inspect) echo "--help --json --dims --from --set-in --profile --fill --crop --snap" ;;
         convert) echo "--help --json --dims --table --from --set-in --to --accept-large --persistent --volatile --name --profile --fill --crop --snap --value-unit --target --sign --direction --scale --offset --zero --no-wrap --lookup-at --points --distance --within --method --speed --hold --to-sign --set-out" ;;
-        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --profile --fill --crop --snap --target --sign --direction --scale --offset --zero --no-wrap --to-sign --set-out" ;;
+        lookup) echo "--help --json --dims --table --points --outside --as --from --set-in --profile --fill --crop --snap --target --sign --direction --scale --offset --zero --no-wrap --lookup-at --to-sign --set-out" ;;
         formats) echo "--help --json --markdown --measurements" ;;
         targets) echo "--help --json --from --to --count --spacing --period --cycles --seed --overrun --feed --dwell --axis --unit --dialect --output" ;;
         runs) echo "--help --json --from --exclude --swap-directions --output --columns --skip-lines --unit --value-unit --values --direction-from --invert-reference --overrun" ;;

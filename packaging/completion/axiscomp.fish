@@ -107,6 +107,7 @@ complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l scale -x -d 'Mul
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l offset -x -d 'Add this to the values, in their unit'
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l zero -x -d 'Shift the values so that they are 0 at this position'
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l no-wrap -d 'Treat a modulo axis as a linear one'
+complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l lookup-at -x -a 'encoder set' -d 'Where the drive looks up the table of the two that is its own'
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l to-sign -x -a 'feedback command' -d 'Convention of the output'
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -l set-out -x -d 'Setting that the output format needs'
 complete -c axiscomp -n '__fish_seen_subcommand_from lookup' -F

@@ -297,11 +297,7 @@ void addConvertCommand(CommandLine& line)
         ->option_text("TEXT");
     options->conversion.command = options->input.command;
     addConversionOptions(*command, options->conversion);
-    addLookupOption(*command, options->lookupAt,
-        AXISCOMP_HELP("Help",
-            "Where the drive looks up the table of the two that is its own: encoder (before the "
-            "compensation) or set (after it); by default as the file says, or encoder"))
-        ->group(AXISCOMP_HELP("Help", "Conversion"));
+    addLookupOption(*command, options->lookupAt);
     addResamplingOptions(*command, options->conversion);
     addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);

@@ -27,6 +27,7 @@ struct LookupOptions {
     std::string points;
     std::string outside; ///< empty: hold
     std::string as; ///< the format whose controller applies the table; empty: that of the file
+    std::string lookupAt;
     ConversionOptions conversion;
 };
 
@@ -123,6 +124,8 @@ Result<ExitCode> lookUpForController(
         request.writing.layout = &profile.layout;
         const NeutralTable tables[] = {table};
         AXISCOMP_TRY(auto conversion, convertTables(tables, request));
+        for (const Text& remark : conversion.remarks)
+            environment.console().note(displayName(options.input.file) + ": " + remark.english());
         table = std::move(conversion.written.held.front());
         // The column that was asked for comes first; a format may add others that correct nothing.
         if (table.columns.front().direction == Direction::Both)
@@ -169,7 +172,10 @@ void addLookupCommand(CommandLine& line)
     CLI::App* command = line.add("lookup", fileCommands,
         AXISCOMP_HELP(
             "Help", "Print the interpolated value at a position, as the drive computes it"),
-        [options](Environment& environment) { return runLookup(environment, *options); });
+        [options](Environment& environment) {
+            options->conversion.lookupAt = lookupNamed(options->lookupAt);
+            return runLookup(environment, *options);
+        });
     command
         ->add_option(
             "FILE", options->input.file, AXISCOMP_HELP("Help", "Calibration file or table"))
@@ -204,6 +210,7 @@ void addLookupCommand(CommandLine& line)
     addIncompleteGridOptions(*command, options->input);
     options->conversion.command = options->input.command;
     addConversionOptions(*command, options->conversion);
+    addLookupOption(*command, options->lookupAt);
     addOutputOptions(*command, options->conversion);
     addProfileOption(*command, options->input.profile);
     command->footer(AXISCOMP_HELP("Help",

@@ -247,6 +247,15 @@ CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::stri
         ->check(CLI::IsMember(std::vector<std::string>{"encoder", "set"}));
 }
 
+void addLookupOption(CLI::App& command, std::string& lookupAt)
+{
+    addLookupOption(command, lookupAt,
+        AXISCOMP_HELP("Help",
+            "Where the drive looks up the table of the two that is its own: encoder (before the "
+            "compensation) or set (after it); by default as the file says, or encoder"))
+        ->group(AXISCOMP_HELP("Help", "Conversion"));
+}
+
 std::optional<LookupAt> lookupNamed(const std::string& name)
 {
     if (name.empty())

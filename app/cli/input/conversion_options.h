@@ -58,6 +58,7 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options);
 
 /// --lookup-at
 CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::string help);
+void addLookupOption(CLI::App& command, std::string& lookupAt); ///< of a conversion
 [[nodiscard]] std::optional<LookupAt> lookupNamed(const std::string& name); ///< of its values
 
 /// Whether a file holds what the drive adds (core/conversion/lookup_sides.h).

@@ -233,6 +233,7 @@ def lookup(
     offset: Value = None,
     zero: Values = None,
     no_wrap: bool = False,
+    lookup_at: Value = None,
     to_sign: Value = None,
     set_out: Values = None,
     profile: Value = None,
@@ -266,6 +267,8 @@ def lookup(
     offset: VALUE. Add this to the values, in their unit
     zero: P[,P[,P]]. Shift the values so that they are 0 at this position
     no_wrap: Treat a modulo axis as a linear one
+    lookup_at: WHERE. Where the drive looks up the table of the two that is its own: encoder (before the
+        compensation) or set (after it); by default as the file says, or encoder
     to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
         that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
@@ -292,6 +295,7 @@ def lookup(
             "offset": offset,
             "zero": zero,
             "no_wrap": no_wrap,
+            "lookup_at": lookup_at,
             "to_sign": to_sign,
             "set_out": set_out,
             "profile": profile,

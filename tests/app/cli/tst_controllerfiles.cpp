@@ -382,6 +382,22 @@ private Q_SLOTS:
             encoder.constData());
     }
 
+    void lookupSaysWhereItTakesTheDriveToLookTheTableUp()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],X error [mm]\n0,0\n10,0.5\n20,0.2\n30,0\n");
+        const QStringList words{
+            "lookup", "x.csv", "10", "--dims", "1", "--as", "softmc", "--target", "X"};
+        const ProgramRun assumed = box.run(words);
+        VERIFY_CODE(assumed, 0);
+        QVERIFY2(assumed.err.contains("at the set position (lookup: set) its corrections would"),
+            assumed.err.constData());
+        const ProgramRun set = box.run(words + QStringList{"--lookup-at", "set"});
+        VERIFY_CODE(set, 0);
+        QVERIFY2(set.out.trimmed() == "-0.5", set.out.constData());
+        QVERIFY(assumed.out != set.out);
+    }
+
     /// Refused for the encoder, since its knots are not even then.
     void whatFitsTheSetPositionAloneIsWrittenThere()
     {
