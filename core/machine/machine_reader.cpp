@@ -163,13 +163,14 @@ public:
     void end()
     {
         for (auto&& [key, node] : m_table) {
-            if (std::ranges::find(m_known, key.str()) != m_known.end())
+            const std::string_view word = key.str();
+            if (std::ranges::find(m_known, word) != m_known.end())
                 continue;
-            const auto nearest = std::ranges::min_element(m_known, {},
-                [&](std::string_view known) { return editDistance(key.str(), known); });
+            const auto nearest = std::ranges::min_element(
+                m_known, {}, [&](std::string_view known) { return editDistance(word, known); });
             const toml::source_position begin = key.source().begin;
             m_problems.error(DiagnosticCode::Syntax, begin.line, begin.column,
-                Verbatim{shownWord(key.str())},
+                Verbatim{shownWord(word)},
                 AXISCOMP_TEXT("Problem", "a known key; the nearest is {key}")
                     .with("key", *nearest));
         }

@@ -38,7 +38,7 @@ void expectOnly(const JsonNode& node, std::initializer_list<std::string_view> kn
         const auto distanceTo = [&name](std::string_view one) {
             return editDistance(name, one, LetterCase::Ignored, one.size());
         };
-        const std::string_view nearest = std::ranges::min(known, {}, distanceTo);
+        const std::string_view nearest = *std::ranges::min_element(known, {}, distanceTo);
         std::vector<std::string> all(known.begin(), known.end());
         const Text shown = Verbatim{shownText(name, 60)};
         if (2 * distanceTo(nearest) <= nearest.size())
