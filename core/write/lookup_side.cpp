@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/lookup_side.h"
 
+#include <algorithm>
+
 namespace axiscomp {
+
+namespace {
+
+/// The position of the axis itself; the end: it is none of the sources.
+auto ownSource(const DriveProfile& profile, int axis, std::span<const std::string> sources)
+{
+    return std::ranges::find_if(
+        sources, [&](const std::string& source) { return profile.axisOfPosition(source) == axis; });
+}
+
+} // namespace
 
 std::optional<LookupAt> lookupAtSource(const DriveProfile& profile, std::string_view source)
 {
@@ -15,10 +28,10 @@ std::optional<LookupAt> lookupAtSources(
 {
     std::optional<LookupAt> common;
     bool areOnBothSides = false;
+    if (const auto own = ownSource(profile, axis, sources); own != sources.end())
+        return lookupAtSource(profile, *own);
     for (const std::string& source : sources) {
         const auto side = lookupAtSource(profile, source);
-        if (profile.axisOfPosition(source) == axis)
-            return side;
         areOnBothSides = areOnBothSides || (common && side && common != side);
         common = side ? side : common;
     }
@@ -28,9 +41,8 @@ std::optional<LookupAt> lookupAtSources(
 std::string lookupSource(
     const DriveProfile& profile, int axis, std::span<const std::string> sources)
 {
-    for (const std::string& source : sources)
-        if (profile.axisOfPosition(source) == axis)
-            return source;
+    if (const auto own = ownSource(profile, axis, sources); own != sources.end())
+        return *own;
     return sources.empty() ? std::string() : sources.front();
 }
 
@@ -55,9 +67,8 @@ Result<void> checkLookupSources(
 {
     if (lookupAtSources(profile, axis, sources).value_or(made) == made)
         return {};
-    for (const std::string& source : sources)
-        if (profile.axisOfPosition(source) == axis)
-            return checkLookupSource(made, profile, source);
+    if (const auto own = ownSource(profile, axis, sources); own != sources.end())
+        return checkLookupSource(made, profile, *own);
     for (const std::string& source : sources)
         AXISCOMP_CHECK(checkLookupSource(made, profile, source));
     return {};
