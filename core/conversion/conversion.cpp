@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace axiscomp {
 
@@ -153,7 +154,6 @@ Result<NeutralTable> Converter::signConverted(
     NeutralTable table, SetSides sides, TableConversion& conversion) const
 {
     const SignConvention to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
-    NeutralTable result = table;
     if (table.sign == to) {
         const bool isForSet = sides.source && sides.target;
         conversion.example =
@@ -167,13 +167,15 @@ Result<NeutralTable> Converter::signConverted(
                 AXISCOMP_TEXT("Error",
                     "at the ends of the table the sign was converted with the end values held, "
                     "where the controller of the source applies nothing"));
-        result = std::move(converted.table);
         // What the drive looks up at the set position is of neither of the two conventions.
         conversion.example = sides.isTargetConverted() ? examplePoint(table)
-            : sides.isSourceConverted()                ? examplePoint(result)
+            : sides.isSourceConverted()                ? examplePoint(converted.table)
                                                        : std::move(converted.example);
+        table = std::move(converted.table);
     }
-    return sides.isTargetConverted() ? withTurnedSigns(std::move(result), targetSign()) : result;
+    if (sides.isTargetConverted())
+        return withTurnedSigns(std::move(table), targetSign());
+    return table;
 }
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
@@ -254,11 +256,12 @@ Result<void> Converter::finish(const NeutralTable& asked, const NeutralTable& pr
     if (m_request.direction)
         if (auto merge = mergeDirections(source, *m_request.direction))
             source = std::move(merge->table);
-    const NeutralTable applied =
-        sides.isTargetConverted() ? withTurnedSigns(held, SignConvention::Command) : held;
+    std::optional<NeutralTable> turned;
+    if (sides.isTargetConverted())
+        turned = withTurnedSigns(held, SignConvention::Command);
     AXISCOMP_TRY(auto difference,
-        conversionDifference(
-            source, m_request.from->facts.behaviour, applied, m_request.to->facts.behaviour));
+        conversionDifference(source, m_request.from->facts.behaviour, turned ? *turned : held,
+            m_request.to->facts.behaviour));
     conversion.difference = std::move(difference);
     remarkOnEnds(conversion);
     noteRounding(prepared, held, conversion);
