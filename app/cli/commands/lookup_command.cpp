@@ -11,6 +11,7 @@
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/table/lookup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -124,8 +125,12 @@ Result<ExitCode> lookUpForController(
         request.writing.layout = &profile.layout;
         const NeutralTable tables[] = {table};
         AXISCOMP_TRY(auto conversion, convertTables(tables, request));
+        // What the format says of its file, such as where to name it, is of no use here.
+        const auto& ofFile = conversion.written.remarks;
         for (const Text& remark : conversion.remarks)
-            environment.console().note(displayName(options.input.file) + ": " + remark.english());
+            if (std::ranges::find(ofFile, remark) == ofFile.end())
+                environment.console().note(
+                    displayName(options.input.file) + ": " + remark.english());
         table = std::move(conversion.written.held.front());
         // The column that was asked for comes first; a format may add others that correct nothing.
         if (table.columns.front().direction == Direction::Both)
