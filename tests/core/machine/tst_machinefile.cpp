@@ -219,6 +219,26 @@ private Q_SLOTS:
         QVERIFY2(said.find("valid TOML") != std::string::npos, said.c_str());
     }
 
+    void lettersOutsideOfTextsAreRefusedWithTheirPlace_data()
+    {
+        QTest::addColumn<QByteArray>("line");
+        QTest::newRow("at its beginning") << QByteArray("\u01fd");
+        QTest::newRow("in a key") << QByteArray("gr\u00f6\u00dfe = 1");
+        QTest::newRow("as a value") << QByteArray("version = \u00e4");
+        QTest::newRow("behind a number") << QByteArray("version = 1\u00b5");
+        QTest::newRow("behind a backslash") << QByteArray("name = \"\"\"a\\\u00e9\"\"\"");
+    }
+    void lettersOutsideOfTextsAreRefusedWithTheirPlace()
+    {
+        QFETCH(QByteArray, line);
+        const MachineReading reading = readMachine("# \u00e4\n" + line.toStdString() + "\n");
+        QVERIFY(!reading.machine);
+        QCOMPARE(reading.diagnostics.size(), std::size_t(1));
+        QCOMPARE(reading.diagnostics[0].line, std::size_t(2));
+        const std::string said = message(reading.diagnostics[0]);
+        QVERIFY2(said.find("valid TOML") != std::string::npos, said.c_str());
+    }
+
     void theNumberOfProblemsIsLimitedAndCounted()
     {
         std::string text = withAxis(axisX);
