@@ -9,6 +9,7 @@
 #include "core/axis/proposals.h"
 #include "core/compensator/drive_record.h"
 #include "core/compensator/multi_axis_write.h"
+#include "core/conversion/axis_place.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"

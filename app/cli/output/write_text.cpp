@@ -5,6 +5,7 @@
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <cmath>
