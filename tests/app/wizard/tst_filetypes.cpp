@@ -2,6 +2,7 @@
 #include "core/compensator/file_kind.h"
 #include "tests/support/file_content.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/verify.h"
 
 #include <QDir>
 #include <QFile>
