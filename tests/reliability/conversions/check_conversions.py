@@ -466,6 +466,7 @@ def problem_of(case):
         return "another period"
     if bool(a.period) != bool(b.period) and not pmac:
         return "one of them rolls over"
+    size = max(abs(knot) for knots in a.axes for knot in knots)  # positions are rounded to it, that of 0 too
     for name, values in columns.items():
         written = b.columns[name if name in b.columns else BOTH]
         slope = steepest(a.axes, values)
@@ -478,7 +479,6 @@ def problem_of(case):
             if pmac and point[0] > a.axes[0][-1] + 1e-10:
                 continue
             due = converted(a, values, point, own, changes)
-            size = max(map(abs, point))
             allowed = (0.5001 * b.step + b.relative * abs(due) + 1e-13 * size
                        + (1e-10 * size + 0.5001 * b.position_step) * slope * spread)
             if not abs(value - due) <= allowed:
