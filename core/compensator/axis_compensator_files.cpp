@@ -110,7 +110,8 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
     if (!lock)
         return fail(lock.error());
     // Nothing is begun that cannot be ended.
-    AXISCOMP_CHECK(planRestore(backup, force, options));
+    AXISCOMP_TRY(const auto plans, planRestore(backup, force, options));
+    const std::vector<AxisBackup::File> files = filesBesides(backup, plans);
     std::vector<WriteReport> reports;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
@@ -126,10 +127,10 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
         if (report)
             reports.push_back(std::move(*report));
     }
-    for (const AxisBackup::File& file : backup.otherFiles) {
+    for (const AxisBackup::File& file : files) {
         AXISCOMP_CHECK(d->restoreFile(access, drive, file));
     }
-    AXISCOMP_CHECK(d->checkRestored(access, drive, restored, backup.otherFiles));
+    AXISCOMP_CHECK(d->checkRestored(access, drive, restored, files));
     return reports;
 }
 
@@ -171,10 +172,16 @@ Result<std::vector<WritePlan>> AxisCompensator::planRestore(
     OperationOptions quiet = options;
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
-    AXISCOMP_CHECK(d->checkFlashOfFiles(d->access(options), backup.otherFiles, plans));
+    AXISCOMP_CHECK(d->checkFlashOfFiles(d->access(options), filesBesides(backup, plans), plans));
     for (WritePlan& plan : plans) {
         plan.unitRemarks.clear();
         plan.largeCorrections.clear();
+        for (const AxisBackup::File& file : backup.otherFiles)
+            if (!file.bytes.empty() && file.slot == plan.after.slot)
+                plan.warnings.push_back(AXISCOMP_TEXT("Error",
+                    "The table that no axis used in {slot} is not restored: the table of this "
+                    "axis is there.")
+                                            .with("slot", file.slot));
     }
     return plans;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/multi_axis_write.h"
 
+#include "core/write/backup_restore.h"
+
 #include <algorithm>
 #include <set>
 
@@ -105,7 +107,8 @@ Result<PlannedTables> planDriveRestoration(AxisCompensator& compensator, const D
 {
     AXISCOMP_TRY(auto plans, compensator.planRestore(backup, force, options));
     AXISCOMP_TRY(auto requests, compensator.restoreRequests(backup, force, options));
-    PlannedTables planned{{}, std::move(plans), backup.otherFiles};
+    std::vector<AxisBackup::File> files = filesBesides(backup, plans);
+    PlannedTables planned{{}, std::move(plans), std::move(files)};
     for (std::size_t n = 0; n < requests.size(); ++n)
         planned.tables.push_back({backup.axes[n].axis, {}, std::move(requests[n])});
     return planned;

@@ -108,6 +108,17 @@ Result<bool> holdsRegisters(const RegisterAccess& access, const std::vector<Regi
 
 } // namespace
 
+std::vector<AxisBackup::File> filesBesides(
+    const DriveBackup& backup, std::span<const WritePlan> plans)
+{
+    std::vector<AxisBackup::File> files;
+    for (const AxisBackup::File& file : backup.otherFiles)
+        if (std::ranges::none_of(
+                plans, [&](const WritePlan& plan) { return plan.after.slot == file.slot; }))
+            files.push_back(file);
+    return files;
+}
+
 Result<AxisBackup::File> readSlotFile(const RegisterAccess& access, const TableSlot& slot)
 {
     return readSlotFile(access, slot, access.exchange());

@@ -36,4 +36,9 @@ namespace axiscomp {
 [[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
     const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources);
 
+/// The files of a backup that no axis used then, but for those whose slot an axis uses once these
+/// plans are written: its table went to a free slot, which may have been theirs.
+[[nodiscard]] std::vector<AxisBackup::File> filesBesides(
+    const DriveBackup& backup, std::span<const WritePlan> plans);
+
 } // namespace axiscomp

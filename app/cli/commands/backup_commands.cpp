@@ -57,10 +57,9 @@ Result<Json> showPlans(
     Json documents = Json::array();
     for (const WritePlan& plan : plans) {
         documents.push_back(toJson(plan));
-        if (plan.changes.empty())
-            continue;
-        environment.print((documents.size() > 1 ? "\n" : "")
-            + planText(plan, axes.at(static_cast<std::size_t>(plan.axis))));
+        if (!plan.changes.empty())
+            environment.print((documents.size() > 1 ? "\n" : "")
+                + planText(plan, axes.at(static_cast<std::size_t>(plan.axis))));
         for (const Text& warning : plan.warnings)
             environment.warn(warning.english());
     }

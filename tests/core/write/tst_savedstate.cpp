@@ -278,6 +278,34 @@ private Q_SLOTS:
         QVERIFY(now == saved.state());
     }
 
+    /// The free slot to which a table goes back may be the one of a file that no axis used.
+    void aFileWhoseSlotAnAxisNeedsIsLeftOutAndSaid()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(1), "Small1")));
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(2), "Small2")));
+        const auto backup = f.compensator.backup(); // Small1 is nobody's
+        VERIFY_RESULT(backup);
+        QCOMPARE(backup->otherFiles.size(), std::size_t{1});
+        const auto then = f.compensator.status(0);
+        VERIFY_RESULT(then);
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(3), "Small1")));
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(4), "Small2")));
+        for (const bool isThere : {false, true}) {
+            const auto plans = f.compensator.planRestore(*backup, false);
+            VERIFY_RESULT(plans);
+            QCOMPARE(plans->front().after.slot, std::string("Small1"));
+            QCOMPARE(plans->front().changes.empty(), isThere);
+            QVERIFY(std::ranges::any_of(plans->front().warnings, [](const Text& warning) {
+                return warning.english().find("in Small1 is not restored") != std::string::npos;
+            }));
+            VERIFY_RESULT(f.compensator.restore(*backup, false));
+            const auto now = f.compensator.status(0);
+            VERIFY_RESULT(now);
+            QCOMPARE(now->setup.tableCrc, then->setup.tableCrc);
+        }
+    }
+
     void aRestoreThatTheDriveForgotInBetweenIsNotDone()
     {
         const auto prepare = [](CompensatorFixture& f) {
