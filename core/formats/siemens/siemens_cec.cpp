@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view prefix = "$AN_CEC";
 constexpr std::string_view otherPrefix = "$AA_ENC_COMP";
+constexpr std::string_view weightName = "$SN_CEC_TABLE_WEIGHT";
 constexpr std::string_view inputSuffix = "_INPUT_AXIS";
 constexpr std::string_view outputSuffix = "_OUTPUT_AXIS";
 constexpr std::int64_t mostTables = 1000; // twice as many as a control has axes, and more
@@ -74,6 +75,7 @@ public:
 
 private:
     void takeOther(const Token& name);
+    void takeWeight(const siemens::Assignment& said);
     [[nodiscard]] Entry* entryOf(const Token& index);
     void takeAxis(std::string& axis, const siemens::Assignment& said);
 
@@ -130,9 +132,26 @@ void Collector::takeOther(const Token& name)
     m_hasOther = m_hasOther || isOther;
 }
 
+/// A setting that multiplies the table on the control; 1 unless it is set (SD41310).
+void Collector::takeWeight(const siemens::Assignment& said)
+{
+    if (numberOf(trimmed(said.value.text)) == 1.0)
+        return;
+    m_diagnostics.error(DiagnosticCode::LimitExceeded, said.name.line, said.name.column,
+        AXISCOMP_TEXT("Error", "{name} = {value}, which multiplies the table on the control")
+            .with("name", weightName)
+            .with("value", Verbatim{excerpt(said.value.text, Encoding::Utf8)}),
+        AXISCOMP_TEXT(
+            "Error", "1; take the line out, and multiply the values by the number (--scale)"));
+}
+
 void Collector::take(const siemens::Assignment& said)
 {
     const std::string_view name = said.name.text;
+    if (sameLetters(name, weightName)) {
+        takeWeight(said);
+        return;
+    }
     const bool isOwn =
         name.size() >= prefix.size() && sameLetters(name.substr(0, prefix.size()), prefix);
     const std::string_view suffix = isOwn ? name.substr(prefix.size()) : std::string_view();

@@ -69,6 +69,10 @@ void describe(test::FormatSample& sample)
     const std::string product = with("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=2");
     sample.warning("a product of tables is left out", product, {"12:0 Assumption"});
     sample.applies({{{0}, 0.02}}, product);
+    const std::string weight = "$SN_CEC_TABLE_WEIGHT[0]=";
+    sample.problem("a weight of the table, which multiplies it", weight + "-2\n" + program,
+        {"1:1 LimitExceeded"});
+    sample.applies({{{400}, 0.03}}, weight + "1.0 ; as it is\n" + program);
     const std::string others = "$AN_CEC_INPUT_NCU[0]=1\n$AA_ENC_COMP[0,0,X]=1\n" + program;
     sample.warning(
         "an unknown variable and another format", others, {"1:1 UnknownKey", "2:1 Assumption"});
