@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/csv/calibration_csv.h"
+#include "core/csv/header.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_parser.h"
 #include "core/text/number_text.h"
@@ -38,14 +39,14 @@ std::string oneLine(std::string text)
     return text;
 }
 
-/// "X [mm]". A name that ends in brackets itself is told from its unit by empty brackets.
+/// "X [mm]". A name that would be read as one with a unit is told from its own by empty brackets.
 std::string headerText(const std::string& name, const std::string& unit)
 {
     std::string text = oneLine(name);
     std::string inBrackets = oneLine(unit);
     std::ranges::replace(inBrackets, '[', '(');
     std::ranges::replace(inBrackets, ']', ')');
-    if (!inBrackets.empty() || trimmed(text).ends_with(']'))
+    if (!inBrackets.empty() || csv::columnName(text).name != trimmed(text))
         text += (text.empty() ? "[" : " [") + inBrackets + ']';
     return text;
 }

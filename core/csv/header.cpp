@@ -2,6 +2,7 @@
 #include "core/csv/header.h"
 
 #include "core/csv/fields.h"
+#include "core/table/position_unit.h"
 #include "core/text/utf8.h"
 
 #include <algorithm>
@@ -15,14 +16,40 @@ namespace {
 /// What a spreadsheet can have; keeps a line of separators from taking all memory.
 constexpr std::size_t maximumColumns = 16384;
 
-ColumnName columnName(const std::string& text)
+bool isUnit(std::string_view text)
 {
-    const std::string_view all = trimmed(text);
-    const std::size_t open = all.ends_with(']') ? all.rfind('[') : std::string_view::npos;
-    if (open == std::string_view::npos)
-        return {shownText(all), ""};
-    return {shownText(trimmed(all.substr(0, open))),
-        shownText(trimmed(all.substr(open + 1, all.size() - open - 2)))};
+    return isPositionUnit(text) || isTemperatureUnit(text);
+}
+
+/// "X error (um)", "X error [um] (mean)"
+std::optional<ColumnName> withUnitInBrackets(std::string_view text)
+{
+    for (const auto& [opening, closing] : {std::pair('[', ']'), {'(', ')'}, {'{', '}'}}) {
+        const std::size_t close = text.rfind(closing);
+        const std::size_t open = text.rfind(opening, close);
+        if (close == std::string_view::npos || open == std::string_view::npos)
+            continue;
+        const std::string_view unit = trimmed(text.substr(open + 1, close - open - 1));
+        if (isUnit(unit))
+            return ColumnName{
+                std::string(trimmed(text.substr(0, open))) + std::string(text.substr(close + 1)),
+                std::string(unit)};
+    }
+    return std::nullopt;
+}
+
+/// "x / mm" (ISO 80000-1), "X error in um"
+std::optional<ColumnName> withUnitBehind(std::string_view text)
+{
+    for (const std::string_view word : {"/", " in "}) {
+        const std::size_t at = text.rfind(word);
+        if (at == std::string_view::npos)
+            continue;
+        const std::string_view unit = trimmed(text.substr(at + word.size()));
+        if (isUnit(unit))
+            return ColumnName{std::string(trimmed(text.substr(0, at))), std::string(unit)};
+    }
+    return std::nullopt;
 }
 
 bool isNumber(const Cell& cell)
@@ -78,6 +105,20 @@ bool checkQuotes(const std::vector<Cell>& cells, std::size_t lineNumber, Encodin
 }
 
 } // namespace
+
+ColumnName columnName(std::string_view header)
+{
+    const std::string_view all = trimmed(header);
+    const std::size_t open = all.ends_with(']') ? all.rfind('[') : std::string_view::npos;
+    if (open != std::string_view::npos)
+        return {shownText(trimmed(all.substr(0, open))),
+            shownText(trimmed(all.substr(open + 1, all.size() - open - 2)))};
+    auto found = withUnitInBrackets(all);
+    if (!found)
+        found = withUnitBehind(all);
+    return found ? ColumnName{shownText(found->name), shownText(found->unit)}
+                 : ColumnName{shownText(all), ""};
+}
 
 Text withDimensionalityHint(Text expected, int dimensions)
 {

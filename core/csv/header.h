@@ -10,6 +10,10 @@ struct Header {
     std::vector<ColumnName> columns; ///< tables have a name, each its own
 };
 
+/// The name and the unit of a column: a text in brackets at its end, or a unit of length, angle or
+/// temperature elsewhere: "X error (um)", "X error [um] (mean)", "x / mm", "X error in um".
+[[nodiscard]] ColumnName columnName(std::string_view header);
+
 /// The names and units of the columns of a header line as they stand there. None: it cannot be
 /// used, and diagnostics say why.
 [[nodiscard]] std::optional<Header> readColumnNames(

@@ -85,6 +85,15 @@ private Q_SLOTS:
                                 << QByteArrayList{"X, left|mm", "say \"A\"|", "B;C|"};
         QTest::newRow("brackets in the name") << QByteArray("X [a] [mm],A [],B [x] y")
                                               << QByteArrayList{"X [a]|mm", "A|", "B [x] y|"};
+        QTest::newRow("a unit in other brackets, or before the end") << QByteArray(
+            "X (mm),E {um},E [um] (mean)") << QByteArrayList{"X|mm", "E|um", "E (mean)|um"};
+        QTest::newRow("a unit behind a stroke")
+            << QByteArray("x / mm,E/nm,E/Y") << QByteArrayList{"x|mm", "E|nm", "E/Y|"};
+        QTest::newRow("a unit in words")
+            << QByteArray("X in mm,E in um,E in X") << QByteArrayList{"X|mm", "E|um", "E in X|"};
+        QTest::newRow("brackets without a unit")
+            << QByteArray("X (left),E (mean),E (um) [nm]")
+            << QByteArrayList{"X (left)|", "E (mean)|", "E (um)|nm"};
         QTest::newRow("quote within a name")
             << QByteArray("X 5\",A,B") << QByteArrayList{"X 5\"|", "A|", "B|"};
         QTest::newRow("stray byte-order marks")

@@ -121,7 +121,8 @@ private Q_SLOTS:
     {
         const Grid grid{{{"// X", "a;b", 0.0, 1.0, 2}}};
         CalibrationData data{grid, {}, {"first\nsecond", "", "//third", "  "}};
-        for (const char* name : {"a,b", "say \"A\"", "B [x]", "5\"", "Größe", "7"})
+        for (const char* name : {"a,b", "say \"A\"", "B [x]", "5\"", "Größe", "7", "E (um)",
+                 "E [um] up", "E/nm", "E in mm"})
             data.tables.push_back({name, "", grid, {0.0F, 0.001F}});
         const CsvReading reading = reparse(data);
         QVERIFY2(reading.data, describe(reading).join('\n').constData());
