@@ -72,6 +72,9 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
     const bool isUsable = said.size() == data.tables.size()
         && std::ranges::equal(said, meant, {}, &std::string::empty, &std::string::empty);
     if (!isUsable) {
+        if (said.size() == data.tables.size())
+            for (std::size_t n = 0; n < said.size(); ++n)
+                data.tables[n].statedAxis = std::move(said[n]);
         diagnostics.warning(DiagnosticCode::TargetNotKnown, 0, 0, Verbatim{*note},
             AXISCOMP_TEXT("Error",
                 "one axis for all columns or one for each: the name of an axis, #1 for the first "

@@ -21,6 +21,8 @@ struct CompensationTable {
     std::string target = {}; ///< the axis that is corrected, as stated (target_axis.h)
     /// Ascending: the points whose values were made up, not measured (missing_points.h).
     std::vector<std::uint32_t> filled = {};
+    /// The axis that the file names where its headers do not tell whether that is a source.
+    std::string statedAxis = {};
 
     friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
 };

@@ -78,6 +78,19 @@ std::string_view withoutDelta(std::string_view word)
     return word;
 }
 
+/// The letter of the axis that a column of values is named by.
+std::string_view letterInHeader(std::string_view header)
+{
+    const std::string_view word = withoutDelta(onlyOtherWord(header, errorWords));
+    return isAxisLetter(word) ? word : std::string_view();
+}
+
+bool mayBeCounted(std::string_view word)
+{
+    constexpr std::string_view counted = "ABCabc";
+    return word.size() == 1 && counted.find(word.front()) != std::string_view::npos;
+}
+
 std::optional<std::size_t> sourceNumber(std::string_view statement)
 {
     if (statement.size() != 2 || statement.front() != '#' || statement[1] < '1'
@@ -162,14 +175,18 @@ std::string targetAmong(std::string_view statement, std::span<const std::string>
 
 std::string targetInHeader(std::string_view header, std::span<const std::string> sourceHeaders)
 {
-    const std::string_view word = withoutDelta(onlyOtherWord(header, errorWords));
-    if (!isAxisLetter(word))
+    const std::string_view word = letterInHeader(header);
+    if (word.empty())
         return {};
     std::string target = targetAmong(word, sourceHeaders);
-    constexpr std::string_view counted = "ABCabc";
-    const bool isCounted = word.size() == 1 && counted.find(word.front()) != std::string_view::npos;
-    return isCounted && target == word && !sourceNamed(word, sourceHeaders) ? std::string()
-                                                                            : target;
+    return mayBeCounted(word) && target == word && !sourceNamed(word, sourceHeaders) ? std::string()
+                                                                                     : target;
+}
+
+std::string_view axisOfColumn(std::string_view header)
+{
+    const std::string_view word = letterInHeader(header);
+    return mayBeCounted(word) ? std::string_view() : word;
 }
 
 std::string portableTarget(std::string_view statement, std::span<const std::string> headers)

@@ -57,6 +57,11 @@ struct CompensationTable;
 [[nodiscard]] std::string targetInHeader(
     std::string_view header, std::span<const std::string> sourceHeaders);
 
+/// The axis of the machine that the header of a column of values names, whatever its sources are
+/// called: "Y" for "Y error". Empty: none, or a single A, B or C, since columns are also counted by
+/// letters.
+[[nodiscard]] std::string_view axisOfColumn(std::string_view header);
+
 /// The statement, so that a reader who knows only the headers takes it the same way.
 [[nodiscard]] std::string portableTarget(
     std::string_view statement, std::span<const std::string> headers);

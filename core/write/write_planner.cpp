@@ -278,12 +278,15 @@ Result<void> WritePlanner::doubtSources(const WriteRequest& request)
 /// A file that corrects Y is not for axis X, wherever it is looked up.
 Result<void> WritePlanner::checkTargetName(const CompensationTable& table) const
 {
-    if (!areDifferentAxes(table.target, m_status.axis.name))
+    const std::string_view axis = !table.target.empty() ? std::string_view(table.target)
+        : !table.statedAxis.empty()                     ? std::string_view(table.statedAxis)
+                                                        : axisOfColumn(table.name);
+    if (!areDifferentAxes(axis, m_status.axis.name))
         return {};
     const std::string statement =
         axisTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after));
     return fail(ErrorCode::TargetMismatch,
-        {{"table", table.name}, {"target", Verbatim{table.target}}, {"axis", m_axis},
+        {{"table", table.name}, {"target", Verbatim{std::string(axis)}}, {"axis", m_axis},
             {"role",
                 AXISCOMP_TEXT("Error", "the name on the drive is {name}")
                     .with("name", Verbatim{m_status.axis.name})},

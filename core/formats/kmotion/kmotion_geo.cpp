@@ -415,7 +415,8 @@ Result<Targets> targetsOf(const NeutralTable& table)
     Targets targets{};
     for (const CompensationColumn& column : table.columns) {
         const auto source = ownAxis(table, column);
-        const std::string name = targetName(table, column);
+        const std::string stated = targetName(table, column);
+        const std::string_view name = stated.empty() ? axisOfColumn(column.name) : stated;
         if (!source && !name.empty() && !sameLetters(name, "Z"))
             return refuse(
                 AXISCOMP_TEXT("Error", "it corrects X, Y and Z, and this table goes from {column}")

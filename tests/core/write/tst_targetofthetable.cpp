@@ -70,6 +70,45 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, requestFor("#1", name)));
     }
 
+    /// A column "Position" may be that of any axis; "Y error" over it is still not for X.
+    void theNameOfATableTellsTheAxisWhereItsSourceHasNone_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("stated");
+        QTest::addColumn<bool>("isOfAnother");
+        QTest::newRow("Y error") << "Y error"
+                                 << "" << true;
+        QTest::newRow("dY2") << "dY2"
+                             << "" << true;
+        QTest::newRow("a comment of the file") << "E"
+                                               << "Y" << true;
+        QTest::newRow("the comment, not the name") << "Y error"
+                                                   << "X" << false;
+        QTest::newRow("X error") << "X error"
+                                 << "" << false;
+        QTest::newRow("a letter that counts columns") << "B"
+                                                      << "" << false;
+        QTest::newRow("no axis") << "Mean error"
+                                 << "" << false;
+    }
+    void theNameOfATableTellsTheAxisWhereItsSourceHasNone()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, stated);
+        QFETCH(bool, isOfAnother);
+        CompensatorFixture f;
+        WriteRequest request = requestFor({}, "Position");
+        request.table->name = name.toStdString();
+        request.table->statedAxis = stated.toStdString();
+        if (!isOfAnother) {
+            VERIFY_RESULT(f.compensator.plan(0, request));
+            return;
+        }
+        VERIFY_ERROR(f.compensator.plan(0, request), ErrorCode::TargetMismatch);
+        request.table->target = "#1";
+        VERIFY_RESULT(f.compensator.plan(0, request));
+    }
+
     void aNameThatMayBeThatOfTheAxisIsTaken_data()
     {
         QTest::addColumn<QString>("target");
