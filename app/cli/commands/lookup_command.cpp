@@ -100,10 +100,11 @@ Result<ExitCode> answer(Environment& environment, const LookupOptions& options,
 }
 
 Result<ExitCode> lookUpForDrive(
-    Environment& environment, const LookupOptions& options, const CalibrationData& data)
+    Environment& environment, const LookupOptions& options, const TableInput& input)
 {
-    AXISCOMP_TRY(const auto index, chooseTable(data, options.input));
-    const CompensationTable& table = data.tables[index];
+    AXISCOMP_TRY(const auto made, driveTable(input, options.input, options.conversion));
+    noteReport(environment, made.report);
+    const CompensationTable& table = made.table;
     const std::string outside = options.outside.empty() ? "hold" : options.outside;
     return answer(environment, options, driveEvaluation(table, outsideNames.at(outside)),
         {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
@@ -161,7 +162,7 @@ Result<ExitCode> runLookup(Environment& environment, const LookupOptions& option
         return fail(input.error());
     const bool isOwn = input->data.has_value();
     if (isOwn && options.as.empty())
-        return lookUpForDrive(environment, options, *input->data);
+        return lookUpForDrive(environment, options, *input);
     if (!options.outside.empty())
         return wrongUsage("--outside is for tables of the drive: other controllers have a rule",
             options.input.command);
