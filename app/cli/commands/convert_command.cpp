@@ -9,9 +9,11 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/large_correction.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
 
 #include <filesystem>
 
@@ -59,7 +61,12 @@ Result<CompensationTable> inUnitsOfFile(
                 + ", the unit of the positions is not stated: give that of the axis with "
                   "--value-unit, such as --value-unit mm",
             options.input.command);
-    AXISCOMP_TRY(auto converted, inDriveUnits(table, {unit, {}}));
+    // The axis that is corrected has one unit, for its values and for its own positions.
+    std::vector<std::string> positions(table.grid.axes.size());
+    const auto target = targetOf(table);
+    if (target ? target->source.has_value() : positions.size() == 1)
+        positions[target ? *target->source : 0] = unit;
+    AXISCOMP_TRY(auto converted, inDriveUnits(table, {unit, std::move(positions)}));
     for (const Text& remark : converted.remarks)
         environment.console().note("note: " + remark.english());
     return std::move(converted.table);
@@ -98,12 +105,28 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
     return encodeTamTable(inUnits, persistent, profile.layout);
 }
 
+/// A .TAMtbl has room for the numbers alone: what would be checked of a calibration file is not.
+void noteWhatIsNotHeld(Environment& environment, const CalibrationData& data)
+{
+    const auto lookupAt = lookupInNotes(data.notes);
+    if (lookupAt && *lookupAt)
+        environment.console().note("note: the .TAMtbl does not say that the drive has to look it "
+                                   "up at the "
+            + std::string(**lookupAt == LookupAt::Set ? "set" : "encoder")
+            + " position, as the file does: write it with such sources only");
+    const std::string& target = data.tables.front().target;
+    if (!target.empty())
+        environment.console().note(
+            "note: the .TAMtbl does not say what it corrects (" + target + "), as the file does");
+}
+
 /// Returns the number of bytes written.
 Result<std::size_t> writeAs(Environment& environment, const ConvertOptions& options,
     const TableFormat& format, const CalibrationData& data, bool persistent)
 {
     const Output output{options.output, options.input.command};
     if (&format == &tam_table::format()) {
+        noteWhatIsNotHeld(environment, data);
         AXISCOMP_TRY(
             const auto bytes, encodeTable(environment, options, data.tables.front(), persistent));
         AXISCOMP_CHECK(writeOutput(environment, output, bytes));
