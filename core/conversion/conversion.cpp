@@ -72,6 +72,24 @@ Result<void> checkSameTargets(const NeutralTable& prepared, const NeutralTable& 
     return {};
 }
 
+/// That values in the unit of the drive are not added to positions in a unit that is stated.
+Result<void> checkPositionsOfDrive(const NeutralTable& table)
+{
+    for (const CompensationColumn& column : table.columns) {
+        const auto own = ownAxis(table, column);
+        if (own && !table.axes[*own].unit.empty())
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the values for {column} are said to be in the unit of the drive, and the "
+                        "positions that they are added to are in {unit}; state the unit of the "
+                        "values, or that the positions are in that of the drive, too")
+                        .with("column", columnText(table, column))
+                        .with("unit", table.axes[*own].unit)}});
+    }
+    return {};
+}
+
 /// One table on its way from one format to the other.
 class Converter {
 public:
@@ -88,6 +106,8 @@ public:
         NeutralTable held, TableConversion& conversion) const;
 
 private:
+    /// What a conversion needs to know of the units: those of numbers that are added to each other.
+    [[nodiscard]] Result<NeutralTable> withUnits(NeutralTable table, SetSides sides) const;
     [[nodiscard]] Result<NeutralTable> merged(
         NeutralTable table, TableConversion& conversion) const;
     [[nodiscard]] Result<NeutralTable> resampled(
@@ -111,9 +131,35 @@ private:
         return m_request.targetSign.value_or(m_request.to->facts.sign);
     }
 
+    /// Whether the numbers become those of the other side of the compensation.
+    [[nodiscard]] bool changesSide(const NeutralTable& table, SetSides sides) const
+    {
+        const auto from = sides.isSourceConverted() ? SignConvention::Command : table.sign;
+        const auto to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
+        return from != to;
+    }
+
+    [[nodiscard]] bool areValuesOfDrive() const { return m_request.units.values == unitOfDrive; }
+
     const ConversionRequest& m_request;
     std::vector<Text>& m_remarks;
 };
+
+Result<NeutralTable> Converter::withUnits(NeutralTable table, SetSides sides) const
+{
+    for (SourceAxis& axis : table.axes)
+        takeStatedUnit(axis.unit, m_request.units.positions);
+    for (CompensationColumn& column : table.columns)
+        takeStatedUnit(column.unit, m_request.units.values);
+    const bool isChanged = changesSide(table, sides);
+    if (areValuesOfDrive()) {
+        AXISCOMP_CHECK(isChanged ? checkPositionsOfDrive(table) : Result<void>());
+        return table;
+    }
+    const bool isKept =
+        isTriamec(*m_request.from) && m_request.to == &calibration_csv::format() && !isChanged;
+    return isKept ? Result<NeutralTable>(std::move(table)) : withUnitsOfValues(table, m_remarks);
+}
 
 Result<NeutralTable> Converter::merged(NeutralTable table, TableConversion& conversion) const
 {
@@ -184,11 +230,9 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     table.sign = m_request.sourceSign.value_or(table.sign);
     AXISCOMP_TRY(
         table, withTargets(std::move(table), m_request.targets, isTriamec(*m_request.from)));
-    if (!isTriamec(*m_request.from) || m_request.to != &calibration_csv::format()) {
-        AXISCOMP_TRY(table, withUnitsOfValues(table, m_remarks));
-    }
-    AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
     AXISCOMP_TRY(const auto sides, setSides(table, m_request));
+    AXISCOMP_TRY(table, withUnits(std::move(table), sides));
+    AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
     if (const auto remark = lookupRemark(table, sides, m_request))
         remarkOnce(m_remarks, *remark);
     if (sides.isSourceConverted())
@@ -205,7 +249,8 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         result = signConverted(*std::move(result), sides, conversion);
     // The drive's table has no units: its values are in the unit of its axis.
     const bool holdsNoUnits = m_request.to == &tam_table::format();
-    if (result && isTriamec(*m_request.to) && (holdsNoUnits || !isTriamec(*m_request.from)))
+    if (result && isTriamec(*m_request.to) && !areValuesOfDrive()
+        && (holdsNoUnits || !isTriamec(*m_request.from)))
         result = inPositionUnits(*result, m_remarks);
     if (result)
         result->sign = m_request.to->facts.sign;

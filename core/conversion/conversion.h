@@ -7,6 +7,7 @@
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/table_format.h"
 #include "core/neutral/lookup_note.h"
+#include "core/table/table_units.h"
 
 #include <optional>
 #include <variant>
@@ -31,6 +32,7 @@ struct ConversionRequest {
     /// What the columns of each table correct (target_axis.h), one for all or one for each; empty:
     /// as the tables say.
     std::vector<std::string> targets;
+    StatedUnits units; ///< of the source, in place of those that it states
     Adjustment adjustment;
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion
     bool dropsWrap = false; ///< a modulo axis becomes a linear one
@@ -64,14 +66,14 @@ struct Conversion {
     std::vector<Text> remarks; ///< for the user: assumptions, losses, what to do
 };
 
-/// In this order: take values without a unit in that of their positions, adjust the values, merge
-/// directions, resample, convert the sign, check that the target can hold it, write, and compare
-/// what the file says with the source under both controllers' rules. A table of the drive that is
-/// looked up at the set position x holds -c(x): there the drive moves the encoder to x + c(x), as a
-/// controller with command values does (docs/formats.md). Errors: of each of these steps;
-/// InvalidArgument for a lookupAt that the table contradicts, and between two tables of the drive
-/// where the first one does not say its own; SignNotStated before any of them where the sign of one
-/// of two formats is assumed and the request does not state it.
+/// In this order: take the stated units, and values without a unit in that of their positions,
+/// adjust the values, merge directions, resample, convert the sign, check that the target can hold
+/// it, write, and compare what the file says with the source under both controllers' rules. A table
+/// of the drive that is looked up at the set position x holds -c(x): there the drive moves the
+/// encoder to x + c(x), as a controller with command values does (docs/formats.md). Errors: of each
+/// of these steps; InvalidArgument for a lookupAt that the table contradicts, and between two
+/// tables of the drive where the first one does not say its own; SignNotStated before any of them
+/// where the sign of one of two formats is assumed and the request does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

@@ -29,6 +29,7 @@ struct ResamplingChoice {
 struct ImportChoices {
     const TableFormat* format = nullptr; ///< null: by the file's content and name
     FormatSettings settings;
+    StatedUnits units; ///< in place of those of the file
     std::string target; ///< what the values correct (target_axis.h); empty: as the file says
     /// Nothing that the user says: the target for a file that does not say it, and where the drive
     /// looks up the table that is written, or made of the file of another controller.

@@ -106,10 +106,14 @@ void Import::take(CalibrationData data)
 {
     stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
-    if (m_request.choices.isConversion())
+    if (m_request.choices.isConversion()) {
         convert(separateColumns(std::vector{neutralTable(data)}));
-    else
-        m_result.data = std::make_shared<const CalibrationData>(std::move(data));
+        return;
+    }
+    for (CompensationTable& table : data.tables)
+        takeStatedUnits(table, m_request.choices.units);
+    data.grid = data.tables.front().grid;
+    m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
 /// A file that other choices make usable is refused with its first problem, not given up.
@@ -254,6 +258,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.to = &calibration_csv::format();
     request.sourceSign = choices.sign;
     request.targets = choices.targetsFor(column);
+    request.units = choices.units;
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
     if (!isOfDrive(*request.from, choices.sign))

@@ -142,6 +142,16 @@ Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Te
                         .with("column", columnText(known, column))
                         .with("unit", column.unit)
                         .with("key", Verbatim{"position-unit"})}});
+        } else if (ownAxis(known, column) && !isSameUnit(column.unit, unit)
+            && !unitFactor(column.unit, unit)) {
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the values for {column} are in {unit}, which cannot be given in {other}, "
+                        "the unit of the positions that they are added to; correct the units")
+                        .with("column", columnText(known, column))
+                        .with("unit", column.unit)
+                        .with("other", unit)}});
         }
     }
     return known;

@@ -32,8 +32,6 @@ struct MachineAxis {
     std::string file; ///< of the table, as written: relative to the machine file; empty: no table
     std::string column; ///< name or number from 1; empty: the only one
     ImportChoices choices; ///< format, settings, target, sign and direction
-    std::string valueUnit; ///< in place of what the file says; "drive": the drive's own
-    std::string positionUnit; ///< likewise
     Persistency persistency = Persistency::Volatile;
     std::string slot; ///< empty: chosen
     std::optional<bool> isActive; ///< none: the activation is left as it is

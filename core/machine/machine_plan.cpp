@@ -140,7 +140,7 @@ Result<void> DrivePlanner::planAxis(
         AXISCOMP_TRY(auto settled, settledTable(axis, table, plan));
         request.table = std::move(settled.table);
         request.lookupAt = settled.lookupAt;
-        request.unstatedUnit = unstatedUnit(axis.valueUnit);
+        request.unstatedUnit = unstatedUnit(axis.choices.units.values);
         request.dimensionality = request.table->grid.dimensions();
         request.persistency = axis.persistency;
         request.acceptsLarge = axis.acceptsLarge;

@@ -416,8 +416,8 @@ void MachineReader::readAxis(const toml::table& table, MachineDrive& drive)
     axis.column = entries.nameOrNumber(entries.find("column"));
     readSources(entries, axis);
     readChoices(entries, axis);
-    axis.valueUnit = entries.text("value-unit");
-    axis.positionUnit = entries.text("position-unit");
+    axis.choices.units.values = entries.text("value-unit");
+    axis.choices.units.positions = entries.text("position-unit");
     if (entries.flag("persistent").value_or(false))
         axis.persistency = Persistency::Persistent;
     const toml::node* slot = entries.find("slot");

@@ -7,7 +7,6 @@
 #include "core/conversion/table_import.h"
 #include "core/io/local_file.h"
 #include "core/neutral/lookup_note.h"
-#include "core/table/table_units.h"
 
 #include <algorithm>
 #include <thread>
@@ -43,9 +42,7 @@ Result<CompensationTable> chosenTable(const MachineAxis& axis, const Calibration
                     .with("file", axis.file)
                     .with("known", tableList(names))}});
     }
-    CompensationTable table = data.tables[index];
-    takeStatedUnits(table, axis.valueUnit, axis.positionUnit);
-    return table;
+    return data.tables[index];
 }
 
 } // namespace

@@ -97,8 +97,8 @@ void writeAxis(Lines& lines, const MachineAxis& axis)
     if (axis.sources)
         lines.raw("sources", listText(*axis.sources));
     writeChoices(lines, axis.choices);
-    lines.text("value-unit", axis.valueUnit);
-    lines.text("position-unit", axis.positionUnit);
+    lines.text("value-unit", axis.choices.units.values);
+    lines.text("position-unit", axis.choices.units.positions);
     if (!axis.file.empty())
         lines.flag("persistent", axis.persistency == Persistency::Persistent);
     lines.text("slot", axis.slot);

@@ -123,7 +123,7 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
     axis.acceptsLarge = !largeCorrections(table).empty(); // the drive has it
     // Where a file says no unit, its numbers are the drive's own.
     if (table.unit.empty())
-        axis.valueUnit = "drive";
+        axis.choices.units.values = "drive";
     m_result.files.push_back(std::move(file));
     return {};
 }

@@ -123,16 +123,17 @@ UnstatedUnit unstatedUnit(std::string_view statedForValues)
     return statedForValues == unitOfDrive ? UnstatedUnit::OfDrive : UnstatedUnit::OfPositions;
 }
 
-void takeStatedUnits(
-    CompensationTable& table, const std::string& values, const std::string& positions)
+void takeStatedUnit(std::string& unit, const std::string& stated)
 {
-    const auto take = [](std::string& unit, const std::string& stated) {
-        if (!stated.empty())
-            unit = stated == unitOfDrive ? std::string() : stated;
-    };
-    take(table.unit, values);
+    if (!stated.empty())
+        unit = stated == unitOfDrive ? std::string() : stated;
+}
+
+void takeStatedUnits(CompensationTable& table, const StatedUnits& stated)
+{
+    takeStatedUnit(table.unit, stated.values);
     for (GridAxis& axis : table.grid.axes)
-        take(axis.unit, positions);
+        takeStatedUnit(axis.unit, stated.positions);
 }
 
 const std::string& correctedUnit(const CompensationTable& table)

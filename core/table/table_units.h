@@ -32,9 +32,16 @@ enum class UnstatedUnit {
 
 /// What a person states in place of the unit of values or positions: they are in the drive's own.
 inline constexpr std::string_view unitOfDrive = "drive";
-/// Takes what a person states in place of the units of a file; empty: as the file says.
-void takeStatedUnits(
-    CompensationTable& table, const std::string& values, const std::string& positions);
+/// What a person states in place of the units of a file, before anything is done with its numbers.
+/// Empty: as the file says.
+struct StatedUnits {
+    std::string values; ///< of a length or an angle, or unitOfDrive
+    std::string positions; ///< likewise, of all sources
+
+    friend bool operator==(const StatedUnits&, const StatedUnits&) = default;
+};
+void takeStatedUnit(std::string& unit, const std::string& stated);
+void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 /// What the values are in after that, where they have no unit.
 [[nodiscard]] UnstatedUnit unstatedUnit(std::string_view statedForValues);
 

@@ -32,8 +32,6 @@ struct WriteOptions {
     std::string slot;
     std::vector<std::string> map; ///< COLUMN=AXIS, or AXIS for the column that is called so
     bool usesOwnPosition = false; ///< as the source, of each axis
-    std::string valueUnit; ///< in place of what the file says; "drive": the drive's own
-    std::string positionUnit;
     bool persistent = false;
     bool isVolatile = false;
     bool isDryRun = false;
@@ -97,8 +95,7 @@ Result<void> takeTable(const WriteOptions& options, const TableInput& input, Tab
     if (!isOfDrive(input, conversion))
         conversion.lookupAt = lookupAt;
     AXISCOMP_TRY(auto made, driveTable(input, pending.inputOptions, conversion));
-    takeStatedUnits(made.table, options.valueUnit, options.positionUnit);
-    pending.request.unstatedUnit = unstatedUnit(options.valueUnit);
+    pending.request.unstatedUnit = unstatedUnit(conversion.units.values);
     pending.request.dimensionality = made.table.grid.dimensions();
     pending.request.table = std::move(made.table);
     pending.request.lookupAt = made.lookupAt;
@@ -291,9 +288,9 @@ Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOption
     ConversionOptions conversion = options.conversion;
     if (record.tables.front().table.target.empty())
         conversion.targets.clear(); // it is asked for
-    const bool isChanged = conversion.isAnything() || !options.valueUnit.empty()
-        || !options.positionUnit.empty() || !input.from.empty() || !input.settings.empty()
-        || input.dimensions != 0 || !input.fill.empty() || input.crops || input.snap != 0.0;
+    const bool isChanged = conversion.isAnything() || options.conversion.units != StatedUnits{}
+        || !input.from.empty() || !input.settings.empty() || input.dimensions != 0
+        || !input.fill.empty() || input.crops || input.snap != 0.0;
     if (isChanged)
         return wrongUsage("the table of a record is written as it is, with its own units: leave "
                           "out --dims, --from and everything that converts or resamples",
@@ -457,7 +454,7 @@ void addWriteCommand(CommandLine& line)
                 "Keep the table in memory until the next reboot (the default for a new table)"))
         ->excludes(persistent);
     command
-        ->add_option("--value-unit", options->valueUnit,
+        ->add_option("--value-unit", options->conversion.units.values,
             AXISCOMP_HELP("Help",
                 "Unit of the values in place of what the file says, such as um; drive for the "
                 "drive's "
@@ -465,7 +462,7 @@ void addWriteCommand(CommandLine& line)
         ->option_text("UNIT")
         ->group("Conversion");
     command
-        ->add_option("--position-unit", options->positionUnit,
+        ->add_option("--position-unit", options->conversion.units.positions,
             AXISCOMP_HELP("Help", "The same for the positions"))
         ->option_text("UNIT")
         ->group("Conversion");

@@ -220,6 +220,7 @@ Result<ConversionRequest> conversionRequest(const ConversionOptions& options,
     request.sourceSign = signOf(options.sign);
     request.targetSign = signOf(options.toSign);
     request.targets = options.targets;
+    request.units = options.units;
     request.lookupAt = options.lookupAt;
     request.adjustment = options.adjustment;
     request.direction = directionOf(options.direction);
@@ -278,6 +279,7 @@ Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& 
     if (input.data && !options.isAnything()) {
         AXISCOMP_TRY(const auto index, chooseTable(*input.data, inputOptions));
         result.table = input.data->tables[index];
+        takeStatedUnits(result.table, options.units);
         return result;
     }
     const std::vector<NeutralTable> columns = neutralColumns(input);

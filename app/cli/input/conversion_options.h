@@ -19,6 +19,7 @@ struct ConversionOptions {
     std::string sign; ///< of the input; empty: as its format says
     std::string toSign; ///< of the output
     std::vector<std::string> targets; ///< what the columns correct; empty: as the file says
+    StatedUnits units; ///< of the input, in place of those that it states
     std::optional<LookupAt> lookupAt; ///< of the table of the drive; nothing: as its file says
     std::string direction; ///< mean, positive, negative; empty: as it is
     std::vector<std::size_t> points; ///< of the even grid, one for each source or one for all

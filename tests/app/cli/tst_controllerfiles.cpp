@@ -356,6 +356,94 @@ private Q_SLOTS:
         QVERIFY2(std::abs(last.split(' ').at(1).toDouble() + 0.02) < 1e-5, last.constData());
     }
 
+    /// e of the controller in um over mm becomes c = -e(x + c); in closed form at the middle knot.
+    void whatIsStatedOfUnitsIsTakenBeforeTheSignIsConverted_data()
+    {
+        QTest::addColumn<QStringList>("units");
+        QTest::newRow("as the file says") << QStringList{};
+        QTest::newRow("as it says, once more")
+            << QStringList{"--value-unit", "um", "--position-unit", "mm"};
+    }
+    void whatIsStatedOfUnitsIsTakenBeforeTheSignIsConverted()
+    {
+        QFETCH(QStringList, units);
+        const Sandbox box;
+        box.file("x.csv", "X [mm],X error [um]\n0,0\n10,-500\n20,250\n30,-500\n40,0\n");
+        const test::VirtualDriveProcess drive(box);
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        VERIFY_CODE(box.run(QStringList{"write", "--data", "x.csv", "--dims", "1", "--sign",
+                                "command", "--source1", test::positionSource(0), "--accept-large"}
+                        + units + axis),
+            0);
+        const ProgramRun read = box.run(QStringList{"read"} + axis);
+        QVERIFY2(read.out.contains("\n10,0.4651163\n"), read.out.constData()); // 0.5 / 1.075
+    }
+
+    /// um added to positions whose unit nobody has said would be a wrong number.
+    void valuesWithAUnitAreNotAddedToPositionsWithoutOne()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X,X error [um]\n0,0\n10,-500\n20,250\n30,-500\n40,0\n");
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "x.csv", "--dims", "1", "--sign", "command",
+            "--source1", test::positionSource(0), "--accept-large", "--drive", drive.url(),
+            "--axis", "0"};
+        const ProgramRun refused = box.run(write);
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(
+            refused.err.contains("have no unit; state it in the header"), refused.err.constData());
+        VERIFY_CODE(box.run(write + QStringList{"--position-unit", "mm"}), 0);
+        const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
+        QVERIFY2(read.out.contains("\n10,0.4651163\n"), read.out.constData());
+
+        box.file("micron.csv", "X [mm],X error [micron]\n0,0\n10,5\n");
+        const ProgramRun unknown =
+            box.run({"convert", "micron.csv", "y.csv", "--dims", "1", "--to-sign", "command"});
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(
+            unknown.err.contains("micron, which cannot be given in mm"), unknown.err.constData());
+    }
+
+    void lookupDoesWhatItIsAskedToDoWithATableOfTheDrive()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],X error [mm]\n0,0\n100,0.004\n");
+        const auto at50 = [&](const QStringList& options) {
+            const ProgramRun run =
+                box.run(QStringList{"lookup", "x.csv", "50", "--dims", "1"} + options);
+            return run.code == 0 ? run.out.trimmed() : run.err;
+        };
+        QCOMPARE(at50({}), QByteArray("0.002"));
+        QCOMPARE(at50({"--scale", "-10", "--offset", "5"}), QByteArray("4.98"));
+        QCOMPARE(at50({"--zero", "100"}), QByteArray("-0.002"));
+        VERIFY_CODE(box.run({"lookup", "x.csv", "50", "--dims", "1", "--set-out", "a=b"}), 2);
+        // Command values are turned: -e(x + c), with e = 4e-5 x.
+        const double command = at50({"--sign", "command"}).toDouble();
+        QVERIFY2(std::abs(command + 0.002 / 1.00004) < 1e-9, std::to_string(command).c_str());
+    }
+
+    void whatATamTableDoesNotHoldIsSaid()
+    {
+        const Sandbox box;
+        box.file("x.csv", "// lookup: set\nX [mm],X error [mm]\n0,0\n100,0.004\n");
+        const ProgramRun run = box.run({"convert", "x.csv", "x.TAMtbl", "--dims", "1"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.err.contains("look it up at the set position"), run.err.constData());
+        QVERIFY2(run.err.contains("does not say what it corrects (X)"), run.err.constData());
+    }
+
+    /// The axis has one unit, so that values in mm over positions in um are of no drive.
+    void theUnitOfTheAxisIsThatOfItsPositionsToo()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [um],X error [um]\n0,0\n100000,4\n");
+        VERIFY_CODE(
+            box.run({"convert", "x.csv", "x.TAMtbl", "--dims", "1", "--value-unit", "mm"}), 0);
+        const ProgramRun table = box.run({"inspect", "x.TAMtbl", "--json"});
+        QCOMPARE(table.json()["axes"][0]["last"].toDouble(), 100.0);
+        QCOMPARE(table.json()["tables"][0]["max"].toDouble(), double(0.004F));
+    }
+
     /// The same file for a source after the compensation and for one before it, there and back.
     void theFileOfAnotherControllerIsMadeForTheSourceOfTheAxis()
     {

@@ -56,8 +56,8 @@ MachineFile fullMachine()
     x.choices.target = "#1";
     x.choices.sign = SignConvention::Command;
     x.choices.direction = DirectionChoice::Positive;
-    x.valueUnit = "um";
-    x.positionUnit = "drive";
+    x.choices.units.values = "um";
+    x.choices.units.positions = "drive";
     x.persistency = Persistency::Persistent;
     x.slot = "Large1";
     x.isActive = true;

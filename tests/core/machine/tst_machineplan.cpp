@@ -136,6 +136,43 @@ private Q_SLOTS:
         QVERIFY2(std::abs(atEncoder - 0.5F / 1.075F) < 1e-6F, std::to_string(atEncoder).c_str());
     }
 
+    /// Where the sign is converted, values are added to positions: what is stated comes first.
+    void statedUnitsAreThoseOfTheFileBeforeItIsConverted()
+    {
+        Machine machine;
+        machine.context.folder = machine.bench.folder.path().toStdString();
+        std::ofstream(machine.context.folder / "x.txt")
+            << "1 5\n0 0\n10 -500\n20 250\n30 -500\n40 0\n";
+        MachineAxis& axis = machine.drive.axes[0];
+        axis.file = "x.txt";
+        axis.choices.format = &softmc::format();
+        axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        axis.choices.units = {"um", {}};
+        axis.sources = std::vector<std::string>{test::masterX};
+        axis.acceptsLarge = true;
+        const auto read = [&] {
+            return readMachineTable(axis, machine.context.folder, genericTableLayout(),
+                AxisPlace{"#1", LookupAt::Encoder});
+        };
+        const MachineTable table = read();
+        QVERIFY2(table.table, table.problem ? sentence(*table.problem).c_str() : "");
+        const float value = table.table->values[1];
+        QVERIFY2(std::abs(value - 0.5F / 1.075F) < 1e-6F, std::to_string(value).c_str());
+        QCOMPARE(table.table->unit, "mm");
+
+        // Nobody knows then what is to be added to a position in mm.
+        axis.choices.units = {std::string(unitOfDrive), {}};
+        const MachineTable refused = read();
+        QVERIFY(refused.problem.has_value());
+        QVERIFY2(sentence(*refused.problem).find("are said to be in the unit of the drive")
+                != std::string::npos,
+            sentence(*refused.problem).c_str());
+        axis.choices.units = {std::string(unitOfDrive), std::string(unitOfDrive)};
+        const MachineTable ofDrive = read();
+        QVERIFY(
+            ofDrive.table.has_value() || ofDrive.problem->code == ErrorCode::SignNotConvertible);
+    }
+
     void aLargeCorrectionIsConfirmedInTheFileAndNowhereElse()
     {
         Machine machine;

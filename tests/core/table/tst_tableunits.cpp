@@ -149,14 +149,14 @@ private Q_SLOTS:
     {
         const CompensationTable file = tableIn("um", "um");
         CompensationTable stated = file;
-        takeStatedUnits(stated, "drive", "");
+        takeStatedUnits(stated, {"drive", ""});
         const TableUnits drive{"Millimeter", {"Millimeter"}};
         const auto asTheyStand = inDriveUnits(stated, drive, unstatedUnit("drive"));
         VERIFY_RESULT(asTheyStand);
         QVERIFY(asTheyStand->table.values == file.values);
         QCOMPARE(QString::fromStdString(asTheyStand->table.unit), QStringLiteral("mm"));
         QCOMPARE(asTheyStand->table.grid.axes[0].start, -0.0125);
-        takeStatedUnits(stated, "nm", "drive");
+        takeStatedUnits(stated, {"nm", "drive"});
         const auto nanometres = inDriveUnits(stated, drive, unstatedUnit("nm"));
         VERIFY_RESULT(nanometres);
         QVERIFY(isWithinOneUlp(nanometres->table.values[1], 1.25e-6));
