@@ -11,6 +11,7 @@
 #include "core/io/local_file.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/large_correction.h"
+#include "core/table/position_unit.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
@@ -64,8 +65,10 @@ Result<CompensationTable> inUnitsOfFile(
     // The axis that is corrected has one unit, for its values and for its own positions.
     std::vector<std::string> positions(table.grid.axes.size());
     const auto target = targetOf(table);
-    if (target ? target->source.has_value() : positions.size() == 1)
-        positions[target ? *target->source : 0] = unit;
+    if (target && target->source)
+        positions[*target->source] = unit;
+    else if (!target && positions.size() == 1 && unitFactor(table.grid.axes.front().unit, unit))
+        positions.front() = unit;
     AXISCOMP_TRY(auto converted, inDriveUnits(table, {unit, std::move(positions)}));
     for (const Text& remark : converted.remarks)
         environment.console().note("note: " + remark.english());

@@ -20,6 +20,7 @@ namespace {
 const QByteArray linearError = "X [mm],Table 1 [mm]\n0,0\n100,0.01\n200,0.02\n";
 const QByteArray unevenError = "X [mm],Table 1 [um]\n0,0\n1,0.5\n2.5,1.5\n10,-1\n";
 const QByteArray softmcTable = "1 3\n0 0\n100 -0.01\n200 -0.02\n";
+const QString encoderOfX = QStringLiteral("Axes[0]/Signals/PositionController/MasterPosition");
 const QStringList unitsIn{"--set-in", "position-unit=mm", "--set-in", "value-unit=mm"};
 
 double firstValue(const ProgramRun& run)
@@ -372,7 +373,7 @@ private Q_SLOTS:
         const test::VirtualDriveProcess drive(box);
         const QStringList axis{"--drive", drive.url(), "--axis", "0"};
         VERIFY_CODE(box.run(QStringList{"write", "--data", "x.csv", "--dims", "1", "--sign",
-                                "command", "--source1", test::positionSource(0), "--accept-large"}
+                                "command", "--source1", encoderOfX, "--accept-large"}
                         + units + axis),
             0);
         const ProgramRun read = box.run(QStringList{"read"} + axis);
@@ -386,8 +387,7 @@ private Q_SLOTS:
         box.file("x.csv", "X,X error [um]\n0,0\n10,-500\n20,250\n30,-500\n40,0\n");
         const test::VirtualDriveProcess drive(box);
         const QStringList write{"write", "--data", "x.csv", "--dims", "1", "--sign", "command",
-            "--source1", test::positionSource(0), "--accept-large", "--drive", drive.url(),
-            "--axis", "0"};
+            "--source1", encoderOfX, "--accept-large", "--drive", drive.url(), "--axis", "0"};
         const ProgramRun refused = box.run(write);
         VERIFY_CODE(refused, 2);
         QVERIFY2(
@@ -440,7 +440,7 @@ private Q_SLOTS:
         VERIFY_CODE(
             box.run({"convert", "x.csv", "x.TAMtbl", "--dims", "1", "--value-unit", "mm"}), 0);
         const ProgramRun table = box.run({"inspect", "x.TAMtbl", "--json"});
-        QCOMPARE(table.json()["axes"][0]["last"].toDouble(), 100.0);
+        QCOMPARE(table.json()["axes"][0]["distance"].toDouble(), 100.0);
         QCOMPARE(table.json()["tables"][0]["max"].toDouble(), double(0.004F));
     }
 
