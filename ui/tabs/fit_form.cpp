@@ -441,7 +441,7 @@ void FitForm::showRows()
     setRow(m_measuredWith, m_isStateAsked);
     setRow(m_stateNote, !m_stateNote->text().isEmpty());
     setRow(m_ontoNote, !m_ontoNote->text().isEmpty());
-    setRow(m_gain, m_shown.onto != Onto::Nothing && !m_hasRaw);
+    setRow(m_gain, m_shown.onto != Onto::Nothing);
     setRow(m_curveHeading, m_fields.method || m_fields.smoothness);
     setRow(m_method, m_fields.method);
     setRow(m_direction, m_fields.direction);

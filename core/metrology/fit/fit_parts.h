@@ -36,6 +36,9 @@ struct FitValues {
     std::vector<std::size_t> indices;
 };
 [[nodiscard]] FitValues fitValues(const Measurement& measurement, const FitInput& input);
+/// Of runs and tracks, whatever was active: null where nothing is merged. Errors: InvalidArgument
+/// for a table of another axis or of more dimensions; those of tableOfAxis.
+[[nodiscard]] Result<const CompensationTable*> tableToMergeOnto(const FitInput& input);
 /// What is asked of a table of runs. Errors: InvalidArgument for what the settings leave open.
 [[nodiscard]] Result<TableFitRequest> requestOfRuns(const FitInput& input);
 /// What the drive will add where, at the knot where the table has its largest value.

@@ -217,6 +217,12 @@ std::string_view stateName(FoundState::Kind kind)
 Result<FoundState> findState(const StateRequest& request)
 {
     if (request.hasRawReadings) {
+        if (request.onto && request.onto->hadOtherSources)
+            return wrongState(AXISCOMP_TEXT("Error",
+                "the axis had other sources with {name}, so that its values may belong to other "
+                "positions: merge onto nothing (leave out --onto), since with the raw positions on "
+                "file the values are the whole error")
+                                  .with("name", request.onto->name));
         FoundState found;
         found.kind = FoundState::Kind::Irrelevant;
         found.active = request.onto;

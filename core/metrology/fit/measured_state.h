@@ -55,7 +55,8 @@ struct FoundState {
         Irrelevant, ///< the raw positions are known
     };
     Kind kind = Kind::Off;
-    const KnownTables* active = nullptr; ///< with On; one of those of the request
+    /// With On what was active, one of those of the request; with Irrelevant what is merged onto.
+    const KnownTables* active = nullptr;
     Text text; ///< "measured with the table 1c291ca3 of x.csv active"
     Text assumption; ///< what was taken for granted; empty: nothing
     std::optional<std::uint32_t> tableCrc = {}; ///< of the table that was active, where it is known

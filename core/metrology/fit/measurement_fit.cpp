@@ -152,8 +152,7 @@ FitMerge mergeOnto(
             }
         }
     }
-    if (input.state.kind == FoundState::Kind::On)
-        merge.lostDetail = lostDetail(old, made.grid, input.outside());
+    merge.lostDetail = lostDetail(old, made.grid, input.outside());
     return merge;
 }
 
@@ -173,10 +172,10 @@ Result<FitReport> fitMeasurement(const Measurement& measurement, const FitSettin
             "after it (--lookup-at encoder or --lookup-at set)"));
     if (!(settings.gain > 0.0 && settings.gain <= 2.0))
         return badFit(AXISCOMP_TEXT("Error", "a gain is above 0 and at most 2; it is usually 1"));
-    if (settings.gain != 1.0 && state.kind != FoundState::Kind::On)
+    if (settings.gain != 1.0 && !state.active)
         return badFit(AXISCOMP_TEXT("Error",
-            "a gain is for residuals that are merged onto the table that was active; here the "
-            "values are the whole error"));
+            "a gain is for residuals that are merged onto a table (--onto); here the values are "
+            "the whole error"));
     const FitInput input{measurement, settings, state, *settings.lookupAt, std::move(stop)};
     AXISCOMP_TRY(auto report, measurement.hasTargets() ? fitRuns(input) : fitScattered(input));
     report.lookupAt = input.lookupAt;

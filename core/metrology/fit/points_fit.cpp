@@ -141,7 +141,7 @@ Result<std::optional<RigidBody>> removeBody(const FitInput& input, Scatter& scat
     return body;
 }
 
-/// The table of what was active for an axis; none: nothing was.
+/// The table of what was active for an axis of points; none: nothing was.
 ActiveTable activeFor(const FitInput& input, const std::string& target)
 {
     if (input.state.kind != FoundState::Kind::On || target.empty())
@@ -149,6 +149,25 @@ ActiveTable activeFor(const FitInput& input, const std::string& target)
     const auto& tables = input.state.active->tables;
     const auto found = std::ranges::find(tables, target, &CompensationTable::target);
     return found == tables.end() ? ActiveTable{} : ActiveTable{&*found};
+}
+
+/// What a column is merged onto.
+Result<ActiveTable> ontoOf(const FitInput& input, const Scatter::Column& column)
+{
+    if (input.measurement.kind != MeasurementKind::Track)
+        return activeFor(input, column.target);
+    AXISCOMP_TRY(const CompensationTable* const old, tableToMergeOnto(input));
+    return ActiveTable{old};
+}
+
+/// The share of the residuals that a gain takes, of a track that is merged onto a table.
+void takeShare(const ActiveTable& onto, double gain, Scatter::Column& column)
+{
+    if (!onto.table)
+        return;
+    const Lookup before(*onto.table, onto.outside);
+    for (std::size_t i = 0; i < column.values.size(); ++i)
+        column.values[i] -= (1.0 - gain) * (column.values[i] - before.at(column.places[0][i]));
 }
 
 /// Where the values of each column belong, and what they are there.
@@ -262,14 +281,12 @@ Result<GridAxis> gridAxis(
 
 /// The grid of the table that the points are merged onto, where they cover it and no other is asked
 /// for.
-std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter)
+std::optional<Grid> coveredOldGrid(
+    const FitInput& input, const Scatter& scatter, const ActiveTable& onto)
 {
-    if (!input.settings.grid.empty() || input.settings.within)
+    if (!input.settings.grid.empty() || input.settings.within || !onto.table)
         return std::nullopt;
-    const ActiveTable active = activeFor(input, scatter.columns.front().target);
-    if (!active.table)
-        return std::nullopt;
-    Grid grid = active.table->grid;
+    Grid grid = onto.table->grid;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
         const auto [from, to] = std::ranges::minmax(scatter.positions[axis]);
         const double rounding = 1e-9 * (to - from);
@@ -280,14 +297,15 @@ std::optional<Grid> coveredOldGrid(const FitInput& input, const Scatter& scatter
     return grid;
 }
 
-Result<Grid> gridOf(const FitInput& input, const Scatter& scatter, const SmoothedCurve* smoothed)
+Result<Grid> gridOf(const FitInput& input, const Scatter& scatter, const ActiveTable& onto,
+    const SmoothedCurve* smoothed)
 {
     const FitSettings& settings = input.settings;
     if (settings.grid.size() > 1 && settings.grid.size() != scatter.dimensions())
         return badFit(
             AXISCOMP_TEXT("Error", "the grid needs one number, or one for each of the {count} axes")
                 .with("count", scatter.dimensions()));
-    if (auto old = coveredOldGrid(input, scatter))
+    if (auto old = coveredOldGrid(input, scatter, onto))
         return *std::move(old);
     Grid grid;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis) {
@@ -382,12 +400,12 @@ Result<double> zeroOf(const FitInput& input, const Grid& grid, const std::vector
     return interpolated(GridShape(grid), values, locate(grid, place).points.front());
 }
 
-ScatteredNumbers withoutActive(const ActiveTable& active, const Scatter::Column& column)
+ScatteredNumbers withoutOnto(const ActiveTable& onto, const Scatter::Column& column)
 {
     ScatteredNumbers residuals = column.values;
-    if (!active.table)
+    if (!onto.table)
         return residuals;
-    const Lookup before(*active.table, active.outside);
+    const Lookup before(*onto.table, onto.outside);
     std::vector<double> place(column.places.size());
     for (std::size_t i = 0; i < residuals.size(); ++i) {
         for (std::size_t axis = 0; axis < place.size(); ++axis)
@@ -423,17 +441,21 @@ void describeCurve(const SmoothedCurve& smoothed, const GridAxis& axis, FittedTa
     made.density = curveGrid(smoothed.curve, axis.start, axis.last(), axis.size);
 }
 
-/// The smoothing spline through a track, where one is asked for.
-Result<std::optional<SmoothedCurve>> curveOf(const FitInput& input, const Scatter& scatter)
+/// The smoothing spline through a track, where one is asked for; through what the table lacks that
+/// it is merged onto, and with that table.
+Result<std::optional<SmoothedCurve>> curveOf(
+    const FitInput& input, const Scatter& scatter, const ActiveTable& onto)
 {
     if (isFittedOnGrid(input.measurement, input.settings))
         return std::nullopt;
     const Scatter::Column& column = scatter.columns.front();
-    const CurveSamples samples{column.places.front(), column.values, scatter.weights,
+    const ScatteredNumbers residuals = withoutOnto(onto, column);
+    const CurveSamples samples{column.places.front(), residuals, scatter.weights,
         std::string(positionUnit(input.measurement))};
     AXISCOMP_TRY(auto smoothed,
         smoothingSpline(
             samples, {.smoothness = input.settings.smoothness, .periods = input.settings.periods}));
+    smoothed.curve.onto = linesOf(onto);
     return std::optional(std::move(smoothed));
 }
 
@@ -441,10 +463,11 @@ Result<std::optional<SmoothedCurve>> curveOf(const FitInput& input, const Scatte
 Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     const Scatter::Column& column, const Grid& grid, const SmoothedCurve* smoothed, GridFit& fit)
 {
-    // Residuals are fitted, and what was active is added as it is: a table that is denser than the
-    // points keeps what it has between them.
-    const ActiveTable active = activeFor(input, column.target);
-    const ScatteredNumbers residuals = withoutActive(active, column);
+    // Residuals are fitted, and what they are merged onto is added as it is: a table that is denser
+    // than the points keeps what it has between them. The curve has it already.
+    AXISCOMP_TRY(const ActiveTable merged, ontoOf(input, column));
+    const ActiveTable onto = smoothed ? ActiveTable{} : merged;
+    const ScatteredNumbers residuals = withoutOnto(onto, column);
     ScatteredValues values;
     const auto places = heldPlaces(scatter, column, grid);
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
@@ -464,8 +487,8 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     request.farPoints = input.settings.farPoints;
     request.stop = input.stop;
     AXISCOMP_TRY(fit, fitGrid(values, request));
-    if (active.table) {
-        const Lookup before(*active.table, active.outside);
+    if (onto.table) {
+        const Lookup before(*onto.table, onto.outside);
         for (std::size_t i = 0; i < fit.values.size(); ++i)
             fit.values[i] += before.at(positionOf(grid, i));
     }
@@ -609,26 +632,20 @@ Result<FitReport> fitScattered(const FitInput& input)
     AXISCOMP_TRY(report.removedBody, removeBody(input, scatter));
     if (!isTrack)
         AXISCOMP_CHECK(placeColumns(input, scatter));
-    AXISCOMP_TRY(const auto curve, curveOf(input, scatter));
+    AXISCOMP_TRY(const ActiveTable onto, ontoOf(input, scatter.columns.front()));
+    if (isTrack)
+        takeShare(onto, input.settings.gain, scatter.columns.front());
+    AXISCOMP_TRY(const auto curve, curveOf(input, scatter, onto));
     const SmoothedCurve* const smoothed = curve ? &*curve : nullptr;
-    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter, smoothed));
+    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter, onto, smoothed));
     for (const Scatter::Column& column : scatter.columns) {
         GridFit fit;
         AXISCOMP_TRY(auto made, fitColumn(input, scatter, column, grid, smoothed, fit));
         report.tables.push_back(std::move(made));
         remarkOfFit(input, column, fit, report);
     }
-    if (input.state.active) {
-        const KnownTables& known = *input.state.active;
-        std::size_t ofTrack = 0;
-        if (isTrack) {
-            AXISCOMP_TRY(ofTrack, tableOfAxis(known, input.axis()));
-        }
-        report.merge = mergeOnto(input,
-            isTrack ? known.tables[ofTrack]
-                    : *activeFor(input, scatter.columns.front().target).table,
-            report.tables.front().table);
-    }
+    if (onto.table)
+        report.merge = mergeOnto(input, *onto.table, report.tables.front().table);
     if (report.removedBody)
         remarkOfBody(scatter, *report.removedBody, report);
     report.sign = signOf(input, scatter, report.tables.front());

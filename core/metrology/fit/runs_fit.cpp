@@ -97,6 +97,30 @@ Result<const CompensationTable*> findActiveTable(const FitInput& input)
     return &known.tables[own];
 }
 
+} // namespace
+
+Result<const CompensationTable*> tableToMergeOnto(const FitInput& input)
+{
+    const std::string& axis = input.axis();
+    AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
+    if (active && areDifferentAxes(active->target, axis))
+        return badFit(AXISCOMP_TEXT("Error",
+            "what was measured of axis {measured} is not merged onto {name}, which is of axis "
+            "{axis}: take the table of the axis that was measured")
+                          .with("measured", axis)
+                          .with("name", input.state.active->name)
+                          .with("axis", active->target));
+    if (active && active->grid.dimensions() != 1)
+        return badFit(AXISCOMP_TEXT("Error",
+            "what was measured along one axis is merged onto a table of one dimension; {name} has "
+            "{dimensions}")
+                          .with("name", input.state.active->name)
+                          .with("dimensions", active->grid.dimensions()));
+    return active;
+}
+
+namespace {
+
 /// The same, after it is known that there is no doubt about it.
 const CompensationTable* activeTable(const FitInput& input)
 {
@@ -158,21 +182,7 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over position and temperature is for a drive, which has one value for both "
             "directions (--direction mean)"));
-    const std::string& axis = input.axis();
-    AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
-    if (active && areDifferentAxes(active->target, axis))
-        return badFit(AXISCOMP_TEXT("Error",
-            "what was measured of axis {measured} is not merged onto {name}, which is of axis "
-            "{axis}: take the table of the axis that was measured")
-                          .with("measured", axis)
-                          .with("name", input.state.active->name)
-                          .with("axis", active->target));
-    if (active && active->grid.dimensions() != 1)
-        return badFit(AXISCOMP_TEXT("Error",
-            "runs along one axis are merged onto a table of one dimension; {name} has "
-            "{dimensions}")
-                          .with("name", input.state.active->name)
-                          .with("dimensions", active->grid.dimensions()));
+    AXISCOMP_CHECK(tableToMergeOnto(input));
     return {};
 }
 
@@ -301,6 +311,8 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
     const CompensationTable* const old = activeTable(input);
     if (input.state.kind == FoundState::Kind::On)
         request.active = {old, 1.0, input.outside()};
+    else if (old)
+        request.onto = {old, 1.0, input.outside()};
     // Harmonics go on between the knots of their curve, which are the ends of the turn.
     const bool areKnotsTargets = input.lookupAt == LookupAt::Encoder
         && input.state.kind == FoundState::Kind::Off && settings.method != FitMethod::Harmonic;
@@ -517,9 +529,10 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
     const bool isEncoder = input.lookupAt == LookupAt::Encoder;
     // With gain 1 the value of a knot leads from the raw position to the reference.
     double whole = largest->value;
-    if (input.state.kind == FoundState::Kind::On) {
-        const Lookup old(*activeTable(input), input.outside());
-        const double before = old.at(isEncoder ? largest->position : largest->target);
+    if (const CompensationTable* const merged = activeTable(input)) {
+        const Lookup old(*merged, input.outside());
+        const bool isAtTarget = !isEncoder && input.state.kind == FoundState::Kind::On;
+        const double before = old.at(isAtTarget ? largest->target : largest->position);
         whole = before + (largest->value - before) / input.settings.gain;
     }
     const double reference = isEncoder ? largest->position + whole : largest->position;

@@ -102,14 +102,16 @@ Result<LookupFrame> frameOf(const TableFitRequest& request)
     return LookupFrame::make(request.lookupAt, {request.active}, request.active);
 }
 
-/// Where the means belong. Knots are those of gain 1; what was active counts in full.
+/// Where the means belong. Knots are those of gain 1; what they are merged onto counts in full.
 Result<void> placeKnots(std::vector<FitKnot>& knots, const TableFitRequest& request)
 {
     AXISCOMP_TRY(const LookupFrame frame, frameOf(request));
+    const auto onto = linesOf(request.onto);
     for (FitKnot& knot : knots) {
         AXISCOMP_TRY(const auto point, frame.atTarget(knot.target, knot.value));
         knot.position = point.knot[0];
-        knot.value = point.value - (1.0 - request.gain) * knot.value;
+        const double residual = onto ? point.value - onto->at(knot.position) : knot.value;
+        knot.value = point.value - (1.0 - request.gain) * residual;
     }
     std::ranges::sort(knots, {}, &FitKnot::position);
     return {};
@@ -129,22 +131,6 @@ struct KnotColumns {
         }
     }
 };
-
-/// The table that was active, in the unit of positions.
-std::optional<CubicCurve> activeLines(const ActiveTable& active)
-{
-    if (!active.table)
-        return std::nullopt;
-    const GridAxis& axis = active.table->grid.axes.front();
-    CubicCurve lines;
-    for (std::uint32_t i = 0; i < axis.size; ++i) {
-        lines.knots.push_back(axis.position(i));
-        lines.values.push_back(active.factor * static_cast<double>(active.table->values[i]));
-    }
-    if (active.outside == Outside::Wrap)
-        lines.wrap = axis.last() - axis.start;
-    return lines;
-}
 
 Result<FittedCurve> curveThrough(
     const KnotColumns& columns, const TableFitRequest& request, TableFit& fit)
@@ -178,13 +164,13 @@ Result<FittedCurve> curveThrough(
     return badFit(AXISCOMP_TEXT("Error", "there is no such method"));
 }
 
-/// Residuals are fitted, and what was active is added as it is: a table that is denser than the
-/// targets keeps what it has between them.
+/// Residuals are fitted, and what they are merged onto is added as it is: a table that is denser
+/// than the targets keeps what it has between them.
 Result<FittedCurve> fitCurve(
     const std::vector<FitKnot>& knots, const TableFitRequest& request, TableFit& fit)
 {
     KnotColumns columns(knots);
-    auto before = activeLines(request.active);
+    auto before = linesOf(request.active.table ? request.active : request.onto);
     if (before)
         for (std::size_t i = 0; i < columns.values.size(); ++i)
             columns.values[i] -= before->at(columns.positions[i]);
@@ -412,6 +398,21 @@ private:
 };
 
 } // namespace
+
+std::optional<CubicCurve> linesOf(const ActiveTable& table)
+{
+    if (!table.table)
+        return std::nullopt;
+    const GridAxis& axis = table.table->grid.axes.front();
+    CubicCurve lines;
+    for (std::uint32_t i = 0; i < axis.size; ++i) {
+        lines.knots.push_back(axis.position(i));
+        lines.values.push_back(table.factor * static_cast<double>(table.table->values[i]));
+    }
+    if (table.outside == Outside::Wrap)
+        lines.wrap = axis.last() - axis.start;
+    return lines;
+}
 
 CompensationTable TableFit::table(const std::string& unit) const
 {

@@ -70,7 +70,10 @@ struct TableFitRequest {
     /// During the measurement. The new table is this one, everywhere, and the curve through the
     /// residuals.
     ActiveTable active = {};
-    double gain = 1.0; ///< of what was measured, where a table was active
+    /// The same for values that are whole errors, whatever was active: the new table is this one,
+    /// everywhere, and the curve through what it lacks. Not together with active.
+    ActiveTable onto = {};
+    double gain = 1.0; ///< of the residuals, where they are merged onto a table
     /// By default the knots where they are even; with periods p / 20 apart.
     AxisRequest grid = {};
     std::optional<double> within = {}; ///< the fewest points that leave no more to the curve
@@ -78,6 +81,10 @@ struct TableFitRequest {
     bool holdsEnds = false; ///< a grid beyond the targets is filled with the end values
     std::string unit = {};
 };
+
+/// A table of one dimension as a curve, in the unit of positions: straight lines between its
+/// points. Nothing: there is no table.
+[[nodiscard]] std::optional<CubicCurve> linesOf(const ActiveTable& table);
 
 /// A target's mean, and where it belongs.
 struct FitKnot {

@@ -173,6 +173,10 @@ Result<void> checkInput(const FitInput& input)
     if (input.state.kind == FoundState::Kind::On)
         return badFit(AXISCOMP_TEXT("Error",
             "residuals are not merged over temperature: measure with the compensation off"));
+    if (input.state.active)
+        return badFit(AXISCOMP_TEXT("Error",
+            "nothing is merged over temperature: leave out --onto, since with the raw positions on "
+            "file the values are the whole error"));
     if (input.settings.grid.size() > 2)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over temperature has two dimensions: give at most two numbers for its grid"));

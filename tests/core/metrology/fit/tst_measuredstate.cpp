@@ -156,6 +156,23 @@ private Q_SLOTS:
         QCOMPARE(found->kind, FoundState::Kind::Irrelevant);
         QVERIFY(!found->text.isEmpty());
     }
+
+    /// What that table has between the targets would be kept at other places.
+    void rawReadingsAreNotMergedOntoATableOfOtherSources()
+    {
+        KnownTables onto = known("the table of axis 0", first);
+        StateRequest request;
+        request.hasRawReadings = true;
+        request.onto = &onto;
+        const auto found = findState(request);
+        VERIFY_RESULT(found);
+        QCOMPARE(found->active, &onto);
+        onto.hadOtherSources = true;
+        const auto refused = findState(request);
+        VERIFY_ERROR(refused, ErrorCode::MeasurementState);
+        QVERIFY2(sentence(refused.error()).find("leave out --onto") != std::string::npos,
+            sentence(refused.error()).c_str());
+    }
 };
 
 AXISCOMP_TEST(TestMeasuredState)

@@ -66,6 +66,47 @@ double waveError(double u)
     return 0.5 * std::sin(2.0 * pi * u / 100.0) + 2e-4 * u;
 }
 
+/// A screw: slope, bow, and waves of 97 and 10 mm, over the place where the drive looks up.
+double screwError(double place)
+{
+    return 12e-6 * place + 0.003 * std::sin(2.0 * pi * place / 430.0 + 0.7)
+        + 0.0012 * std::sin(2.0 * pi * place / 97.0)
+        + 0.0008 * std::sin(2.0 * pi * place / 10.0 + 0.3);
+}
+
+/// What the table of the screw lacks.
+double screwResidual(double place)
+{
+    return 0.0005 * std::sin(2.0 * pi * place / 500.0);
+}
+
+/// Its straight lines are at most 0.01 um off.
+KnownTables screwTable()
+{
+    KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+    CompensationTable& table = old.tables.front();
+    table.target = "X";
+    table.grid.axes = {{"X", "mm", 0.0, 0.5, 1001}};
+    for (std::uint32_t i = 0; i <= 1000; ++i) {
+        const double place = table.grid.axes.front().position(i);
+        table.values.push_back(static_cast<float>(screwError(place) - screwResidual(place)));
+    }
+    return old;
+}
+
+/// The largest of error - table - share of the residual that is left, over the whole travel.
+double screwLeft(const CompensationTable& table, double leftShare)
+{
+    const Lookup lookup(table);
+    double largest = 0.0;
+    for (int i = 0; i <= 5000; ++i) {
+        const double place = 0.1 * i;
+        largest = std::max(largest,
+            std::abs(screwError(place) - lookup.at(place) - leftShare * screwResidual(place)));
+    }
+    return largest;
+}
+
 /// A table of 501 points, up and down by 2 um.
 KnownTables toothed()
 {
@@ -543,6 +584,87 @@ private Q_SLOTS:
                 < 1e-8);
         runs.values.front().encoder.reset();
         QVERIFY(!hasRawReadings(runs));
+    }
+
+    /// Targets 20 mm apart know nothing of the waves of 10 mm, which the old table has.
+    void rawReadingsKeepWhatTheOldTableHasBetweenTheTargets_data()
+    {
+        QTest::addColumn<bool>("isEncoder");
+        QTest::addColumn<double>("gain");
+        QTest::newRow("encoder") << true << 1.0;
+        QTest::newRow("set") << false << 1.0;
+        QTest::newRow("encoder, gain 0.7") << true << 0.7;
+        QTest::newRow("set, gain 0.7") << false << 0.7;
+    }
+    void rawReadingsKeepWhatTheOldTableHasBetweenTheTargets()
+    {
+        QFETCH(const bool, isEncoder);
+        QFETCH(const double, gain);
+        const KnownTables old = screwTable();
+        Measurement runs = runsOver(0.0, 20.0, 26, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        for (RunValue& value : runs.values) {
+            const double target = runs.targets[value.target];
+            const double place = target + 0.01;
+            value.encoder = isEncoder ? place : place - screwError(place);
+            value.deviation = *value.encoder + screwError(place) - target;
+        }
+        FitSettings settings = keeping(isEncoder ? LookupAt::Encoder : LookupAt::Set);
+        settings.gain = gain;
+        const FoundState state{FoundState::Kind::Irrelevant, &old, {}, {}};
+        const auto report = fitMeasurement(runs, settings, state);
+        VERIFY_RESULT(report);
+        const CompensationTable& made = report->tables.front().table;
+        QVERIFY(made.grid.axes.front().size == 1001U);
+        const double left = screwLeft(made, 1.0 - gain);
+        QVERIFY2(left < 2e-5, qPrintable(QString::number(left)));
+        QVERIFY(std::abs(report->merge->largestChange - gain * 0.0005) < 2e-5);
+        if (gain == 1.0)
+            QVERIFY2(
+                report->heldOut->range < 1e-4, qPrintable(QString::number(report->heldOut->range)));
+        QVERIFY(!hasRemark(*report, "OldDetailLost"));
+        settings.grid = {AxisRequest{.points = 51}};
+        const auto coarse = fitMeasurement(runs, settings, state);
+        VERIFY_RESULT(coarse);
+        QVERIFY(hasRemark(*coarse, "OldDetailLost"));
+    }
+
+    void aTrackKeepsWhatTheOldTableHasBetweenItsSamples_data()
+    {
+        QTest::addColumn<bool>("isSpline");
+        QTest::addColumn<double>("gain");
+        QTest::newRow("on the grid") << false << 1.0;
+        QTest::newRow("by a spline") << true << 1.0;
+        QTest::newRow("on the grid, gain 0.7") << false << 0.7;
+        QTest::newRow("by a spline, gain 0.7") << true << 0.7;
+    }
+    void aTrackKeepsWhatTheOldTableHasBetweenItsSamples()
+    {
+        QFETCH(const bool, isSpline);
+        QFETCH(const double, gain);
+        KnownTables old = screwTable();
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        for (int i = 0; i <= 200; ++i) {
+            const double place = 2.5 * i;
+            track.track.push_back({place, place + screwError(place), Approach::Up});
+        }
+        FitSettings settings = keeping();
+        settings.gain = gain;
+        settings.smoothness = isSpline ? 1e-8 : 1.0;
+        if (isSpline)
+            settings.method = FitMethod::Smooth;
+        const FoundState state{FoundState::Kind::Irrelevant, &old, {}, {}};
+        const auto report = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(report);
+        const CompensationTable& made = report->tables.front().table;
+        QVERIFY(made.grid.axes.front().size == 1001U);
+        const double left = screwLeft(made, 1.0 - gain);
+        QVERIFY2(left < 2e-5, qPrintable(QString::number(left)));
+        QVERIFY(std::abs(report->merge->largestChange - gain * 0.0005) < 2e-5);
+        old.tables.front().target = "Y";
+        QVERIFY(isRefused(fitMeasurement(track, settings, state), "is of axis Y"));
     }
 
     /// Both directions count the same, though one has three times the samples.

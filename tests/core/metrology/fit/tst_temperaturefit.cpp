@@ -94,6 +94,22 @@ private Q_SLOTS:
             std::abs(lookup.at(std::vector<double>{500.0, 40.0}) - errorAt(500.0, 26.0)) < 1e-9);
     }
 
+    /// A drive's old table knows nothing of the temperature.
+    void nothingIsMergedOverTemperature()
+    {
+        Measurement runs = measured({20.0, 23.0, 26.0}, &errorAt);
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        old.tables.front().grid.axes = {{"X", "mm", 0.0, 50.0, 11}};
+        old.tables.front().values.assign(11, 0.0F);
+        verifyRefused(fitMeasurement(runs, byTemperature(), {FoundState::Kind::On, &old, {}, {}}),
+            "with the compensation off");
+        for (RunValue& value : runs.values)
+            value.encoder = runs.targets[value.target];
+        verifyRefused(
+            fitMeasurement(runs, byTemperature(), {FoundState::Kind::Irrelevant, &old, {}, {}}),
+            "leave out --onto");
+    }
+
     void withFewerThanFiveStatesTheLineIsThatOfLeastSquares()
     {
         // At 500 mm 0, 1, 5 um at 20, 22, 24 degrees: the line is -0.5, 2, 4.5 um.
