@@ -168,7 +168,7 @@ py::dict predict(const py::bytes& file, const TablePointer& table, const std::st
     StateRequest request{measurement.header.compensation, {}, hasRawReadings(measurement)};
     if (active) {
         onto = knownTable("the active table", active, measurement, side);
-        request.stated = MeasuredState{MeasuredState::Kind::On, onto->crcs.front()};
+        request.stated = statedTable(*onto, 0, measurement.header);
         request.onto = &*onto;
     } else if (isOff) {
         request.stated = MeasuredState{MeasuredState::Kind::Off, {}};

@@ -204,7 +204,7 @@ Result<void> Fitting::readKnown()
     if (m_measurement.kind != MeasurementKind::Points) {
         AXISCOMP_TRY(stated, tableOfAxis(tables.tables, m_measurement.header.axis));
     }
-    m_stated = MeasuredState{MeasuredState::Kind::On, tables.tables.crcs[stated]};
+    m_stated = statedTable(tables.tables, stated, m_measurement.header);
     m_outcome.known.push_back(std::move(tables.tables));
     return {};
 }

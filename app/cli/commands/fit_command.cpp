@@ -215,7 +215,7 @@ Result<StateSources> readStates(
             tablesOfFile(environment, tableFile(options, measurement, options.measuredWith), unit,
                 lookupAt));
         AXISCOMP_TRY(const std::size_t stated, statedTable(options, measurement, tables));
-        sources.stated = MeasuredState{MeasuredState::Kind::On, tables.crcs[stated]};
+        sources.stated = axiscomp::statedTable(tables, stated, measurement.header);
         sources.others.insert(sources.others.begin(), std::move(tables));
     }
     return sources;

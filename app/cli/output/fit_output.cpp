@@ -6,6 +6,7 @@
 #include "app/cli/output/judgement_output.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/metrology/fit/known_tables.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -66,6 +67,16 @@ bool leavesResiduals(const Measurement& measurement, const FitSettings& settings
         || settings.isByTemperature || isFittedOnGrid(measurement, settings);
 }
 
+/// A drive whose axis is in another unit has other numbers.
+std::string crcsText(const CompensationTable& table, std::uint32_t crc, const DriveProfile& profile)
+{
+    const auto inMeters = crcInMeters(table, table.unit, profile.layout);
+    if (!inMeters)
+        return hexText(crc);
+    return hexText(crc) + " on an axis in " + table.unit + ", " + hexText(*inMeters) + " in "
+        + (table.unit == "mm" ? "m" : "rad");
+}
+
 std::string tableText(const Measurement& measurement, const FitSettings& settings,
     const FitReport& report, const FittedTable& made, std::uint32_t crc,
     const DriveProfile& profile)
@@ -97,7 +108,7 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
             "amplitude " + fine(term.amplitude()) + ", standard error " + fine(term.standardError)
                 + ", phase " + fixedText(term.phase(), 3) + " rad");
     if (made.direction == Direction::Both) { // otherwise it is for another controller
-        lines.emplace_back("CRC", hexText(crc));
+        lines.emplace_back("CRC", crcsText(made.table, crc, profile));
         lines.emplace_back("On the drive", slotText(made.table.grid, profile));
     }
     return "\nTable " + made.table.name + "\n" + labelled(lines, "  ");

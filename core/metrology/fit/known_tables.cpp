@@ -7,8 +7,16 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace axiscomp {
+
+Result<std::uint32_t> crcInMeters(
+    const CompensationTable& table, const std::string& unit, const TableLayout& layout)
+{
+    AXISCOMP_TRY(const auto converted, inDriveUnits(table, {unit == "mm" ? "m" : "rad", {}}));
+    return elementCrc(converted.table, layout);
+}
 
 Result<void> addTable(KnownTables& known, const CompensationTable& table,
     std::optional<std::uint32_t> crc, const std::string& unit, const TableLayout& layout,
@@ -21,9 +29,15 @@ Result<void> addTable(KnownTables& known, const CompensationTable& table,
     AXISCOMP_TRY(auto converted, inDriveUnits(table, units));
     if (remarks)
         std::ranges::move(converted.remarks, std::back_inserter(*remarks));
+    KnownTables::Origin origin;
     if (!crc) {
         AXISCOMP_TRY(crc, elementCrc(converted.table, layout));
+        AXISCOMP_TRY(const auto inFile, elementCrc(table, layout));
+        AXISCOMP_TRY(const auto inMeters, crcInMeters(table, unit, layout));
+        origin.otherCrcs = {inFile, inMeters};
+        origin.isUnitStated = !correctedUnit(table).empty();
     }
+    known.origins.push_back(std::move(origin));
     known.tables.push_back(std::move(converted.table));
     known.crcs.push_back(*crc);
     return {};

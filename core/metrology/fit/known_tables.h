@@ -17,9 +17,14 @@ namespace axiscomp {
 
 // Tables that may have been active while an axis was measured, in the unit of the measurement.
 
+/// As a drive shows a table whose axis is in metres, or in radians where the unit is deg. unit: mm
+/// or deg. Errors: UnitMismatch; those of elementCrc.
+[[nodiscard]] Result<std::uint32_t> crcInMeters(
+    const CompensationTable& table, const std::string& unit, const TableLayout& layout);
+
 /// Adds a table in the unit of the measurement, mm or deg. crc: as the drive has it; nothing: that
-/// of a drive with this unit. remarks: takes what is assumed of units, where that is wanted.
-/// Errors: UnitMismatch; those of elementCrc.
+/// of a drive with this unit, with the others that it may have (KnownTables::Origin). remarks:
+/// takes what is assumed of units, where that is wanted. Errors: UnitMismatch; those of elementCrc.
 [[nodiscard]] Result<void> addTable(KnownTables& known, const CompensationTable& table,
     std::optional<std::uint32_t> crc, const std::string& unit, const TableLayout& layout,
     std::vector<Text>* remarks);

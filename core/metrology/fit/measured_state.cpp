@@ -83,6 +83,21 @@ std::vector<std::string> namedTargets(const std::vector<std::string>& targets)
     return named;
 }
 
+/// In mm and in m the same numbers have the same CRC, so that it does not tell which they are in.
+Result<void> checkUnitStated(const KnownTables& known, std::uint32_t crc)
+{
+    const auto table = known.indexWithCrc(crc);
+    if (!table || known.isUnitStated(*table))
+        return {};
+    return wrongState(AXISCOMP_TEXT("Error",
+        "{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and "
+        "in "
+        "m, in degrees and in radians: take a calibration file in whose header the units stand, "
+        "such as the one that reading the table from the drive writes")
+                          .with("name", known.name)
+                          .with("crc", crcText(crc)));
+}
+
 const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
 {
     if (request.onto->has(crc))
@@ -129,6 +144,8 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
                                   .with("known", crcList(*request.onto)));
         if (found.active->hadOtherSources)
             return otherSources(*found.active);
+        if (request.onFile.tableCrc || request.onSomeFiles.tableCrc)
+            AXISCOMP_CHECK(checkUnitStated(*found.active, *state.tableCrc));
         found.tableCrc = state.tableCrc;
         found.text = AXISCOMP_TEXT("Measurement", "measured with the table {crc} of {name} active")
                          .with("crc", crcText(*state.tableCrc))
@@ -152,13 +169,39 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
 
 bool KnownTables::has(std::uint32_t crc) const
 {
-    return withCrc(crc) != nullptr;
+    return indexWithCrc(crc).has_value();
 }
 
 const CompensationTable* KnownTables::withCrc(std::uint32_t crc) const
 {
-    const auto found = std::ranges::find(crcs, crc);
-    return found == crcs.end() ? nullptr : &tables[static_cast<std::size_t>(found - crcs.begin())];
+    const auto index = indexWithCrc(crc);
+    return index ? &tables[*index] : nullptr;
+}
+
+std::optional<std::size_t> KnownTables::indexWithCrc(std::uint32_t crc) const
+{
+    if (const auto found = std::ranges::find(crcs, crc); found != crcs.end())
+        return static_cast<std::size_t>(found - crcs.begin());
+    const auto other = std::ranges::find_if(origins, [crc](const Origin& origin) {
+        return std::ranges::find(origin.otherCrcs, crc) != origin.otherCrcs.end();
+    });
+    if (other == origins.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(other - origins.begin());
+}
+
+bool KnownTables::isUnitStated(std::size_t table) const
+{
+    return table >= origins.size() || origins[table].isUnitStated;
+}
+
+MeasuredState statedTable(
+    const KnownTables& known, std::size_t table, const MeasurementHeader& onFile)
+{
+    for (const MeasuredState& said : {onFile.compensation, onFile.compensationOfSome})
+        if (said.tableCrc && known.indexWithCrc(*said.tableCrc) == table)
+            return {MeasuredState::Kind::On, said.tableCrc};
+    return {MeasuredState::Kind::On, known.crcs[table]};
 }
 
 Result<std::size_t> tableOfAxis(const KnownTables& known, std::string_view axis)

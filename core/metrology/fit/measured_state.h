@@ -22,11 +22,26 @@ struct KnownTables {
     /// While they were active the axis had other sources than the new table will have: their values
     /// may belong to other positions.
     bool hadOtherSources = false;
+    /// What a file tells of a table beside it.
+    struct Origin {
+        /// As the file has its numbers, and as a drive shows it whose axis is in m or rad.
+        std::vector<std::uint32_t> otherCrcs;
+        bool isUnitStated = true; ///< otherwise its numbers were taken to be in mm or deg
+    };
+    std::vector<Origin> origins = {}; ///< of each, or none: then their units are known
 
     [[nodiscard]] bool has(std::uint32_t crc) const;
     /// Null: there is none with it.
     [[nodiscard]] const CompensationTable* withCrc(std::uint32_t crc) const;
+    /// The index of the table that has it, in whichever unit. Nothing: there is none.
+    [[nodiscard]] std::optional<std::size_t> indexWithCrc(std::uint32_t crc) const;
+    [[nodiscard]] bool isUnitStated(std::size_t table) const;
 };
+
+/// That one of the tables was active, as a person says it: by the CRC on file, where it is one of
+/// that table.
+[[nodiscard]] MeasuredState statedTable(
+    const KnownTables& known, std::size_t table, const MeasurementHeader& onFile);
 
 /// Which of the tables is that of an axis, as a measurement or a person names it ("X", "y", "X
 /// axis"): the only one of all, whatever it is of, else the only one whose target has that name.

@@ -243,6 +243,38 @@ private Q_SLOTS:
         QCOMPARE(silent.out, csv);
     }
 
+    /// A drive in m shows another CRC-32 than one in mm.
+    void aTableOfAnAxisInMetresIsKnownByItsCrc()
+    {
+        const Sandbox box;
+        box.file(
+            "first.csv", runs("// axis: X\n// compensation: off\n", [](double p) { return p; }));
+        const QStringList fit{"fit", "first.csv", "--lookup-at", "encoder", "-o"};
+        const ProgramRun made = box.run(fit + QStringList{"x.csv"});
+        VERIFY_CODE(made, 0);
+        VERIFY_CODE(box.run(fit + QStringList{"x.TAMtbl"}), 0);
+        const QByteArray inMillimetres =
+            made.out.mid(made.out.indexOf(" on an axis in mm, ") - 8, 8);
+        const QByteArray inMetres = made.out.mid(made.out.indexOf(" on an axis in mm, ") + 19, 8);
+        QVERIFY2(made.out.contains(inMetres + " in m\n"), made.out.constData());
+        for (const QByteArray& crc : {inMillimetres, inMetres}) {
+            box.file("second.csv",
+                runs("// axis: X\n// compensation: crc:" + crc + '\n', [](double) { return 0.0; }));
+            const QStringList merge{
+                "fit", "second.csv", "--lookup-at", "encoder", "--json", "--onto"};
+            const ProgramRun merged = box.run(merge + QStringList{"x.csv"});
+            VERIFY_CODE(merged, 0);
+            QVERIFY(figure(merged.json(), "merge", "largestChange") < 1e-8);
+        }
+        box.file("third.csv",
+            runs("// axis: X\n// compensation: crc:" + inMillimetres + '\n',
+                [](double) { return 0.0; }));
+        const ProgramRun open =
+            box.run({"fit", "third.csv", "--lookup-at", "encoder", "--onto", "x.TAMtbl"});
+        VERIFY_CODE(open, 2);
+        QVERIFY2(open.err.contains("x.TAMtbl does not say the unit"), open.err.constData());
+    }
+
     void aToleranceThatIsNotForetoldHasTheCodeOfJudge()
     {
         const Sandbox box;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/metrology/fit/measured_state.h"
+#include "core/metrology/fit/known_tables.h"
+#include "core/table/tam_table.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -145,6 +147,69 @@ private Q_SLOTS:
         VERIFY_RESULT(found);
         QVERIFY2(found->assumption.english().find("1c291ca3") != std::string::npos,
             found->assumption.english().c_str());
+    }
+
+    /// 1 um at 100 mm: an axis in m holds 1e-6, one in mm 1e-3, and the file may have um.
+    void aTableIsKnownByItsCrcInWhicheverUnitTheAxisIs()
+    {
+        const TableLayout layout = drivecomm::genericProfile().layout;
+        const auto crcOf = [&layout](float value) {
+            CompensationTable table;
+            table.grid.axes = {{"X", "", 0.0, 100.0, 2}};
+            table.values = {0.0F, value};
+            return elementCrc(table, layout).value_or(0);
+        };
+        CompensationTable file;
+        file.unit = "um";
+        file.grid.axes = {{"X", "m", 0.0, 0.1, 2}};
+        file.values = {0.0F, 1.0F};
+        KnownTables onto{Verbatim{"m.csv"}, {}, {}};
+        VERIFY_RESULT(addTable(onto, file, {}, "mm", layout, nullptr));
+        QCOMPARE(onto.tables.front().values.back(), 0.001F);
+        QCOMPARE(onto.crcs.front(), crcOf(0.001F));
+        StateRequest request;
+        request.onto = &onto;
+        MeasurementHeader header;
+        for (const std::uint32_t crc : {crcOf(1.0F), crcOf(0.001F), crcOf(1e-6F)}) {
+            request.onFile = {Kind::On, crc};
+            const auto found = findState(request);
+            VERIFY_RESULT(found);
+            QCOMPARE(found->active, &onto);
+            header.compensation = request.onFile;
+            QCOMPARE(statedTable(onto, 0, header).tableCrc, std::optional(crc));
+        }
+        request.onFile = {Kind::On, crcOf(0.1F)};
+        VERIFY_ERROR(findState(request), ErrorCode::MeasurementState);
+        header.compensation = request.onFile;
+        QCOMPARE(statedTable(onto, 0, header).tableCrc, std::optional(crcOf(0.001F)));
+    }
+
+    /// The numbers of a table in m are as likely those of another one in mm.
+    void aTableWithoutAUnitIsNotKnownByItsCrcAlone()
+    {
+        const TableLayout layout = drivecomm::genericProfile().layout;
+        CompensationTable file;
+        file.grid.axes = {{"X", "", 0.0, 0.1, 2}};
+        file.values = {0.0F, 1e-6F};
+        KnownTables onto{Verbatim{"m.TAMtbl"}, {}, {}};
+        VERIFY_RESULT(addTable(onto, file, {}, "mm", layout, nullptr));
+        StateRequest request;
+        request.onto = &onto;
+        request.onFile = {Kind::On, onto.crcs.front()};
+        const auto refused = findState(request);
+        VERIFY_ERROR(refused, ErrorCode::MeasurementState);
+        QVERIFY2(sentence(refused.error()).find("m.TAMtbl does not say the unit of its numbers")
+                != std::string::npos,
+            sentence(refused.error()).c_str());
+        // Without a CRC a person says which table it was, and a remark what is assumed of its unit.
+        request.onFile = {Kind::On, {}};
+        VERIFY_RESULT(findState(request));
+        // A drive's own table is in the unit of the axis.
+        KnownTables ofDrive{Verbatim{"the table of axis 0"}, {}, {}};
+        VERIFY_RESULT(addTable(ofDrive, file, onto.crcs.front(), "mm", layout, nullptr));
+        request.onto = &ofDrive;
+        request.onFile = {Kind::On, onto.crcs.front()};
+        VERIFY_RESULT(findState(request));
     }
 
     void rawReadingsMakeTheStateIrrelevant()
