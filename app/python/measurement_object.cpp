@@ -138,10 +138,28 @@ py::dict runsOfCsv(const py::bytes& file)
     return arraysOf(measurementOf(file));
 }
 
+/// Nobody would read what is assumed of a unit. Errors: UnitMismatch.
+void checkUnits(const CompensationTable& table, const std::string& wanted)
+{
+    const auto check = [&wanted](const std::string& unit, Text what) {
+        if (unit.empty())
+            raiseError(fail(ErrorCode::UnitMismatch,
+                {{"what", std::move(what)},
+                    {"unit", AXISCOMP_TEXT("Error", "a unit that is not stated")},
+                    {"other", wanted}})
+                           .value());
+    };
+    check(table.unit, AXISCOMP_TEXT("Error", "values"));
+    for (std::size_t n = 0; n < table.grid.axes.size(); ++n)
+        check(table.grid.axes[n].unit,
+            AXISCOMP_TEXT("Error", "positions of dimension {number}").with("number", n + 1));
+}
+
 /// In the unit of the measurement.
 KnownTables knownTable(
     const char* name, const TablePointer& table, const Measurement& measurement, LookupAt lookupAt)
 {
+    checkUnits(table->table, std::string(positionUnit(measurement)));
     const CalibrationData data{table->table.grid, {table->table}, table->notes};
     return valueOf(tablesOfFile(name, data, std::string(positionUnit(measurement)),
                        drivecomm::genericProfile().layout, lookupAt))

@@ -103,6 +103,31 @@ class Measurements(unittest.TestCase):
             axiscomp.predict(made(), axiscomp.Table([0, 1], [(0, 1, "deg")], unit="deg"), lookup_at="encoder")
         self.assertEqual(raised.exception.code, "UnitMismatch")
 
+    def test_a_prediction_needs_units(self):
+        # Numbers in um without a unit would be mm.
+        known = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
+        measurement = axiscomp.Measurement(made().targets, made().up, made().down)
+        for axis, unit in (((0, 40), ""), ((0, 40), "um"), ((0, 40, "mm"), "")):
+            unknown = axiscomp.Table([0, 2], [axis], unit=unit)
+            with self.assertRaises(axiscomp.Error) as raised:
+                axiscomp.predict(made(), unknown, lookup_at="encoder")
+            self.assertEqual(raised.exception.code, "UnitMismatch")
+            self.assertIn("a unit that is not stated", raised.exception.message)
+            with self.assertRaises(axiscomp.Error) as raised:
+                axiscomp.predict(measurement, known, lookup_at="encoder", measured_with=unknown)
+            self.assertEqual(raised.exception.code, "UnitMismatch")
+
+    def test_a_prediction_is_made_with_tables_of_the_axis(self):
+        other = axiscomp.Table([0, 0.002], [(0, 40, "mm", "Y")], unit="mm", target="Y")
+        own = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm", target="X")
+        measured = {"axis": "X", "compensation": "on"}
+        on = axiscomp.Measurement(made().targets, made().up, made().down, **measured)
+        axiscomp.predict(on, own, lookup_at="encoder", measured_with=own)
+        for measurement, table, active in ((made(), other, None), (on, own, other)):
+            with self.assertRaises(axiscomp.RequestError) as raised:
+                axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
+            self.assertIn("a table of axis Y", raised.exception.message)
+
     def test_a_fit_does_not_guess(self):
         with self.assertRaises(axiscomp.RequestError):
             axiscomp.fit(made())  # where the table is looked up is not said

@@ -114,7 +114,8 @@ def predict(
 ) -> Prediction:
     """Foretells a measurement with a table active, as the drive applies it.
 
-    table          of one dimension; its units must be known (UnitMismatch)
+    table          of one dimension and of the axis that was measured; the units of its values and positions
+                   must be stated (UnitMismatch)
     lookup_at      "encoder" or "set": at which position the drive looks the table up
     measured_with  the table that was active, or "off", where the measurement does not say it
                    (MeasurementState)

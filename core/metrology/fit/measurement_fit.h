@@ -151,7 +151,7 @@ struct FitReport {
 /// one dimension, in the unit of the measurement. The state must have been found for the
 /// measurement (findState); what was measured with a table is foretold with that one taken away.
 /// turn: of a modulo axis. Errors: InvalidArgument for a measurement without targets, a table of
-/// more dimensions or not of one turn, and what cannot be looked up.
+/// more dimensions, not of one turn or of another axis, and what cannot be looked up.
 [[nodiscard]] Result<Measurement> predictMeasurement(const Measurement& measurement,
     const CompensationTable& table, LookupAt lookupAt, const FoundState& state,
     std::optional<double> turn = {});

@@ -476,6 +476,18 @@ Result<void> predictBetween(
     return {};
 }
 
+/// What a table of another axis adds says nothing of the axis that was measured.
+Result<void> checkOfAxis(const CompensationTable& table, const std::string& axis)
+{
+    if (!areDifferentAxes(table.target, axis))
+        return {};
+    return badFit(AXISCOMP_TEXT("Error",
+        "axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: "
+        "take the table of the axis that was measured")
+                      .with("measured", axis)
+                      .with("axis", table.target));
+}
+
 } // namespace
 
 Result<Measurement> predictMeasurement(const Measurement& measurement,
@@ -499,11 +511,13 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
     FitSettings settings;
     settings.turn = turn;
     const FitInput input{measurement, settings, state, lookupAt, {}};
+    AXISCOMP_CHECK(checkOfAxis(table, input.axis()));
     TableFitRequest request;
     request.lookupAt = lookupAt;
     request.turn = turn;
     if (state.kind == FoundState::Kind::On) {
         AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
+        AXISCOMP_CHECK(checkOfAxis(*active, input.axis()));
         request.active = {active, 1.0, input.outside()};
     }
     const FitValues values = fitValues(measurement, input);

@@ -263,6 +263,25 @@ private Q_SLOTS:
         VERIFY_RESULT(fitMeasurement(runs, keeping(), state));
     }
 
+    void whatWasMeasuredOfOneAxisIsNotForetoldWithTheTableOfAnother()
+    {
+        const KnownTables own = toothed();
+        KnownTables other = toothed();
+        other.tables.front().target = "Y";
+        Measurement runs = runsOver(0.0, 50.0, 11, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        const FoundState withOwn{FoundState::Kind::On, &own, {}, {}};
+        const FoundState withOther{FoundState::Kind::On, &other, {}, {}};
+        const CompensationTable& table = own.tables.front();
+        VERIFY_RESULT(predictMeasurement(runs, table, LookupAt::Encoder, withOwn));
+        for (const auto& refused :
+            {predictMeasurement(runs, other.tables.front(), LookupAt::Encoder, withOwn),
+                predictMeasurement(runs, table, LookupAt::Encoder, withOther)}) {
+            VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+            QVERIFY(sentence(refused.error()).find("a table of axis Y") != std::string::npos);
+        }
+    }
+
     /// dX = x/10 um and dY = -x/5 um, of which a residual of 0 is merged onto one.
     void ofSeveralTablesThatOfTheAxisIsMergedOnto_data()
     {
