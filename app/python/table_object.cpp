@@ -125,8 +125,9 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
 /// Errors: of numpy, and ValueError for masked values, whose numbers would be taken for values.
 Values valuesFrom(const py::object& given)
 {
-    const py::object isMasked = py::module_::import("numpy.ma").attr("is_masked");
-    if (isMasked(given).cast<bool>())
+    const py::module_ masked = py::module_::import("numpy.ma");
+    // asarray: a list of masked arrays is not masked itself
+    if (masked.attr("is_masked")(masked.attr("asarray")(given)).cast<bool>())
         throw py::value_error("a value is masked: a table has a value at each point");
     return Values(given);
 }

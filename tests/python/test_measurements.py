@@ -44,6 +44,15 @@ class Measurements(unittest.TestCase):
         with self.assertRaises(ValueError):
             axiscomp.Measurement(numpy.ma.masked_equal([0, 10, 999], 999), up=[[0, 1, 2]])
 
+    def test_a_measurement_does_not_change(self):
+        measurement = made()
+        for array in (measurement.targets, measurement.up, measurement.down):
+            with self.assertRaises(ValueError):
+                array[0] = 5.0
+        with self.assertRaises(ValueError):
+            measurement.up -= 5.0
+        numpy.testing.assert_array_equal(pickle.loads(pickle.dumps(measurement)).up, measurement.up)
+
     def test_a_measurement_is_judged_as_its_file(self):
         of_file, of_arrays = axiscomp.judge(RUNS), axiscomp.judge(axiscomp.read_measurement(RUNS))
         for document in (of_file, of_arrays):

@@ -87,6 +87,8 @@ class Tables(unittest.TestCase):
             axiscomp.Table([0, 1e39], [(0, 1)])  # no float32
         with self.assertRaises(ValueError):
             axiscomp.Table(numpy.ma.masked_equal([0, 999], 999), [(0, 1)])
+        with self.assertRaises(ValueError):
+            axiscomp.Table([numpy.ma.masked_equal([1, 999], 999), numpy.ma.array([2, 3])], [(0, 1), (0, 1)])
         for given in (None, [], "x", [[0, 1], [2]]):
             with self.assertRaises((ValueError, TypeError), msg=repr(given)):
                 axiscomp.Table(given, [(0, 1)])

@@ -22,6 +22,8 @@ class Measurement:
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
     statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
+
+    A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down, ...).
     """
 
     def __init__(
@@ -55,6 +57,8 @@ class Measurement:
         self.up: numpy.ndarray = parts["up"]
         self.down: numpy.ndarray = parts["down"]
         self.unit: str = parts["unit"]
+        for array in (self.targets, self.up, self.down):
+            array.setflags(write=False)  # the file would not change with it
 
     @classmethod
     def of_file(cls, file: bytes) -> "Measurement":
