@@ -158,8 +158,8 @@ Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
         + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n"
         + std::string(referenceKey) + origin.reference + "\n// feed: " + toText(plan.feedPerMinute)
-        + " " + unit + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n// corrected: none\n"
-        + columnLine(plan) + "\n");
+        + " " + unit + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan)
+        + "\n");
 }
 
 Result<void> RunFile::goOn(

@@ -549,6 +549,33 @@ private Q_SLOTS:
         QVERIFY(moments > 5 && taken > 0 && taken < moments);
     }
 
+    /// Whether the instrument corrects for the temperature by itself is known to nobody here.
+    void aCapturedFileDoesNotSayThatNothingWasCorrected()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        std::string whole;
+        {
+            auto runs = RunFile::open(file, plan, origin).value();
+            for (std::size_t step = 0; step < plan.steps.size(); ++step)
+                QVERIFY(runs.append(valueOf(plan, step)));
+            whole = contentOf(file);
+        }
+        const auto format = measurementFormatNamed("runs");
+        VERIFY_RESULT(format);
+        const MeasurementReading reading = (*format)->read(whole, {});
+        QVERIFY(reading.measurement);
+        QCOMPARE(reading.measurement->header.corrected, MeasurementHeader::Corrected::NotSaid);
+        // A person who knows writes it into the file, and the same command goes on with it.
+        whole.insert(whole.find("target ["), "// corrected: 20C\n");
+        put(file, whole);
+        const auto again = RunFile::open(file, plan, origin);
+        VERIFY_RESULT(again);
+        QCOMPARE(again->taken(), plan.steps.size());
+    }
+
     void aFileOfSomethingElseIsRefusedAndLeftAsItIs()
     {
         const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
