@@ -314,8 +314,13 @@ void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks
     if (!input.settings.turn)
         return;
     const GridAxis& axis = table.grid.axes.front();
-    const double jump =
+    const TableStatistics values = statistics(table);
+    constexpr double rounding = 1e-6; // of the largest value; that of float32 is a tenth of it
+    const double least = rounding * std::max(std::abs(values.minimum), std::abs(values.maximum));
+    double jump =
         static_cast<double>(table.values.back()) - static_cast<double>(table.values.front());
+    if (std::abs(jump) <= least)
+        jump = 0.0;
     Text ends = AXISCOMP_TEXT("Measurement",
         "over a turn, from {from} to {to}, {table} ends {jump} above where it begins")
                     .with("table", table.name)

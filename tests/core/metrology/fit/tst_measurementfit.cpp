@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fit/fit_parts.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
@@ -860,6 +861,32 @@ private Q_SLOTS:
         const auto without = fitMeasurement(whole, settings, measuredOff());
         VERIFY_RESULT(without);
         QVERIFY(!hasRemark(*without, "TurnNotMeasured"));
+    }
+
+    /// The last bit of a float32 is no jump of the axis.
+    void endsOfATurnThatRoundingAloneTellsApartAreNoWarning()
+    {
+        Measurement runs = runsOver(
+            0.0, 30.0, 12, [](double c) { return 0.001 + 0.0005 * std::sin(c * pi / 180.0); });
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        const FoundState off = measuredOff();
+        auto report = fitMeasurement(runs, settings, off);
+        VERIFY_RESULT(report);
+        const FitInput input{runs, settings, off, LookupAt::Encoder, {}};
+        std::vector<float>& values = report->tables.front().table.values;
+        for (const auto& [last, isWarning] :
+            {std::pair(std::nextafter(values.front(), 1.0F), false),
+                std::pair(values.front() + 1e-5F, true)}) {
+            values.back() = last;
+            report->remarks.clear();
+            addRunsRemarks(input, {}, {}, *report);
+            const auto ends = std::ranges::find(
+                report->remarks, std::string_view("EndsOfTurn"), &FitRemark::name);
+            QVERIFY(ends != report->remarks.end());
+            QCOMPARE(ends->isWarning, isWarning);
+        }
     }
 
     void aTurnIsNotShorterThanWhatWasMeasured()
