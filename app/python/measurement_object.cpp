@@ -13,6 +13,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -63,7 +64,13 @@ void takeStatements(MeasurementHeader& header, const std::map<std::string, std::
         {"instrument", &MeasurementHeader::instrument}, {"serial", &MeasurementHeader::serial},
         {"operator", &MeasurementHeader::operatorName}, {"date", &MeasurementHeader::date},
         {"feed", &MeasurementHeader::feed}, {"dwell", &MeasurementHeader::dwell}};
+    const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
     for (const auto& [key, value] : statements) {
+        // behind a line break would be a statement of its own
+        if (std::ranges::any_of(value, isControl))
+            throw py::value_error("the statement " + key
+                + " has a line break or another control "
+                  "character");
         if (key == "compensation") {
             if (value != "off" && value != "on")
                 throw py::value_error("compensation is on or off");

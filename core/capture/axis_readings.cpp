@@ -118,12 +118,14 @@ Result<void> AxisReadings::setUnits(const AxisStatus& status, const MeasuringPla
     m_isUnitAssumed = unit.empty();
     const auto factor = unitFactor(m_isUnitAssumed ? wanted : unit, wanted);
     if (!factor)
-        return notCaptured(AXISCOMP_TEXT("Error",
-            "the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its "
-            "unit, or choose another axis")
-                               .with("planned", wanted)
-                               .with("axis", axisShown(status.axis))
-                               .with("unit", unit));
+        return notCaptured(
+            AXISCOMP_TEXT("Error",
+                "the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in "
+                "{needed}, or choose another axis")
+                .with("planned", wanted)
+                .with("axis", axisShown(status.axis))
+                .with("unit", unit)
+                .with("needed", std::string(unitFactor(unit, "deg") ? "deg" : "mm")));
     m_axisFactor = *factor;
     if (m_scale.unit.empty())
         m_scale.unit = m_isUnitAssumed ? wanted : unit;

@@ -34,6 +34,13 @@ class Commands(unittest.TestCase):
         )
         self.assertEqual(made.stdout, (SOURCE / "app/python/axiscomp/commands.py").read_text())
 
+    def test_what_is_no_number_is_an_error_with_a_code(self):
+        for option in ("home", "turn", "gain"):
+            for value in (float("nan"), numpy.float64("inf")):
+                with self.assertRaises(axiscomp.RequestError, msg=option) as raised:
+                    axiscomp.fit(RUNS, lookup_at="encoder", measured_with="off", **{option: value})
+                self.assertEqual(raised.exception.code, "InvalidArgument")
+
     def test_a_document_is_that_of_json(self):
         document = axiscomp.judge(RUNS, tolerance={"A": "10um"})
         said = program("judge", RUNS, "--tolerance", "A=10um", "--json")

@@ -44,6 +44,11 @@ class Measurements(unittest.TestCase):
         with self.assertRaises(ValueError):
             axiscomp.Measurement(numpy.ma.masked_equal([0, 10, 999], 999), up=[[0, 1, 2]])
 
+    def test_a_statement_is_one_line(self):
+        for axis in ("X\n// compensation: on", "X\r", "X\0"):
+            with self.assertRaises(ValueError):
+                axiscomp.Measurement([0, 10], up=[[0, 1]], axis=axis)
+
     def test_a_measurement_does_not_change(self):
         measurement = made()
         for array in (measurement.targets, measurement.up, measurement.down):

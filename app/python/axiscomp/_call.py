@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from contextlib import ExitStack
@@ -98,8 +99,8 @@ def _text(value: Any) -> str:
     if isinstance(value, (bytes, bytearray, list, tuple, dict, set)) or hasattr(value, "shape"):
         raise TypeError(f"a {type(value).__name__} is no single value")
     if isinstance(value, float):
-        # repr() of a float is the shortest text that reads back to the same number.
-        return repr(value) if value != int(value) else str(int(value))
+        # repr() of a float is the shortest text that reads back to the same number; nan and inf are refused in words.
+        return str(int(value)) if math.isfinite(value) and value == int(value) else repr(value)
     text = os.fsdecode(value) if isinstance(value, os.PathLike) else str(value)
     if "\0" in text:
         raise ValueError("a text with a zero byte")  # a word of the command line would end there

@@ -294,6 +294,24 @@ private Q_SLOTS:
             played.news.back().text.english().c_str());
     }
 
+    /// Plans are in mm or deg, whatever the axis is in.
+    void aPlanOfTheOtherKindIsRefusedWithTheUnitThatItNeeds()
+    {
+        CaptureFixture fixture;
+        auto status = fixture.compensator.status(0);
+        VERIFY_RESULT(status);
+        const auto refusal = [&](const char* unit, const MeasuringPlan& plan) {
+            status->axis.unit = unit;
+            const auto opened = AxisReadings::open(fixture.link, genericProfile(), *status, plan,
+                {encoder, referenceRegister}, {}, {});
+            return opened ? "it was taken" : sentence(opened.error());
+        };
+        const std::string metres = refusal("Meter", planOf("X", true));
+        QVERIFY2(metres.find("in m: make a plan in mm,") != std::string::npos, metres.c_str());
+        const std::string radians = refusal("Radian", planOf("X"));
+        QVERIFY2(radians.find("in rad: make a plan in deg,") != std::string::npos, radians.c_str());
+    }
+
     void whatCannotBeCapturedIsRefusedBeforeAnythingIsTaken()
     {
         CaptureFixture fixture;
