@@ -442,7 +442,7 @@ private Q_SLOTS:
             return contentOf(file);
         };
         const std::string whole = fill();
-        QCOMPARE(std::ranges::count(whole, '\n'), 9 + 6);
+        QCOMPARE(std::ranges::count(whole, '\n'), 8 + 6);
         for (std::size_t size = 0; size <= whole.size(); ++size) {
             put(file, std::string_view(whole).substr(0, size));
             const auto lines = std::ranges::count(whole.substr(0, size), '\n');
@@ -639,7 +639,7 @@ private Q_SLOTS:
         QVERIFY(RunFile::open(file, plan, origin));
         const std::string text = contentOf(file);
         QVERIFY2(text.find("// reference: laser\n") != std::string::npos, text.c_str());
-        QCOMPARE(std::ranges::count(text, '\n'), 9);
+        QCOMPARE(std::ranges::count(text, '\n'), 8);
     }
 
     void twoProgramsCannotWriteToOneFile()
