@@ -5774,10 +5774,6 @@
         <translation>ein Faktor liegt über 0 und ist höchstens 2; üblich ist 1</translation>
     </message>
     <message>
-        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation>ein Faktor ist für Restabweichungen, die mit der Tabelle verbunden werden, die aktiv war; hier sind die Werte der ganze Fehler</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} hat keine Tabelle, deren Zielachse die der Spalte {column} ist; geben Sie die Zielachsen ihrer Tabellen an, oder messen Sie ohne Tabelle</translation>
     </message>
@@ -5852,10 +5848,6 @@
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
         <translation>eine Glättung ist für die Methode smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
-    </message>
-    <message>
-        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>Durchläufe entlang einer Achse werden mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -6332,10 +6324,6 @@
     <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
         <translation>die Kompensation der Achse {axis} ist eingeschaltet, und der Antrieb sagt nicht, mit welcher Tabelle: sie zuerst deaktivieren</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
-        <translation>der Messplan ist in {planned} und Achse {axis} des Antriebs in {unit}: einen Plan in ihrer Einheit machen oder eine andere Achse wählen</translation>
     </message>
     <message>
         <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
@@ -8004,6 +7992,58 @@
     <message>
         <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
         <translation>Die Tabelle bleibt, und ihre neue Quelle liegt auf der anderen Seite der Kompensation: Ihre Werte gehören zu anderen Positionen. Schreiben Sie die Tabelle, die für diese Quelle erstellt wurde.</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in {needed}, or choose another axis</source>
+        <translation>der Messplan ist in {planned} und Achse {axis} des Antriebs in {unit}: einen Plan in {needed} machen oder eine andere Achse wählen</translation>
+    </message>
+    <message>
+        <source>The table that no axis used in {slot} is not restored: the table of this axis is there.</source>
+        <translation>Die Tabelle in {slot}, die keine Achse verwendet hat, wird nicht wiederhergestellt: dort ist die Tabelle dieser Achse.</translation>
+    </message>
+    <message>
+        <source>the values for {column} are said to be in the unit of the drive, and the positions that they are added to are in {unit}; state the unit of the values, or that the positions are in that of the drive, too</source>
+        <translation>die Werte für {column} sollen in der Einheit des Antriebs sein, und die Positionen, zu denen sie addiert werden, sind in {unit}; die Einheit der Werte angeben, oder dass auch die Positionen in der des Antriebs sind</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, which multiplies the table on the control</source>
+        <translation>{name} = {value}, womit die Steuerung die Tabelle multipliziert</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply the values by the number (--scale)</source>
+        <translation>1; die Zeile entfernen und die Werte mit der Zahl multiplizieren (--scale)</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, which cannot be given in {other}, the unit of the positions that they are added to; correct the units</source>
+        <translation>die Werte für {column} sind in {unit}, was sich nicht in {other} umrechnen lässt, die Einheit der Positionen, zu denen sie addiert werden; die Einheiten berichtigen</translation>
+    </message>
+    <message>
+        <source>{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and in m, in degrees and in radians: take a calibration file in whose header the units stand, such as the one that reading the table from the drive writes</source>
+        <translation>{name} sagt nicht, in welcher Einheit die Zahlen sind, und der CRC-32 {crc} ist in mm und m, in Grad und Radiant derselbe: nehmen Sie eine Kalibrierdatei, in deren Kopfzeile die Einheiten stehen, etwa die, die beim Lesen der Tabelle aus dem Antrieb entsteht</translation>
+    </message>
+    <message>
+        <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
+        <translation>mit {name} hatte die Achse andere Quellen, sodass deren Werte zu anderen Positionen gehören können: mit nichts verbinden (--onto weglassen), denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
+        <translation>ein Faktor ist für Restabweichungen, die mit einer Tabelle verbunden werden (--onto); hier sind die Werte der ganze Fehler</translation>
+    </message>
+    <message>
+        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation>was entlang einer Achse gemessen wurde, wird mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
+        <translation>gemessen wurde Achse {measured}; mit einer Tabelle von Achse {axis} wird davon nichts vorhergesagt: nehmen Sie die Tabelle der Achse, die gemessen wurde</translation>
+    </message>
+    <message>
+        <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
+        <translation>über der Temperatur wird nichts zusammengeführt: --onto weglassen, denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
+    </message>
+    <message>
+        <source>a unit that is not stated</source>
+        <translation>einer Einheit, die nicht angegeben ist</translation>
     </message>
 </context>
 <context>

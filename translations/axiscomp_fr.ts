@@ -5774,10 +5774,6 @@
         <translation>un gain est supérieur à 0 et au plus 2&#xa0;; il vaut en général 1</translation>
     </message>
     <message>
-        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec la table qui était active&#xa0;; ici, les valeurs sont l&apos;erreur entière</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} n&apos;a pas de table dont l&apos;axe cible soit celui de la colonne {column}&#xa0;; indiquer les axes cibles de ses tables ou mesurer sans table</translation>
     </message>
@@ -5852,10 +5848,6 @@
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
         <translation>un lissage vaut pour la méthode smooth (--method smooth)&#xa0;; les autres passent par chaque moyenne</translation>
-    </message>
-    <message>
-        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>des passes suivant un axe sont fusionnées avec une table à une dimension&#xa0;; {name} en a {dimensions}</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -6332,10 +6324,6 @@
     <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
         <translation>la compensation de l&apos;axe {axis} est activée, et le variateur n&apos;indique pas avec quelle table&#xa0;: la désactiver d&apos;abord</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
-        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit}&#xa0;: établir un plan dans son unité ou choisir un autre axe</translation>
     </message>
     <message>
         <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
@@ -8004,6 +7992,58 @@
     <message>
         <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
         <translation>La table reste, et sa nouvelle source est de l&apos;autre côté de la compensation&#xa0;: ses valeurs appartiennent à d&apos;autres positions. Écrivez la table qui a été faite pour cette source.</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in {needed}, or choose another axis</source>
+        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit} : établir un plan en {needed} ou choisir un autre axe</translation>
+    </message>
+    <message>
+        <source>The table that no axis used in {slot} is not restored: the table of this axis is there.</source>
+        <translation>La table de {slot} qu&apos;aucun axe n&apos;utilisait n&apos;est pas restaurée : la table de cet axe s&apos;y trouve.</translation>
+    </message>
+    <message>
+        <source>the values for {column} are said to be in the unit of the drive, and the positions that they are added to are in {unit}; state the unit of the values, or that the positions are in that of the drive, too</source>
+        <translation>les valeurs pour {column} sont déclarées dans l&apos;unité du variateur, et les positions auxquelles elles s&apos;ajoutent sont en {unit} ; indiquer l&apos;unité des valeurs, ou que les positions sont aussi dans celle du variateur</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, which multiplies the table on the control</source>
+        <translation>{name} = {value}, par quoi la commande multiplie la table</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply the values by the number (--scale)</source>
+        <translation>1 ; supprimer la ligne et multiplier les valeurs par ce nombre (--scale)</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, which cannot be given in {other}, the unit of the positions that they are added to; correct the units</source>
+        <translation>les valeurs pour {column} sont en {unit}, ce qui ne peut pas être converti en {other}, l&apos;unité des positions auxquelles elles s&apos;ajoutent ; corriger les unités</translation>
+    </message>
+    <message>
+        <source>{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and in m, in degrees and in radians: take a calibration file in whose header the units stand, such as the one that reading the table from the drive writes</source>
+        <translation>{name} ne dit pas l&apos;unité de ses nombres, et son CRC-32 {crc} est le même en mm et en m, en degrés et en radians : prendre un fichier d&apos;étalonnage dont l&apos;en-tête porte les unités, comme celui qu&apos;écrit la lecture de la table dans le variateur</translation>
+    </message>
+    <message>
+        <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
+        <translation>avec {name}, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions : ne fusionner avec rien (omettre --onto), car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
+        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec une table (--onto) ; ici, les valeurs sont l&apos;erreur entière</translation>
+    </message>
+    <message>
+        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation>ce qui a été mesuré suivant un axe est fusionné avec une table à une dimension ; {name} en a {dimensions}</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
+        <translation>l&apos;axe {measured} a été mesuré, et une table de l&apos;axe {axis} n&apos;en prédit rien : prendre la table de l&apos;axe mesuré</translation>
+    </message>
+    <message>
+        <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
+        <translation>rien ne se fusionne selon la température : omettre --onto, car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
+    </message>
+    <message>
+        <source>a unit that is not stated</source>
+        <translation>unité non indiquée</translation>
     </message>
 </context>
 <context>

@@ -5740,10 +5740,6 @@
         <translation>ゲインは 0 より大きく 2 以下です。通常は 1 です</translation>
     </message>
     <message>
-        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation>ゲインは、有効だったテーブルに統合する残差に使うものです。ここでの値は誤差全体です</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} には、列 {column} と同じ対象軸のテーブルがありません。テーブルの対象軸を指定するか、テーブルなしで測定してください</translation>
     </message>
@@ -5818,10 +5814,6 @@
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
         <translation>平滑度は smooth のためのものです (--method smooth)。ほかの方法はすべての平均値を通ります</translation>
-    </message>
-    <message>
-        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>1 軸の走行を統合できるのは 1 次元のテーブルです。{name} は {dimensions} 次元です</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -6297,10 +6289,6 @@
     <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
         <translation>軸 {axis} の補正はオンですが、どのテーブルかをドライブが示しません。先に無効化してください</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
-        <translation>測定計画の単位は {planned}、ドライブの軸 {axis} の単位は {unit} です。この単位の測定計画を作成するか、別の軸を選んでください</translation>
     </message>
     <message>
         <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
@@ -7963,6 +7951,58 @@
     <message>
         <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
         <translation>テーブルはそのまま残りますが、新しいソースは補正の反対側の位置です。値は別の位置のものになります。このソース用に作成したテーブルを書き込んでください。</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in {needed}, or choose another axis</source>
+        <translation>測定計画の単位は {planned}、ドライブの軸 {axis} の単位は {unit} です。{needed} の測定計画を作成するか、別の軸を選んでください</translation>
+    </message>
+    <message>
+        <source>The table that no axis used in {slot} is not restored: the table of this axis is there.</source>
+        <translation>どの軸も使用していなかった {slot} のテーブルは復元されません。そこにはこの軸のテーブルがあります。</translation>
+    </message>
+    <message>
+        <source>the values for {column} are said to be in the unit of the drive, and the positions that they are added to are in {unit}; state the unit of the values, or that the positions are in that of the drive, too</source>
+        <translation>{column} の値はドライブの単位とされていますが、値が加算される位置の単位は {unit} です。値の単位を指定するか、位置もドライブの単位であると指定してください</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, which multiplies the table on the control</source>
+        <translation>{name} = {value} (制御装置がテーブルに掛ける係数)</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply the values by the number (--scale)</source>
+        <translation>1。この行を削除し、値にその数を掛けてください (--scale)</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, which cannot be given in {other}, the unit of the positions that they are added to; correct the units</source>
+        <translation>{column} の値の単位 {unit} は、値が加算される位置の単位 {other} で表すことができません。単位を修正してください</translation>
+    </message>
+    <message>
+        <source>{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and in m, in degrees and in radians: take a calibration file in whose header the units stand, such as the one that reading the table from the drive writes</source>
+        <translation>{name} には数値の単位がなく、CRC-32 {crc} は mm でも m でも、度でもラジアンでも同じです。ヘッダーに単位のある校正ファイル (ドライブからテーブルを読み出すと作成されるものなど) を使用してください</translation>
+    </message>
+    <message>
+        <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
+        <translation>{name} のときは軸のソースが異なっていたため、その値は別の位置のものかもしれません。ファイルにエンコーダの補正前の位置があるため値は誤差全体です。統合しないでください (--onto を指定しない)</translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
+        <translation>ゲインは、テーブルに統合する残差に使うものです (--onto)。ここでの値は誤差全体です</translation>
+    </message>
+    <message>
+        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation>1 軸に沿った測定を統合できるのは 1 次元のテーブルです。{name} は {dimensions} 次元です</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
+        <translation>測定されたのは軸 {measured} で、軸 {axis} のテーブルからは何も予測できません。測定した軸のテーブルを使用してください</translation>
+    </message>
+    <message>
+        <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
+        <translation>温度依存テーブルでは統合できません。ファイルにエンコーダの補正前の位置があるため値は誤差全体です。--onto を指定しないでください</translation>
+    </message>
+    <message>
+        <source>a unit that is not stated</source>
+        <translation>(指定なし)</translation>
     </message>
 </context>
 <context>

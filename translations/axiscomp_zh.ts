@@ -5740,10 +5740,6 @@
         <translation>增益大于 0 且不超过 2；通常为 1</translation>
     </message>
     <message>
-        <source>a gain is for residuals that are merged onto the table that was active; here the values are the whole error</source>
-        <translation>增益用于合并到当时启用的表上的残差；此处的值是全部误差</translation>
-    </message>
-    <message>
         <source>{name} has no table whose target is that of the column {column}; state the targets of its tables, or measure without a table</source>
         <translation>{name} 中没有目标轴与列 {column} 相同的表；请注明其各表的目标轴，或不用表测量</translation>
     </message>
@@ -5818,10 +5814,6 @@
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
         <translation>平滑度用于 smooth 方法 (--method smooth)；其他方法通过每个平均值</translation>
-    </message>
-    <message>
-        <source>runs along one axis are merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>沿一个轴的各趟只能合并到一维的表；{name} 为 {dimensions} 维</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -6297,10 +6289,6 @@
     <message>
         <source>the compensation of axis {axis} is on, and the drive does not say with which table: deactivate it first</source>
         <translation>轴 {axis} 的补偿已开启，而驱动器没有说明使用哪个表：请先停用</translation>
-    </message>
-    <message>
-        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in its unit, or choose another axis</source>
-        <translation>测量计划以 {planned} 为单位，而驱动器的轴 {axis} 以 {unit} 为单位：请按该轴的单位制定计划，或选择另一个轴</translation>
     </message>
     <message>
         <source>the instrument is in {unit}, which cannot be converted to {planned}, the unit of the plan: state the unit of the instrument</source>
@@ -7963,6 +7951,58 @@
     <message>
         <source>The table stays, and its new source is on the other side of the compensation: its values belong to other positions. Write the table that was made for this source.</source>
         <translation>表保持不变，而它的新源位于补偿的另一侧：其值属于其他位置。请写入为该源制作的表。</translation>
+    </message>
+    <message>
+        <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in {needed}, or choose another axis</source>
+        <translation>测量计划以 {planned} 为单位，而驱动器的轴 {axis} 以 {unit} 为单位：请制定以 {needed} 为单位的计划，或选择另一个轴</translation>
+    </message>
+    <message>
+        <source>The table that no axis used in {slot} is not restored: the table of this axis is there.</source>
+        <translation>{slot} 中没有轴使用的表不会还原：该轴的表在那里。</translation>
+    </message>
+    <message>
+        <source>the values for {column} are said to be in the unit of the drive, and the positions that they are added to are in {unit}; state the unit of the values, or that the positions are in that of the drive, too</source>
+        <translation>{column} 的值被声明为驱动器的单位，而这些值所加到的位置以 {unit} 为单位；请说明值的单位，或说明位置也采用驱动器的单位</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, which multiplies the table on the control</source>
+        <translation>{name} = {value}，控制器用它乘以该表</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply the values by the number (--scale)</source>
+        <translation>1；删除该行，并将各值乘以该数（--scale）</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, which cannot be given in {other}, the unit of the positions that they are added to; correct the units</source>
+        <translation>{column} 的值以 {unit} 为单位，无法换算成 {other}，即这些值所加到的位置的单位；请更正单位</translation>
+    </message>
+    <message>
+        <source>{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and in m, in degrees and in radians: take a calibration file in whose header the units stand, such as the one that reading the table from the drive writes</source>
+        <translation>{name} 未注明其数值的单位，而其 CRC-32 {crc} 在 mm 与 m、度与弧度下都相同：请使用标题行中带单位的校准文件，例如从驱动器读取该表时写出的文件</translation>
+    </message>
+    <message>
+        <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
+        <translation>使用 {name} 时轴的源与现在不同，其值可能属于其他位置：请不合并（去掉 --onto），因为文件中有原始位置，值就是全部误差</translation>
+    </message>
+    <message>
+        <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
+        <translation>增益用于合并到表上的残差（--onto）；此处的值是全部误差</translation>
+    </message>
+    <message>
+        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
+        <translation>沿一个轴的测量只能合并到一维的表；{name} 为 {dimensions} 维</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
+        <translation>测量的是轴 {measured}，无法用轴 {axis} 的表进行预测：请使用所测轴的表</translation>
+    </message>
+    <message>
+        <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
+        <translation>不能随温度合并：请去掉 --onto，因为文件中有原始位置，值就是全部误差</translation>
+    </message>
+    <message>
+        <source>a unit that is not stated</source>
+        <translation>未注明的单位</translation>
     </message>
 </context>
 <context>
