@@ -14,9 +14,11 @@ namespace {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array kinds{MeasurementKind::Points};
-constexpr std::array<std::string_view, 2> rules{
+constexpr std::array<std::string_view, 3> rules{
     "Columns X and Y, or X, Y and Z, then any number of value columns such as dX, dY, or the "
     "coordinates of the reference Xr, Yr, Zr, whose difference to X, Y, Z is the value.",
+    "A value is the reference less the position, a deviation as that of runs; with // sign: "
+    "correction it is the opposite.",
     "Points may stand in any order, may be repeated, and need not be a grid.",
 };
 constexpr std::array<std::string_view, 3> axisNames{"X", "Y", "Z"};
@@ -35,6 +37,7 @@ public:
         DiagnosticList& diagnostics)
         : m_csv(csv)
         , m_options(options)
+        , m_measurement(measurement)
         , m_points(measurement.points)
         , m_diagnostics(diagnostics)
     {
@@ -54,9 +57,11 @@ private:
     void addValues(std::size_t column, std::string name, std::optional<std::size_t> axis);
     void readPoints();
     bool readPoint();
+    void checkValues();
 
     MeasurementCsv& m_csv;
     const MeasurementReadOptions& m_options;
+    Measurement& m_measurement;
     MeasuredPoints& m_points;
     DiagnosticList& m_diagnostics;
     std::vector<std::size_t> m_axes; ///< columns
@@ -144,7 +149,9 @@ bool Reader::readPoint()
     for (const ValueColumn& column : m_values) {
         const auto number = m_csv.number(column.column);
         isGood = isGood && number;
-        const double scaled = number.value_or(0.0) * column.factor;
+        const bool isCorrection = !column.axis && m_csv.comments().holdsCorrections;
+        const double scaled =
+            number.value_or(0.0) * (isCorrection ? -column.factor : column.factor);
         m_lineValues.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
     }
     if (!isGood)
@@ -167,19 +174,32 @@ void Reader::readPoints()
     m_points.values.resize(m_values.size());
     while (m_csv.next())
         readPoint();
-    for (std::size_t v = 0; v < m_values.size() && !m_diagnostics.hasErrors(); ++v) {
-        if (!m_values[v].axis)
-            continue;
-        const std::vector<double>& encoder = m_points.positions[*m_values[v].axis];
-        std::vector<double> reference = m_points.values[v];
-        for (std::size_t i = 0; i < reference.size(); ++i)
-            reference[i] += encoder[i];
-        checkInstrumentScale(encoder, reference, m_diagnostics);
-    }
+    checkValues();
     if (m_points.size() == 0 && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::TooFewPoints, m_csv.headerLine(), 0,
             AXISCOMP_TEXT("Error", "no data lines after the header"),
             AXISCOMP_TEXT("Error", "a line for each point"));
+}
+
+void Reader::checkValues()
+{
+    for (std::size_t v = 0; v < m_values.size() && !m_diagnostics.hasErrors(); ++v) {
+        const std::vector<double>& values = m_points.values[v];
+        if (m_values[v].axis) {
+            const std::vector<double>& encoder = m_points.positions[*m_values[v].axis];
+            std::vector<double> reference = values;
+            for (std::size_t i = 0; i < reference.size(); ++i)
+                reference[i] += encoder[i];
+            checkInstrumentScale(encoder, reference, m_diagnostics);
+        }
+        if (!m_diagnostics.hasErrors())
+            checkValueSizes({.positions = m_points.positions,
+                                .values = values,
+                                .unit = std::string(positionUnit(m_measurement)),
+                                .line = m_csv.headerLine(),
+                                .column = m_values[v].column},
+                m_diagnostics);
+    }
 }
 
 void parse(std::string_view text, const MeasurementReadOptions& options, Measurement& measurement,

@@ -247,30 +247,35 @@ void Assembly::checkSizes()
 {
     std::vector<double> targets;
     std::vector<double> deviations;
-    double largest = 0.0;
     for (const RunValue& value : m_measurement.values) {
         targets.push_back(m_measurement.targets[value.target]);
         deviations.push_back(value.deviation);
-        largest = std::max(largest, std::abs(value.deviation));
     }
-    const auto slope = slopeOf(targets, deviations);
-    if (slope && std::abs(*slope - 1.0) < scaleTolerance) {
-        m_diagnostics.warning(DiagnosticCode::ValuesLookLikePositions, 0, 0,
-            AXISCOMP_TEXT("Error", "values that rise by {slope} with the target")
-                .with("slope", Quantity{shortNumber(*slope)}),
-            AXISCOMP_TEXT("Error", "deviations, which hardly follow it"));
-        return;
+    checkValueSizes({.positions = {&targets, 1},
+                        .values = deviations,
+                        .unit = std::string(positionUnit(m_measurement))},
+        m_diagnostics);
+}
+
+/// The slope that makes values look like positions along one of the axes; nothing: none does.
+std::optional<double> slopeOfPositions(const SizedValues& sized)
+{
+    for (const std::vector<double>& positions : sized.positions) {
+        const auto slope = slopeOf(positions, sized.values);
+        if (slope && std::abs(*slope - 1.0) < scaleTolerance)
+            return slope;
     }
-    const double travel = m_measurement.range();
-    constexpr double most = 0.01;
-    constexpr double least = 1e-9;
-    if (largest > 0.0 && (largest > most * travel || largest < least * travel))
-        m_diagnostics.warning(DiagnosticCode::UnitSuspicious, 0, 0,
-            AXISCOMP_TEXT("Error", "a largest deviation of {value} over {travel}")
-                .with("value", position(largest, m_measurement))
-                .with("travel", position(travel, m_measurement)),
-            largest < most * travel ? AXISCOMP_TEXT("Error", "more than a billionth of the travel")
-                                    : AXISCOMP_TEXT("Error", "at most 1 % of the travel"));
+    return std::nullopt;
+}
+
+double largestTravel(const SizedValues& sized)
+{
+    double travel = 0.0;
+    for (const std::vector<double>& positions : sized.positions) {
+        const auto [low, high] = std::ranges::minmax_element(positions);
+        travel = std::max(travel, *high - *low);
+    }
+    return travel;
 }
 
 } // namespace
@@ -292,6 +297,35 @@ void checkInstrumentScale(
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
             .with("slope", Quantity{shortNumber(*slope)}),
         scaleExplanation(*slope));
+}
+
+void checkValueSizes(const SizedValues& sized, DiagnosticList& diagnostics)
+{
+    if (sized.values.empty())
+        return;
+    if (const auto slope = slopeOfPositions(sized)) {
+        const TextPattern found = sized.column == 0
+            ? AXISCOMP_TEXT("Error", "values that rise by {slope} with the target")
+            : AXISCOMP_TEXT("Error", "values that rise by {slope} with the position");
+        diagnostics.warning(DiagnosticCode::ValuesLookLikePositions, sized.line, sized.column,
+            found.with("slope", Quantity{shortNumber(*slope)}),
+            AXISCOMP_TEXT("Error", "deviations, which hardly follow it"));
+        return;
+    }
+    double largest = 0.0;
+    for (const double value : sized.values)
+        largest = std::max(largest, std::abs(value));
+    const double travel = largestTravel(sized);
+    constexpr double most = 0.01;
+    constexpr double least = 1e-9;
+    if (std::isfinite(travel) && largest > 0.0
+        && (largest > most * travel || largest < least * travel))
+        diagnostics.warning(DiagnosticCode::UnitSuspicious, sized.line, sized.column,
+            AXISCOMP_TEXT("Error", "a largest deviation of {value} over {travel}")
+                .with("value", Quantity{shortNumber(largest), sized.unit})
+                .with("travel", Quantity{shortNumber(travel), sized.unit}),
+            largest < most * travel ? AXISCOMP_TEXT("Error", "more than a billionth of the travel")
+                                    : AXISCOMP_TEXT("Error", "at most 1 % of the travel"));
 }
 
 MeasurementReading readMeasurementText(std::string_view text, const MeasurementReadOptions& options,

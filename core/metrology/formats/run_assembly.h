@@ -25,6 +25,18 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
 void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
     DiagnosticList& diagnostics);
 
+/// Values at positions along one or more axes, all in one unit.
+struct SizedValues {
+    std::span<const std::vector<double>> positions; ///< [axis][value]
+    std::span<const double> values;
+    std::string unit; ///< "mm" or "deg"
+    std::size_t line = 0; ///< where the name of their column stands; 0: they are the whole file's
+    std::size_t column = 0;
+};
+/// Warns of deviations that look like positions (ValuesLookLikePositions), or whose size does not
+/// fit the travel (UnitSuspicious).
+void checkValueSizes(const SizedValues& sized, DiagnosticList& diagnostics);
+
 /// What every reader of a text does round its own `parse`: binary and oversized files, memory,
 /// numbers beyond what a double holds.
 [[nodiscard]] MeasurementReading readMeasurementText(std::string_view text,

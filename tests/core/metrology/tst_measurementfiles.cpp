@@ -230,6 +230,23 @@ private Q_SLOTS:
         QCOMPARE(reading.measurement->values[0].deviation, -0.25);
     }
 
+    /// A correction of x um at each X: the axis went too far by its opposite.
+    void correctionsAtPointsAreTheOppositeOfDeviations()
+    {
+        const auto valuesOf = [](const std::string& sign) {
+            const MeasurementReading reading = test::readAs("points",
+                sign + "X [mm],Y [mm],dX [um],Yr [mm]\n0,0,0,0.004\n40,0,4,0.004\n0,20,0,20.004\n");
+            return reading.measurement ? reading.measurement->points.values
+                                       : std::vector<std::vector<double>>(2);
+        };
+        const auto deviations = valuesOf("");
+        const auto corrections = valuesOf("// sign: correction\n");
+        QCOMPARE(deviations[0], (std::vector<double>{0.0, 0.004, 0.0}));
+        QCOMPARE(corrections[0], (std::vector<double>{-0.0, -0.004, -0.0}));
+        QCOMPARE(corrections[1], deviations[1]); // positions of the reference have no sign
+        QVERIFY(std::abs(deviations[1].back() - 0.004) < 1e-12);
+    }
+
     void runsAreCountedWhereTheFileDoesNot()
     {
         const MeasurementReading reading = test::readAs("runs",

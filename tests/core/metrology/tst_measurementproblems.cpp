@@ -137,10 +137,13 @@ private Q_SLOTS:
 
     void everyDoubtIsAWarning_data()
     {
+        QTest::addColumn<QString>("format");
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("expected");
-        const auto row = [](const char* name, const std::string& text, const char* expected) {
-            QTest::newRow(name) << QByteArray::fromStdString(text) << QByteArray(expected);
+        const auto row = [](const char* name, const std::string& text, const char* expected,
+                             const char* format = "runs") {
+            QTest::newRow(name) << QString::fromLatin1(format) << QByteArray::fromStdString(text)
+                                << QByteArray(expected);
         };
         row("incomplete", head + "0,+,1,1\n9,+,1,2\n9,+,2,3\n",
             "0:0 IncompleteRuns no value for up:1:2|a value for every target in every run");
@@ -155,12 +158,21 @@ private Q_SLOTS:
             "the travel");
         row("too small", head + "0,+,1,1e-6\n10,+,1,0\n",
             "0:0 UnitSuspicious a largest deviation of 1e-09 mm over 10 mm|more than a billionth");
+        row("positions at points",
+            "X [mm],Y [mm],dX [um],dY [mm]\n0,0,1,0.001\n10,0,2,0\n0,20,1,20\n10,20,2,19.999\n",
+            "1:4 ValuesLookLikePositions values that rise by 0.99995 with the position|deviations",
+            "points");
+        row("too large at points", "X [mm],Y [mm],dX [um]\n0,0,1\n10,0,201\n0,20,1\n10,20,1\n",
+            "1:3 UnitSuspicious a largest deviation of 0.201 mm over 20 mm|at most 1 % of the "
+            "travel",
+            "points");
     }
     void everyDoubtIsAWarning()
     {
+        QFETCH(const QString, format);
         QFETCH(const QByteArray, text);
         QFETCH(const QByteArray, expected);
-        const MeasurementReading reading = test::readAs("runs", text.toStdString());
+        const MeasurementReading reading = test::readAs(format.toStdString(), text.toStdString());
         VERIFY_MEASUREMENT(reading);
         const QByteArrayList found = test::describe(reading);
         QVERIFY2(
