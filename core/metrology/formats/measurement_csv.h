@@ -62,8 +62,11 @@ public:
     std::optional<double> number(std::size_t column);
     /// Nothing for column 0 and for empty cells as well.
     std::optional<double> optionalNumber(std::size_t column);
-    /// Seconds, or the time of day of ISO 8601 in seconds.
+    /// Seconds, by the unit in brackets (none: s), or the time of day of ISO 8601 in seconds.
+    /// Nothing for column 0, for empty cells, and for another unit, which is reported once.
     std::optional<double> time(std::size_t column);
+    /// In deg C, by the unit in brackets (none: C). Nothing as for time().
+    std::optional<double> temperature(std::size_t column);
     [[nodiscard]] std::string shown(std::string_view text) const;
 
     void error(DiagnosticCode code, std::size_t column, Text found, Text expected);
@@ -76,6 +79,7 @@ private:
     bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
     void takeCompensation(const std::string& value, std::size_t line);
     void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
+    void refuseUnit(std::size_t column, const TextPattern& expected);
 
     const MeasurementReadOptions& m_options;
     Measurement& m_measurement;
@@ -85,6 +89,7 @@ private:
     csv::CellReader m_cells;
     std::vector<csv::ColumnName> m_columns;
     std::vector<bool> m_isKnown;
+    std::vector<bool> m_isUnitRefused;
     std::vector<std::string> m_askedRoles;
     MeasurementComments m_comments;
     std::size_t m_headerLine = 0;

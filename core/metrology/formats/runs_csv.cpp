@@ -18,8 +18,9 @@ constexpr std::array<std::string_view, 7> rules{
     "direction (+ or -, up or down, fwd or bwd, forward or backward, positive or negative, 1 or "
     "-1); run or cycle; and either deviation (also error or value) or reference (also actual or "
     "measured).",
-    "Further columns: encoder (the raw position), output (what the drive added), time (seconds or "
-    "ISO 8601), temperature (deg C), use (0: kept, not used). Others are named in a note.",
+    "Further columns: encoder (the raw position), output (what the drive added), time (in s, ms, "
+    "min or h as its brackets say, s without; or ISO 8601), temperature (in C, K or F as its "
+    "brackets say, C without), use (0: kept, not used). Others are named in a note.",
     "A deviation is the reference position minus the target: positive when the axis went too far.",
     "Units stand in brackets behind the name, or are stated with --unit and --value-unit.",
     "run counts from 1 for each direction. Without the column, the n-th line of a target and "
@@ -207,7 +208,7 @@ void Reader::readFurther(RunValue& value)
     };
     value.encoder = scaled(m_csv.optionalNumber(m_encoder), m_encoderFactor);
     value.output = scaled(m_csv.optionalNumber(m_output), m_outputFactor);
-    value.temperature = m_csv.optionalNumber(m_temperature);
+    value.temperature = m_csv.temperature(m_temperature);
     value.time = m_csv.time(m_time);
     value.isUsed = m_csv.optionalNumber(m_use).value_or(1.0) != 0.0;
 }

@@ -16,8 +16,8 @@ constexpr std::size_t fewestSamples = 20;
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array kinds{MeasurementKind::Track};
 constexpr std::array<std::string_view, 3> rules{
-    "Columns encoder (the raw position) and reference, at least 20 lines; time and direction if "
-    "wished.",
+    "Columns encoder (the raw position) and reference, at least 20 lines; time (as that of runs) "
+    "and direction if wished.",
     "Without a column direction it follows from the motion: after each turn samples are left out, "
     "and counted, until the axis has moved --overrun (1 % of the range unless given).",
     "A track can be fitted, not judged: the figures of the standard need targets.",

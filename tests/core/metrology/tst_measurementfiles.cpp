@@ -214,6 +214,67 @@ private Q_SLOTS:
         QVERIFY(std::abs(turn.values.front().deviation - 0.001) < 1e-15);
     }
 
+    void temperaturesBecomeDegreesCelsius_data()
+    {
+        QTest::addColumn<QByteArray>("column");
+        QTest::addColumn<QByteArray>("number");
+        QTest::newRow("no unit") << QByteArray("temperature") << QByteArray("20.5");
+        QTest::newRow("C") << QByteArray("temperature [C]") << QByteArray("20.5");
+        QTest::newRow("degree sign") << QByteArray("temperature [\u00b0C]") << QByteArray("20.5");
+        QTest::newRow("K") << QByteArray("temperature [K]") << QByteArray("293.65");
+        QTest::newRow("F") << QByteArray("Temperature [degF]") << QByteArray("68.9");
+    }
+    void temperaturesBecomeDegreesCelsius()
+    {
+        QFETCH(const QByteArray, column);
+        QFETCH(const QByteArray, number);
+        const MeasurementReading reading = test::readAs("runs",
+            ("target [mm],direction,deviation [um]," + column + "\n0,+,1," + number + "\n10,+,1,\n")
+                .toStdString());
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(std::abs(reading.measurement->values[0].temperature.value_or(0.0) - 20.5) < 1e-9);
+        QVERIFY(!reading.measurement->values[1].temperature);
+    }
+
+    void timesBecomeSeconds_data()
+    {
+        QTest::addColumn<QByteArray>("column");
+        QTest::addColumn<QByteArray>("begin");
+        QTest::addColumn<QByteArray>("end");
+        const auto row = [](const char* column, const char* begin, const char* end) {
+            QTest::newRow(column) << QByteArray(column) << QByteArray(begin) << QByteArray(end);
+        };
+        row("time", "10", "5410");
+        row("time [s]", "10", "5410");
+        row("time [ms]", "10000", "5410000");
+        row("time [min]", "1", "91");
+        row("time [h]", "0.5", "2");
+        row("time [UTC]", "2026-11-21T09:30:00", "2026-11-21T11:00:00");
+    }
+    /// An hour and a half in every unit.
+    void timesBecomeSeconds()
+    {
+        QFETCH(const QByteArray, column);
+        QFETCH(const QByteArray, begin);
+        QFETCH(const QByteArray, end);
+        const MeasurementReading reading = test::readAs("runs",
+            ("target [mm],direction,deviation [um]," + column + "\n0,+,1," + begin + "\n10,+,1,"
+                + end + "\n")
+                .toStdString());
+        VERIFY_MEASUREMENT(reading);
+        const std::vector<RunValue>& values = reading.measurement->values;
+        QVERIFY(values[0].time && values[1].time);
+        QVERIFY(std::abs(*values[1].time - *values[0].time - 5400.0) < 1e-9);
+        std::string track = "encoder [mm],reference [mm]," + column.toStdString() + "\n";
+        for (int i = 0; i < 20; ++i)
+            track += std::to_string(i) + "," + std::to_string(i) + ","
+                + (i < 19 ? begin : end).toStdString() + "\n";
+        const MeasurementReading samples = test::readAs("track", track);
+        VERIFY_MEASUREMENT(samples);
+        const std::vector<TrackSample>& taken = samples.measurement->track;
+        QVERIFY(std::abs(*taken.back().time - *taken.front().time - 5400.0) < 1e-9);
+    }
+
     void aReferenceBecomesADeviation()
     {
         const MeasurementReading reading = test::readAs(

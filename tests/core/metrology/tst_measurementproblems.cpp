@@ -65,6 +65,11 @@ private Q_SLOTS:
             {"1:3 UnitMissing the unit furlong of column deviation|a length or an angle"});
         row("length and angle", "runs", "target [deg],direction,deviation [um]\n0,+,1\n1,+,1\n",
             {"1:3 UnitMixed column deviation|an angle as the targets are"});
+        row("no temperature", "runs",
+            "target [mm],direction,deviation [um],temperature [mK]\n0,+,1,291150\n1,+,1,291150\n",
+            {"1:4 Syntax temperature [mK]|a temperature in C, K or F"});
+        row("no time", "runs", "target [mm],direction,deviation [um],time [d]\n0,+,1,1\n1,+,1,2\n",
+            {"1:4 Syntax time [d]|a time in s, ms, min or h"});
         row("bad direction", "runs", head + "0,sideways,1,1\n1,+,1,1\n",
             {"2:2 BadDirection sideways|+ or -, up or down, forward or backward"});
         row("bad run", "runs", head + "0,+,0,1\n1,+,1.5,1\n2,+,x,1\n",
