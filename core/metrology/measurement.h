@@ -52,9 +52,9 @@ struct TrackSample {
 /// Values at positions of two or three axes.
 struct MeasuredPoints {
     std::vector<std::string> axes; ///< 2 or 3: "X", "Y"
-    std::vector<std::vector<double>> positions; ///< [axis][point], in mm
+    std::vector<std::vector<double>> positions; ///< [axis][point], in mm or deg
     std::vector<std::string> columns; ///< "dX"
-    std::vector<std::vector<double>> values; ///< [column][point], in mm
+    std::vector<std::vector<double>> values; ///< [column][point], in mm or deg
 
     [[nodiscard]] std::size_t size() const { return positions.empty() ? 0 : positions[0].size(); }
     friend bool operator==(const MeasuredPoints&, const MeasuredPoints&) = default;

@@ -14,11 +14,12 @@ namespace {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
 constexpr std::array kinds{MeasurementKind::Points};
-constexpr std::array<std::string_view, 3> rules{
+constexpr std::array<std::string_view, 4> rules{
     "Columns X and Y, or X, Y and Z, then any number of value columns such as dX, dY, or the "
     "coordinates of the reference Xr, Yr, Zr, whose difference to X, Y, Z is the value.",
     "A value is the reference less the position, a deviation as that of runs; with // sign: "
     "correction it is the opposite.",
+    "Positions and values are all lengths or all angles.",
     "Points may stand in any order, may be repeated, and need not be a grid.",
 };
 constexpr std::array<std::string_view, 3> axisNames{"X", "Y", "Z"};
@@ -79,6 +80,12 @@ bool Reader::findAxes()
         const auto unit = m_csv.unit(column, m_options.unit);
         if (!unit)
             continue;
+        if (!m_units.empty() && unit->isAngular != m_units.front().isAngular)
+            m_csv.error(DiagnosticCode::UnitMixed, column,
+                AXISCOMP_TEXT("Error", "column {column}").with("column", name),
+                m_units.front().isAngular
+                    ? AXISCOMP_TEXT("Error", "an angle as the first axis has")
+                    : AXISCOMP_TEXT("Error", "a length as the first axis has"));
         m_axes.push_back(column);
         m_units.push_back(*unit);
         m_points.axes.emplace_back(name);
@@ -86,7 +93,10 @@ bool Reader::findAxes()
     if (m_axes.size() < 2 && !m_diagnostics.hasErrors())
         m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no columns X and Y"),
             AXISCOMP_TEXT("Error", "columns X and Y, or X, Y and Z, with the positions"));
-    return !m_diagnostics.hasErrors();
+    if (m_diagnostics.hasErrors())
+        return false;
+    m_measurement.isAngular = m_units.front().isAngular;
+    return true;
 }
 
 void Reader::addValues(std::size_t column, std::string name, std::optional<std::size_t> axis)

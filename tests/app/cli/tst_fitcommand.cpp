@@ -526,6 +526,23 @@ private Q_SLOTS:
         VERIFY_CODE(box.run(fit + QStringList{"-o", "one.TAMtbl", "--table", "dY"}), 0);
     }
 
+    void pointsOfAnglesGiveATableOfAngles()
+    {
+        const Sandbox box;
+        QByteArray text = "X [deg],Y [deg],dX [arcsec]\n";
+        for (int x = 0; x <= 30; x += 10)
+            for (int y = 0; y <= 20; y += 10)
+                text += QByteArray::number(x) + ',' + QByteArray::number(y) + ','
+                    + QByteArray::number(36 * (x / 10)) + '\n';
+        box.file("turns.csv", text);
+        VERIFY_CODE(box.run(QStringList{"fit", "turns.csv", "--smoothness", "0"} + offAtEncoder
+                        + QStringList{"-o", "tables.csv"}),
+            0);
+        const QByteArray csv = box.content("tables.csv");
+        QVERIFY2(csv.contains("X [deg],Y [deg],dX [deg]\n"), csv.constData());
+        QVERIFY2(csv.contains("\n30,20,0.03\n"), csv.constData());
+    }
+
     /// The whole way of a person who has two measurements: table, record, proof of improvement,
     /// page.
     void aRecordLeadsFromTheMeasurementToTheReport()

@@ -308,6 +308,16 @@ private Q_SLOTS:
         QVERIFY(std::abs(deviations[1].back() - 0.004) < 1e-12);
     }
 
+    void pointsOfAnglesAreDegrees()
+    {
+        const MeasurementReading reading = test::readAs(
+            "points", "X [arcmin],Y [deg],dX [arcsec]\n0,0,1.8\n2400,0,1.8\n0,20,3.6\n");
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(reading.measurement->isAngular);
+        QVERIFY(std::abs(reading.measurement->points.positions[0][1] - 40.0) < 1e-12);
+        QVERIFY(std::abs(reading.measurement->points.values[0][2] - 0.001) < 1e-15);
+    }
+
     void runsAreCountedWhereTheFileDoesNot()
     {
         const MeasurementReading reading = test::readAs("runs",

@@ -65,6 +65,10 @@ private Q_SLOTS:
             {"1:3 UnitMissing the unit furlong of column deviation|a length or an angle"});
         row("length and angle", "runs", "target [deg],direction,deviation [um]\n0,+,1\n1,+,1\n",
             {"1:3 UnitMixed column deviation|an angle as the targets are"});
+        row("a length and an angle as axes", "points", "X [mm],Y [deg],dX [um]\n0,0,1\n1,0,1\n",
+            {"1:2 UnitMixed column Y|a length as the first axis has"});
+        row("an angle and a length as axes", "points", "X [deg],Y [mm],dX [arcsec]\n0,0,1\n1,0,1\n",
+            {"1:2 UnitMixed column Y|an angle as the first axis has"});
         row("no temperature", "runs",
             "target [mm],direction,deviation [um],temperature [mK]\n0,+,1,291150\n1,+,1,291150\n",
             {"1:4 Syntax temperature [mK]|a temperature in C, K or F"});
