@@ -50,9 +50,10 @@ std::optional<Block> blockOf(std::string_view line)
 
 class Reader {
 public:
-    Reader(Measurement& measurement, const MeasurementReadOptions& /*options*/,
+    Reader(Measurement& measurement, const MeasurementReadOptions& options,
         DiagnosticList& diagnostics, Encoding encoding)
         : m_measurement(measurement)
+        , m_options(options)
         , m_diagnostics(diagnostics)
         , m_encoding(encoding)
     {
@@ -71,8 +72,10 @@ private:
         return m_blocks[static_cast<std::size_t>(block)];
     }
     void addFollowing(std::vector<RawRunValue>& values);
+    void inUnits(std::vector<RawRunValue>& values);
 
     Measurement& m_measurement;
+    const MeasurementReadOptions& m_options;
     DiagnosticList& m_diagnostics;
     Encoding m_encoding;
     Block m_block = Block::None;
@@ -128,6 +131,22 @@ void Reader::addFollowing(std::vector<RawRunValue>& values)
     }
 }
 
+/// The format has mm for both.
+void Reader::inUnits(std::vector<RawRunValue>& values)
+{
+    const auto targets =
+        unitOfFormat("targets", m_options.unit, "mm", m_measurement, m_diagnostics);
+    const auto errors =
+        unitOfFormat("values", m_options.valueUnit, "mm", m_measurement, m_diagnostics);
+    if (!targets || !errors || !areSameKind(*targets, *errors, m_diagnostics))
+        return;
+    m_measurement.isAngular = targets->isAngular;
+    for (RawRunValue& raw : values) {
+        raw.target *= targets->factor;
+        raw.value.deviation *= errors->factor;
+    }
+}
+
 std::vector<RawRunValue> Reader::values()
 {
     std::vector<RawRunValue> values;
@@ -143,6 +162,7 @@ std::vector<RawRunValue> Reader::values()
             AXISCOMP_TEXT("Error",
                 "a block Forward Directional Avg Error; the mean of both directions alone says "
                 "nothing of either"));
+    inUnits(values);
     return values;
 }
 

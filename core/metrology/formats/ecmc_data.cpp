@@ -78,7 +78,6 @@ private:
     void refuseKey(const Token& line);
     void checkCount(
         const std::optional<std::int64_t>& said, std::size_t found, std::string_view key);
-    [[nodiscard]] std::optional<MeasurementUnit> unit();
 
     Measurement& m_measurement;
     const MeasurementReadOptions& m_options;
@@ -175,16 +174,6 @@ void Reader::checkCount(
             AXISCOMP_TEXT("Error", "the whole file"));
 }
 
-std::optional<MeasurementUnit> Reader::unit()
-{
-    const auto unit = measurementUnit(m_options.unit.empty() ? m_unit : m_options.unit);
-    if (!unit)
-        m_diagnostics.error(DiagnosticCode::UnitMissing, 0, 0,
-            AXISCOMP_TEXT("Error", "the unit {unit}").with("unit", m_unit),
-            AXISCOMP_TEXT("Error", "a length or an angle: mm, um, m, inch, deg, arcsec, mrad"));
-    return unit;
-}
-
 std::vector<RawRunValue> Reader::values()
 {
     std::set<std::int64_t> cycles;
@@ -192,8 +181,11 @@ std::vector<RawRunValue> Reader::values()
         cycles.insert(reading.cycle);
     checkCount(m_positions, m_targets.size(), "POSITIONS");
     checkCount(m_cycles, cycles.size(), "CYCLES");
-    const auto unit = this->unit();
-    if (!unit)
+    const auto unit = unitOfFormat("targets", m_options.unit, m_unit, m_measurement, m_diagnostics);
+    const auto valueUnit = m_options.valueUnit.empty()
+        ? unit
+        : unitOfFormat("values", m_options.valueUnit, m_unit, m_measurement, m_diagnostics);
+    if (!unit || !valueUnit || !areSameKind(*unit, *valueUnit, m_diagnostics))
         return {};
     m_measurement.isAngular = unit->isAngular;
     std::vector<RawRunValue> values;
@@ -208,7 +200,7 @@ std::vector<RawRunValue> Reader::values()
         }
         RawRunValue raw;
         raw.target = target->second * unit->factor;
-        raw.reference = reading.position * unit->factor;
+        raw.reference = reading.position * valueUnit->factor;
         raw.value.direction = reading.direction;
         raw.value.run = static_cast<int>(reading.cycle);
         raw.value.line = reading.line;

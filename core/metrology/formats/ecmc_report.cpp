@@ -84,6 +84,7 @@ private:
     std::optional<Approach> m_direction; ///< of the table that is being read
     std::size_t m_columns = 0; ///< of that table; 0: its head has not come yet
     std::optional<MeasurementUnit> m_unit;
+    std::optional<MeasurementUnit> m_valueUnit; ///< of the positions of the reference
     double m_halfUnit = 0.0; ///< of the numbers of the tables
     std::vector<RawRunValue> m_values;
 };
@@ -115,6 +116,13 @@ void Reader::takeUnit(const Token& line, std::string_view symbol)
         m_diagnostics.error(
             DiagnosticCode::UnitMixed, line.line, 0, Verbatim{excerpt(line.text, m_encoding)}, {});
     m_unit = unit;
+    if (m_options.valueUnit.empty())
+        m_valueUnit = unit;
+    else if (!m_valueUnit) // the second table has the same head
+        m_valueUnit = unitOfFormat(
+            "values", m_options.valueUnit, std::string(symbol), m_measurement, m_diagnostics);
+    if (m_unit && m_valueUnit && areSameKind(*m_unit, *m_valueUnit, m_diagnostics))
+        m_measurement.isAngular = m_unit->isAngular;
 }
 
 std::optional<double> Reader::number(const Token& token)
@@ -152,11 +160,11 @@ void Reader::takeRow(const Token& line)
         readNumber(cells[1], AXISCOMP_TEXT("Error", "the position of a target"), m_diagnostics);
     for (std::size_t cell = 2; cell < cells.size(); ++cell) {
         const auto position = number(cells[cell]);
-        if (!target || !position || !m_unit)
+        if (!target || !position || !m_unit || !m_valueUnit)
             continue;
         RawRunValue raw;
         raw.target = *target * m_unit->factor;
-        raw.reference = *position * m_unit->factor;
+        raw.reference = *position * m_valueUnit->factor;
         raw.value.direction = *m_direction;
         raw.value.run = static_cast<int>(cell) - 1;
         raw.value.line = line.line;
@@ -189,8 +197,8 @@ void Reader::takeResult(const Token& line)
 
 std::vector<RawRunValue> Reader::values()
 {
-    if (m_unit)
-        m_measurement.halfPrintedUnit = m_halfUnit * m_unit->factor;
+    if (m_valueUnit)
+        m_measurement.halfPrintedUnit = m_halfUnit * m_valueUnit->factor;
     if (!m_diagnostics.hasErrors() && !m_values.empty())
         m_diagnostics.warning(DiagnosticCode::DirectionsDoubtful, 0, 0,
             AXISCOMP_TEXT("Error",

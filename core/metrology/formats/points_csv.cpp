@@ -143,6 +143,11 @@ bool Reader::findValues()
     if (m_values.empty())
         m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column of values"),
             AXISCOMP_TEXT("Error", "at least one behind the positions, such as dX [um]"));
+    else
+        checkStatedValues(m_options,
+            std::ranges::any_of(
+                m_values, [](const ValueColumn& one) { return one.axis.has_value(); }),
+            m_diagnostics);
     return !m_diagnostics.hasErrors();
 }
 
@@ -160,8 +165,8 @@ bool Reader::readPoint()
         const auto number = m_csv.number(column.column);
         isGood = isGood && number;
         const bool isCorrection = !column.axis && m_csv.comments().holdsCorrections;
-        const double scaled =
-            number.value_or(0.0) * (isCorrection ? -column.factor : column.factor);
+        const bool isTurned = isCorrection || (column.axis && m_options.invertsReference);
+        const double scaled = number.value_or(0.0) * (isTurned ? -column.factor : column.factor);
         m_lineValues.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
     }
     if (!isGood)

@@ -425,9 +425,16 @@ std::optional<Approach> Reader::directionOf(const std::vector<Deviation>& run)
 
 std::vector<RawRunValue> Reader::values()
 {
-    const bool isAngular = sameLetters(m_type, "rta");
-    m_measurement.isAngular = isAngular;
-    const double factor = isAngular ? 1e-3 * 180.0 / std::numbers::pi : 1e-3;
+    const bool isRta = sameLetters(m_type, "rta");
+    const auto targetUnit =
+        unitOfFormat("targets", m_options.unit, isRta ? "deg" : "mm", m_measurement, m_diagnostics);
+    const auto valueUnit = unitOfFormat(
+        "values", m_options.valueUnit, isRta ? "mrad" : "um", m_measurement, m_diagnostics);
+    if (!targetUnit || !valueUnit || !areSameKind(*targetUnit, *valueUnit, m_diagnostics))
+        return {};
+    m_measurement.isAngular = targetUnit->isAngular;
+    const double ofType = isRta ? 1e-3 * 180.0 / std::numbers::pi : 1e-3;
+    const double factor = m_options.valueUnit.empty() ? ofType : valueUnit->factor;
     // Targets whose order falls with their number turn every run round.
     const bool isFalling = m_targets.size() > 1 && m_targets.back() < m_targets.front();
     std::map<std::int64_t, std::vector<Deviation>> runs;
@@ -445,7 +452,7 @@ std::vector<RawRunValue> Reader::values()
         const int count = ++counts[static_cast<std::size_t>(direction)];
         for (const Deviation& deviation : run) {
             RawRunValue raw;
-            raw.target = m_targets[deviation.target];
+            raw.target = m_targets[deviation.target] * targetUnit->factor;
             raw.value.direction = direction;
             raw.value.run = count;
             raw.value.deviation = deviation.value * factor;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/formats/run_assembly.h"
 
+#include "core/table/position_unit.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -144,6 +146,8 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
         encoder.push_back(raw.value.encoder.value_or(raw.target));
         reference.push_back(*raw.reference);
     }
+    if (!values.empty())
+        checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (!reference.empty())
         checkInstrumentScale(encoder, reference, m_diagnostics);
 }
@@ -297,6 +301,49 @@ void checkInstrumentScale(
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
             .with("slope", Quantity{shortNumber(*slope)}),
         scaleExplanation(*slope));
+}
+
+std::optional<MeasurementUnit> unitOfFormat(std::string_view what, const std::string& stated,
+    const std::string& ofFile, Measurement& measurement, DiagnosticList& diagnostics)
+{
+    const std::string& symbol = stated.empty() ? ofFile : stated;
+    const auto unit = measurementUnit(symbol);
+    if (!unit)
+        diagnostics.error(DiagnosticCode::UnitMissing, 0, 0,
+            AXISCOMP_TEXT("Error", "the unit {unit}").with("unit", symbol),
+            AXISCOMP_TEXT("Error", "a length or an angle: mm, um, m, inch, deg, arcsec, mrad"));
+    else if (!stated.empty() && !isSameUnit(stated, ofFile))
+        measurement.notes.push_back(
+            std::string(what) + ": unit stated as " + stated + ", the file says " + ofFile);
+    return unit;
+}
+
+bool areSameKind(
+    const MeasurementUnit& targets, const MeasurementUnit& values, DiagnosticList& diagnostics)
+{
+    if (targets.isAngular == values.isAngular)
+        return true;
+    diagnostics.error(DiagnosticCode::UnitMixed, 0, 0, {},
+        targets.isAngular ? AXISCOMP_TEXT("Error", "an angle as the targets are")
+                          : AXISCOMP_TEXT("Error", "a length as the targets are"));
+    return false;
+}
+
+void checkStatedValues(
+    const MeasurementReadOptions& options, bool holdsReference, DiagnosticList& diagnostics)
+{
+    using Values = MeasurementReadOptions::Values;
+    const bool isOther = options.values == (holdsReference ? Values::Deviation : Values::Reference);
+    if (isOther)
+        diagnostics.error(DiagnosticCode::MissingColumn, 0, 0,
+            holdsReference ? AXISCOMP_TEXT("Error", "positions of the reference")
+                           : AXISCOMP_TEXT("Error", "deviations"),
+            AXISCOMP_TEXT("Error", "what --values says; leave it out, since the file says it"));
+    else if (options.invertsReference && !holdsReference)
+        diagnostics.error(DiagnosticCode::MissingColumn, 0, 0, AXISCOMP_TEXT("Error", "deviations"),
+            AXISCOMP_TEXT("Error",
+                "positions of the reference for --invert-reference; deviations with the opposite "
+                "sign say it in the file (// sign: correction)"));
 }
 
 void checkValueSizes(const SizedValues& sized, DiagnosticList& diagnostics)

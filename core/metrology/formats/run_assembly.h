@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/formats/measurement_csv.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -36,6 +37,20 @@ struct SizedValues {
 /// Warns of deviations that look like positions (ValuesLookLikePositions), or whose size does not
 /// fit the travel (UnitSuspicious).
 void checkValueSizes(const SizedValues& sized, DiagnosticList& diagnostics);
+
+/// The unit of something for which the format itself has one (ofFile): that which the user states,
+/// with a note where it is another one. what: "targets", "values". Nothing: it is no unit, which is
+/// reported.
+[[nodiscard]] std::optional<MeasurementUnit> unitOfFormat(std::string_view what,
+    const std::string& stated, const std::string& ofFile, Measurement& measurement,
+    DiagnosticList& diagnostics);
+/// That targets and values are both lengths or both angles; what else is reported.
+[[nodiscard]] bool areSameKind(
+    const MeasurementUnit& targets, const MeasurementUnit& values, DiagnosticList& diagnostics);
+
+/// That --values and --invert-reference suit what a file holds; what else is reported.
+void checkStatedValues(
+    const MeasurementReadOptions& options, bool holdsReference, DiagnosticList& diagnostics);
 
 /// What every reader of a text does round its own `parse`: binary and oversized files, memory,
 /// numbers beyond what a double holds.

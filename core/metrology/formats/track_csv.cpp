@@ -112,6 +112,7 @@ bool Reader::findColumns()
     const auto encoder = m_csv.unit(m_encoder, m_options.unit);
     const auto reference = m_csv.unit(m_reference, m_options.valueUnit);
     m_csv.checkSameKind(encoder, reference, m_reference);
+    checkStatedValues(m_options, true, m_diagnostics);
     if (!encoder || !reference || m_diagnostics.hasErrors())
         return false;
     m_encoderFactor = encoder->factor;

@@ -356,6 +356,43 @@ private Q_SLOTS:
             std::vector<std::string>{"column deviation: unit stated as mm, the file says um"});
     }
 
+    /// Files that have units by their format: 1 inch is 25.4 mm, 2 of a value are 0.002 mm.
+    void aStatedUnitCountsBeforeTheFormat()
+    {
+        MeasurementReadOptions options;
+        options.unit = "inch";
+        options.valueUnit = "um";
+        const MeasurementReading means = test::readAs("api-pos",
+            "Position Forward Directional Avg Error\n0 1\n1 2\n"
+            "Position Reverse Directional Avg Error\n0 1\n1 2\n",
+            options);
+        VERIFY_MEASUREMENT(means);
+        QVERIFY(std::abs(means.measurement->targets.back() - 25.4) < 1e-12);
+        QVERIFY(std::abs(means.measurement->values[1].deviation - 0.002) < 1e-15);
+        QCOMPARE(means.measurement->notes,
+            (std::vector<std::string>{"targets: unit stated as inch, the file says mm",
+                "values: unit stated as um, the file says mm"}));
+        options.valueUnit = "mm";
+        const std::string rtl =
+            "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 2\nTargets : 0 10\n"
+            "DEVIATIONS::\nRun Target Data:\n1 1 0.001\n1 2 0.002\nEOF::\n";
+        const MeasurementReading runs = test::readAs("renishaw", rtl, options);
+        VERIFY_MEASUREMENT(runs);
+        QVERIFY(std::abs(runs.measurement->targets.back() - 254.0) < 1e-12);
+        QVERIFY(std::abs(runs.measurement->values[1].deviation - 0.002) < 1e-15);
+        options.unit = "mm";
+        options.valueUnit = "um";
+        const MeasurementReading readings = test::readAs("ecmc",
+            "TGT_DATA[1]=0\nTGT_DATA[2]=10\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=10002\n",
+            options);
+        VERIFY_MEASUREMENT(readings);
+        QVERIFY(std::abs(readings.measurement->values[1].deviation - 0.002) < 1e-12);
+        options.valueUnit = "deg";
+        const QByteArrayList said = test::describe(test::readAs("renishaw", rtl, options));
+        QVERIFY2(said.size() == 1 && said.front().startsWith("0:0 UnitMixed"),
+            said.join('\n').constData());
+    }
+
     void directionsFollowFromTheOrder()
     {
         MeasurementReadOptions options;

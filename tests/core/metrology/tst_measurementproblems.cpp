@@ -231,6 +231,44 @@ private Q_SLOTS:
         QVERIFY(std::abs(reading.measurement->values[1].deviation - 0.001) < 1e-12);
     }
 
+    /// Points whose reference counts the other way are 0.004 mm too far at 40 mm.
+    void theReferenceOfPointsIsInvertedWhenAskedFor()
+    {
+        MeasurementReadOptions options;
+        options.invertsReference = true;
+        const MeasurementReading reading = test::readAs("points",
+            "X [mm],Y [mm],Xr [mm]\n0,0,0\n40,0,-40.004\n0,20,0\n40,20,-40.004\n", options);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(std::abs(reading.measurement->points.values[0][1] - 0.004) < 1e-12);
+    }
+
+    void whatIsStatedOfOtherValuesIsRefused_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* format, const std::string& text) {
+            QTest::newRow(format) << QString::fromLatin1(format) << QByteArray::fromStdString(text);
+        };
+        row("runs", head + "0,+,1,1\n10,+,1,1\n");
+        row("renishaw", rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n"));
+        row("api-pos",
+            "Position Forward Directional Avg Error\n0 0.001\n10 0.001\n"
+            "Position Reverse Directional Avg Error\n0 0.001\n10 0.001\n");
+        row("points", "X [mm],Y [mm],dX [um]\n0,0,1\n10,0,1\n0,10,1\n");
+    }
+    void whatIsStatedOfOtherValuesIsRefused()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        MeasurementReadOptions options;
+        VERIFY_MEASUREMENT(test::readAs(format.toStdString(), text.toStdString(), options));
+        options.invertsReference = true;
+        const QByteArrayList said =
+            test::describe(test::readAs(format.toStdString(), text.toStdString(), options));
+        QVERIFY2(said.size() == 1 && said.front().contains("MissingColumn deviations|positions of"),
+            said.join('\n').constData());
+    }
+
     void aFactorWithinOnePercentIsTheMachines()
     {
         const MeasurementReading reading = test::readAs("runs",

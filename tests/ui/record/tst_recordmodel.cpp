@@ -131,9 +131,9 @@ private Q_SLOTS:
         corrections.temperature = TemperatureCorrection{22.5, 11.5e-6};
         model.setCorrections(corrections);
         note();
-        MeasurementChoices otherWay;
-        otherWay.invertsReference = true;
-        model.setChoices(0, otherWay);
+        MeasurementChoices stated;
+        stated.unit = "mm";
+        model.setChoices(0, stated);
         note();
         model.addFiles({publicMeasurement("b02_x")});
         note();
