@@ -46,7 +46,7 @@ Result<Json> readUncertainty(const Measurement& measurement, const ToleranceOpti
 Result<std::optional<TemperatureCorrection>> temperatureOf(
     const Measurement& measurement, const CorrectionOptions& options, const std::string& command)
 {
-    if (!options.temperature && !options.expansion)
+    if (!options.asksForTemperature())
         return std::nullopt;
     const auto temperature =
         options.temperature ? options.temperature : measurement.header.materialTemperature;

@@ -25,7 +25,12 @@ struct CorrectionOptions {
     bool isNotCorrected = false;
     std::string deadPath; ///< file with its length and the air of each run
 
-    [[nodiscard]] bool isEmpty() const { return !temperature && !expansion && deadPath.empty(); }
+    /// --not-corrected alone asks for nothing.
+    [[nodiscard]] bool asksForTemperature() const
+    {
+        return temperature || expansion || referenceTemperature || referenceExpansion || datum;
+    }
+    [[nodiscard]] bool isEmpty() const { return !asksForTemperature() && deadPath.empty(); }
 };
 void addCorrectionOptions(CLI::App& command, CorrectionOptions& options);
 

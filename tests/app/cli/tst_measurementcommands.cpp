@@ -434,6 +434,23 @@ private Q_SLOTS:
         QVERIFY2(judged.err.contains("NoTargets"), judged.err.constData());
     }
 
+    void whatIsSaidOfTheReferenceAsksForACorrection_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("reference")
+            << QStringList{"--reference-temperature", "25", "--reference-expansion", "11.5e-6"};
+        QTest::newRow("datum") << QStringList{"--datum", "200"};
+    }
+    void whatIsSaidOfTheReferenceAsksForACorrection()
+    {
+        QFETCH(const QStringList, options);
+        const Sandbox box;
+        const ProgramRun run =
+            box.run(QStringList{"judge", publicFile("bifrost.csv"), "--not-corrected"} + options);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("give --temperature"), run.err.constData());
+    }
+
     void aCorrectionIsMadeOnlyWhenItIsClear()
     {
         const Sandbox box;
