@@ -8045,6 +8045,42 @@
         <source>a unit that is not stated</source>
         <translation>einer Einheit, die nicht angegeben ist</translation>
     </message>
+    <message>
+        <source>a time in s, ms, min or h, in brackets behind the name; without a unit it is in s</source>
+        <translation>eine Zeit in s, ms, min oder h, in Klammern hinter dem Namen; ohne Einheit ist sie in s</translation>
+    </message>
+    <message>
+        <source>a temperature in C, K or F, in brackets behind the name; without a unit it is in C</source>
+        <translation>eine Temperatur in C, K oder F, in Klammern hinter dem Namen; ohne Einheit ist sie in C</translation>
+    </message>
+    <message>
+        <source>an angle as the first axis has</source>
+        <translation>ein Winkel wie bei der ersten Achse</translation>
+    </message>
+    <message>
+        <source>a length as the first axis has</source>
+        <translation>eine Länge wie bei der ersten Achse</translation>
+    </message>
+    <message>
+        <source>positions of the reference</source>
+        <translation>Positionen der Referenz</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>what --values says; leave it out, since the file says it</source>
+        <translation>was --values sagt; lassen Sie es weg, denn die Datei sagt es selbst</translation>
+    </message>
+    <message>
+        <source>positions of the reference for --invert-reference; deviations with the opposite sign say it in the file (// sign: correction)</source>
+        <translation>Positionen der Referenz für --invert-reference; für Abweichungen mit umgekehrtem Vorzeichen steht das in der Datei (// sign: correction)</translation>
+    </message>
+    <message>
+        <source>values that rise by {slope} with the position</source>
+        <translation>Werte, die mit der Position um {slope} steigen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -7995,15 +7995,15 @@
     </message>
     <message>
         <source>the plan is in {planned}, and axis {axis} of the drive in {unit}: make a plan in {needed}, or choose another axis</source>
-        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit} : établir un plan en {needed} ou choisir un autre axe</translation>
+        <translation>le plan est en {planned}, et l&apos;axe {axis} du variateur en {unit}&#xa0;: établir un plan en {needed} ou choisir un autre axe</translation>
     </message>
     <message>
         <source>The table that no axis used in {slot} is not restored: the table of this axis is there.</source>
-        <translation>La table de {slot} qu&apos;aucun axe n&apos;utilisait n&apos;est pas restaurée : la table de cet axe s&apos;y trouve.</translation>
+        <translation>La table de {slot} qu&apos;aucun axe n&apos;utilisait n&apos;est pas restaurée&#xa0;: la table de cet axe s&apos;y trouve.</translation>
     </message>
     <message>
         <source>the values for {column} are said to be in the unit of the drive, and the positions that they are added to are in {unit}; state the unit of the values, or that the positions are in that of the drive, too</source>
-        <translation>les valeurs pour {column} sont déclarées dans l&apos;unité du variateur, et les positions auxquelles elles s&apos;ajoutent sont en {unit} ; indiquer l&apos;unité des valeurs, ou que les positions sont aussi dans celle du variateur</translation>
+        <translation>les valeurs pour {column} sont déclarées dans l&apos;unité du variateur, et les positions auxquelles elles s&apos;ajoutent sont en {unit}&#xa0;; indiquer l&apos;unité des valeurs, ou que les positions sont aussi dans celle du variateur</translation>
     </message>
     <message>
         <source>{name} = {value}, which multiplies the table on the control</source>
@@ -8011,39 +8011,75 @@
     </message>
     <message>
         <source>1; take the line out, and multiply the values by the number (--scale)</source>
-        <translation>1 ; supprimer la ligne et multiplier les valeurs par ce nombre (--scale)</translation>
+        <translation>1&#xa0;; supprimer la ligne et multiplier les valeurs par ce nombre (--scale)</translation>
     </message>
     <message>
         <source>the values for {column} are in {unit}, which cannot be given in {other}, the unit of the positions that they are added to; correct the units</source>
-        <translation>les valeurs pour {column} sont en {unit}, ce qui ne peut pas être converti en {other}, l&apos;unité des positions auxquelles elles s&apos;ajoutent ; corriger les unités</translation>
+        <translation>les valeurs pour {column} sont en {unit}, ce qui ne peut pas être converti en {other}, l&apos;unité des positions auxquelles elles s&apos;ajoutent&#xa0;; corriger les unités</translation>
     </message>
     <message>
         <source>{name} does not say the unit of its numbers, and its CRC-32 {crc} is the same in mm and in m, in degrees and in radians: take a calibration file in whose header the units stand, such as the one that reading the table from the drive writes</source>
-        <translation>{name} ne dit pas l&apos;unité de ses nombres, et son CRC-32 {crc} est le même en mm et en m, en degrés et en radians : prendre un fichier d&apos;étalonnage dont l&apos;en-tête porte les unités, comme celui qu&apos;écrit la lecture de la table dans le variateur</translation>
+        <translation>{name} ne dit pas l&apos;unité de ses nombres, et son CRC-32 {crc} est le même en mm et en m, en degrés et en radians&#xa0;: prendre un fichier d&apos;étalonnage dont l&apos;en-tête porte les unités, comme celui qu&apos;écrit la lecture de la table dans le variateur</translation>
     </message>
     <message>
         <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
-        <translation>avec {name}, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions : ne fusionner avec rien (omettre --onto), car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
+        <translation>avec {name}, l&apos;axe avait d&apos;autres sources, si bien que ses valeurs peuvent appartenir à d&apos;autres positions&#xa0;: ne fusionner avec rien (omettre --onto), car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
     </message>
     <message>
         <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
-        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec une table (--onto) ; ici, les valeurs sont l&apos;erreur entière</translation>
+        <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec une table (--onto)&#xa0;; ici, les valeurs sont l&apos;erreur entière</translation>
     </message>
     <message>
         <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>ce qui a été mesuré suivant un axe est fusionné avec une table à une dimension ; {name} en a {dimensions}</translation>
+        <translation>ce qui a été mesuré suivant un axe est fusionné avec une table à une dimension&#xa0;; {name} en a {dimensions}</translation>
     </message>
     <message>
         <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
-        <translation>l&apos;axe {measured} a été mesuré, et une table de l&apos;axe {axis} n&apos;en prédit rien : prendre la table de l&apos;axe mesuré</translation>
+        <translation>l&apos;axe {measured} a été mesuré, et une table de l&apos;axe {axis} n&apos;en prédit rien&#xa0;: prendre la table de l&apos;axe mesuré</translation>
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
-        <translation>rien ne se fusionne selon la température : omettre --onto, car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
+        <translation>rien ne se fusionne selon la température&#xa0;: omettre --onto, car avec les positions brutes dans le fichier les valeurs sont l&apos;erreur entière</translation>
     </message>
     <message>
         <source>a unit that is not stated</source>
         <translation>unité non indiquée</translation>
+    </message>
+    <message>
+        <source>a time in s, ms, min or h, in brackets behind the name; without a unit it is in s</source>
+        <translation>un temps en s, ms, min ou h, entre crochets après le nom ; sans unité, il est en s</translation>
+    </message>
+    <message>
+        <source>a temperature in C, K or F, in brackets behind the name; without a unit it is in C</source>
+        <translation>une température en C, K ou F, entre crochets après le nom ; sans unité, elle est en C</translation>
+    </message>
+    <message>
+        <source>an angle as the first axis has</source>
+        <translation>un angle, comme pour le premier axe</translation>
+    </message>
+    <message>
+        <source>a length as the first axis has</source>
+        <translation>une longueur, comme pour le premier axe</translation>
+    </message>
+    <message>
+        <source>positions of the reference</source>
+        <translation>positions de la référence</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>écarts</translation>
+    </message>
+    <message>
+        <source>what --values says; leave it out, since the file says it</source>
+        <translation>ce que dit --values ; omettez-le, puisque le fichier le dit</translation>
+    </message>
+    <message>
+        <source>positions of the reference for --invert-reference; deviations with the opposite sign say it in the file (// sign: correction)</source>
+        <translation>des positions de la référence pour --invert-reference ; des écarts de signe opposé l&apos;indiquent dans le fichier (// sign: correction)</translation>
+    </message>
+    <message>
+        <source>values that rise by {slope} with the position</source>
+        <translation>des valeurs qui croissent de {slope} avec la position</translation>
     </message>
 </context>
 <context>

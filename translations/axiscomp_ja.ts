@@ -8004,6 +8004,42 @@
         <source>a unit that is not stated</source>
         <translation>(指定なし)</translation>
     </message>
+    <message>
+        <source>a time in s, ms, min or h, in brackets behind the name; without a unit it is in s</source>
+        <translation>時間。単位は名前の後の角括弧に s、ms、min、h のいずれかで示す。単位がなければ s</translation>
+    </message>
+    <message>
+        <source>a temperature in C, K or F, in brackets behind the name; without a unit it is in C</source>
+        <translation>温度。単位は名前の後の角括弧に C、K、F のいずれかで示す。単位がなければ C</translation>
+    </message>
+    <message>
+        <source>an angle as the first axis has</source>
+        <translation>最初の軸と同じく角度</translation>
+    </message>
+    <message>
+        <source>a length as the first axis has</source>
+        <translation>最初の軸と同じく長さ</translation>
+    </message>
+    <message>
+        <source>positions of the reference</source>
+        <translation>基準の位置</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>what --values says; leave it out, since the file says it</source>
+        <translation>--values の指定と同じもの。ファイルからわかるので --values を省いてください</translation>
+    </message>
+    <message>
+        <source>positions of the reference for --invert-reference; deviations with the opposite sign say it in the file (// sign: correction)</source>
+        <translation>--invert-reference には基準の位置。符号が逆の偏差は、ファイルにその旨を書く (// sign: correction)</translation>
+    </message>
+    <message>
+        <source>values that rise by {slope} with the position</source>
+        <translation>位置に対して傾き {slope} で増える値</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

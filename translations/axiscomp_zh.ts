@@ -8004,6 +8004,42 @@
         <source>a unit that is not stated</source>
         <translation>未注明的单位</translation>
     </message>
+    <message>
+        <source>a time in s, ms, min or h, in brackets behind the name; without a unit it is in s</source>
+        <translation>时间，单位为 s、ms、min 或 h，写在名称后的方括号中；没有单位时为 s</translation>
+    </message>
+    <message>
+        <source>a temperature in C, K or F, in brackets behind the name; without a unit it is in C</source>
+        <translation>温度，单位为 C、K 或 F，写在名称后的方括号中；没有单位时为 C</translation>
+    </message>
+    <message>
+        <source>an angle as the first axis has</source>
+        <translation>角度，与第一个轴一样</translation>
+    </message>
+    <message>
+        <source>a length as the first axis has</source>
+        <translation>长度，与第一个轴一样</translation>
+    </message>
+    <message>
+        <source>positions of the reference</source>
+        <translation>基准的位置</translation>
+    </message>
+    <message>
+        <source>deviations</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>what --values says; leave it out, since the file says it</source>
+        <translation>--values 所指明的内容；请省略它，因为文件已有说明</translation>
+    </message>
+    <message>
+        <source>positions of the reference for --invert-reference; deviations with the opposite sign say it in the file (// sign: correction)</source>
+        <translation>--invert-reference 需要基准的位置；符号相反的偏差须在文件中说明 (// sign: correction)</translation>
+    </message>
+    <message>
+        <source>values that rise by {slope} with the position</source>
+        <translation>随位置以 {slope} 的斜率上升的值</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
