@@ -186,7 +186,10 @@ std::string targetInHeader(std::string_view header, std::span<const std::string>
 std::string_view axisOfColumn(std::string_view header)
 {
     const std::string_view word = letterInHeader(header);
-    return mayBeCounted(word) ? std::string_view() : word;
+    constexpr std::string_view linear = "XYZxyz";
+    const bool isSymbol = trimmed(header) == word && word.size() == 1
+        && linear.find(word.front()) == std::string_view::npos;
+    return mayBeCounted(word) || isSymbol ? std::string_view() : word;
 }
 
 std::string portableTarget(std::string_view statement, std::span<const std::string> headers)

@@ -59,7 +59,7 @@ struct CompensationTable;
 
 /// The axis of the machine that the header of a column of values names, whatever its sources are
 /// called: "Y" for "Y error". Empty: none, or a single A, B or C, since columns are also counted by
-/// letters.
+/// letters, or nothing but U, V or W, which are symbols of values.
 [[nodiscard]] std::string_view axisOfColumn(std::string_view header);
 
 /// The statement, so that a reader who knows only the headers takes it the same way.

@@ -450,7 +450,7 @@ private Q_SLOTS:
                 const auto runs = RunFile::open(file, plan, origin);
                 QVERIFY2(runs.has_value(), runs ? "" : sentence(runs.error()).c_str());
                 QCOMPARE(
-                    static_cast<long>(runs->taken()), std::max(0L, static_cast<long>(lines) - 9));
+                    static_cast<long>(runs->taken()), std::max(0L, static_cast<long>(lines) - 8));
                 QCOMPARE(contentOf(file).back(), '\n'); // nothing is left of a half line
             }
             QCOMPARE(QString::fromStdString(fill()), QString::fromStdString(whole));

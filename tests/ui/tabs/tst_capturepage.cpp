@@ -147,7 +147,7 @@ struct CaptureBench {
     [[nodiscard]] int taken() const
     {
         const std::string text = contentOf(values);
-        return static_cast<int>(std::ranges::count(text, '\n')) - 9;
+        return static_cast<int>(std::ranges::count(text, '\n')) - 8;
     }
     [[nodiscard]] bool hasTaken(int count)
     {
