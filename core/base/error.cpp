@@ -320,6 +320,12 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::UnitMismatch && error.context.contains("restored"))
+        return {AXISCOMP_TEXT("Error",
+                    "the {what} are in {unit} in the backup, and the drive has them in {other} "
+                    "now, so that the same numbers would mean something else; set the unit on the "
+                    "drive to {unit} again, or write the table from its file"),
+            error.context};
     if (error.code == ErrorCode::LargeCorrection && error.context.contains("machineAxis"))
         return {AXISCOMP_TEXT("Error",
                     "{reason} Check the unit of the values; if they are right, confirm them with "

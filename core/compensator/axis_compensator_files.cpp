@@ -6,7 +6,11 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
+#include "core/write/restored_axis.h"
 #include "core/write/write_planner.h"
+
+#include <algorithm>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -98,7 +102,7 @@ Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access));
-    return readBackupOf(access, drive, d->clock());
+    return readBackupOf(access, drive, d->sources, d->clock());
 }
 
 Result<std::vector<WriteReport>> AxisCompensator::restore(
@@ -139,7 +143,7 @@ Result<std::vector<WriteRequest>> AxisCompensator::restoreRequests(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
+    AXISCOMP_CHECK(checkRestorable(access, backup, drive, d->sources, force));
     for (const AxisBackup::File& file : backup.otherFiles)
         AXISCOMP_CHECK(d->slotOf(file));
     std::vector<WriteRequest> requests;
@@ -173,9 +177,12 @@ Result<std::vector<WritePlan>> AxisCompensator::planRestore(
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
     AXISCOMP_CHECK(d->checkFlashOfFiles(d->access(options), filesBesides(backup, plans), plans));
-    for (WritePlan& plan : plans) {
+    for (std::size_t n = 0; n < plans.size(); ++n) {
+        WritePlan& plan = plans[n];
         plan.unitRemarks.clear();
         plan.largeCorrections.clear();
+        AXISCOMP_TRY(auto doubts, checkSameAxis(d->access(options), d->sources, backup.axes[n]));
+        std::ranges::move(doubts, std::back_inserter(plan.warnings));
         for (const AxisBackup::File& file : backup.otherFiles)
             if (!file.bytes.empty() && file.slot == plan.after.slot)
                 plan.warnings.push_back(AXISCOMP_TEXT("Error",
@@ -191,11 +198,13 @@ Result<WritePlan> AxisCompensator::planRestore(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, force));
+    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, d->sources, force));
+    AXISCOMP_TRY(auto doubts, checkSameAxis(access, d->sources, backup));
     AXISCOMP_TRY(const auto request, restoreRequest(access, backup));
     AXISCOMP_TRY(auto planned, plan(backup.axis, request, options));
     planned.unitRemarks.clear();
     planned.largeCorrections.clear();
+    std::ranges::move(doubts, std::back_inserter(planned.warnings));
     return planned;
 }
 

@@ -16,6 +16,9 @@ namespace {
 constexpr std::string_view format = "axiscomp-backup";
 constexpr std::array<std::string_view, 4> members{"format", "version", "axes", "otherFiles"};
 constexpr std::array<std::string_view, 1> extras{"drive"};
+constexpr std::array<std::string_view, 6> axisMembers{
+    "drive", "axis", "axisName", "time", "registers", "files"};
+constexpr std::array<std::string_view, 2> axisExtras{"unit", "sourceUnits"};
 constexpr JsonLimits backupLimits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
 
 OrderedJson toJson(const DriveIdentity& drive)
@@ -39,9 +42,14 @@ OrderedJson toJson(const std::vector<AxisBackup::File>& files)
 
 OrderedJson toJson(const AxisBackup& backup)
 {
-    return {{"drive", toJson(backup.drive)}, {"axis", backup.axis}, {"axisName", backup.axisName},
-        {"time", utcText(backup.time)}, {"registers", toJson(backup.registers)},
-        {"files", toJson(backup.files)}};
+    OrderedJson document{{"drive", toJson(backup.drive)}, {"axis", backup.axis},
+        {"axisName", backup.axisName}, {"time", utcText(backup.time)},
+        {"registers", toJson(backup.registers)}, {"files", toJson(backup.files)}};
+    if (!backup.unit.empty())
+        document["unit"] = backup.unit;
+    if (!backup.sourceUnits.empty())
+        document["sourceUnits"] = backup.sourceUnits;
+    return document;
 }
 
 DriveIdentity driveFromJson(const JsonNode& node)
@@ -82,10 +90,16 @@ std::vector<AxisBackup::File> filesFromJson(const JsonNode& node)
 
 AxisBackup axisFromJson(const JsonNode& node)
 {
-    node.expectMembers({"drive", "axis", "axisName", "time", "registers", "files"});
-    return {driveFromJson(node["drive"]), node["axis"].integer<int>(0), node["axisName"].text(),
-        timeFromJson(node["time"]), registersFromJson(node["registers"]),
+    node.expectMembers(axisMembers, axisExtras);
+    AxisBackup backup{driveFromJson(node["drive"]), node["axis"].integer<int>(0),
+        node["axisName"].text(), timeFromJson(node["time"]), registersFromJson(node["registers"]),
         filesFromJson(node["files"])};
+    if (node.has("unit"))
+        backup.unit = node["unit"].text();
+    if (node.has("sourceUnits"))
+        for (const JsonNode& unit : node["sourceUnits"].items())
+            backup.sourceUnits.push_back(unit.text());
+    return backup;
 }
 
 DriveBackup backupFromJson(const JsonNode& root)

@@ -31,6 +31,11 @@ struct AxisBackup {
         friend bool operator==(const File&, const File&) = default;
     };
     std::vector<File> files;
+    /// PositionUnit of the axis, in which the values of its table are; empty: not known.
+    std::string unit{};
+    /// The same of the axes whose positions the sources are, dimension by dimension, as far as
+    /// known.
+    std::vector<std::string> sourceUnits{};
 
     friend bool operator==(const AxisBackup&, const AxisBackup&) = default;
 };

@@ -5,6 +5,7 @@
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/tam_table.h"
+#include "core/write/restored_axis.h"
 
 #include <algorithm>
 #include <charconv>
@@ -50,16 +51,16 @@ const AxisBackup::File* usedFile(const RegisterAccess& access, const AxisBackup&
     return file == backup.files.end() || file->bytes.empty() ? nullptr : &*file;
 }
 
-Result<AxisBackup> readAxisBackup(
-    const RegisterAccess& access, const DriveIdentity& drive, const AxisInfo& info, WallTime now)
+Result<AxisBackup> readAxisBackup(const RegisterAccess& access, const DriveIdentity& drive,
+    SourceDirectory& sources, int axis, WallTime now)
 {
     AxisBackup backup;
     backup.drive = drive;
-    backup.axis = info.index;
-    backup.axisName = info.name;
+    backup.axis = axis;
     backup.time = now;
-    AXISCOMP_TRY(auto registers, readAxisRegisters(access, info.index));
+    AXISCOMP_TRY(auto registers, readAxisRegisters(access, axis));
     backup.registers = std::move(registers);
+    AXISCOMP_CHECK(describeAxis(access, sources, backup));
     const TableSlot* slot = access.profile().slotNamed(toText(backup.registers.front().value));
     if (!slot)
         return backup;
@@ -158,8 +159,8 @@ Result<AxisBackup::File> readSlotFile(
             {"now", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc32(file.bytes)))}});
 }
 
-Result<DriveBackup> readBackupOf(
-    const RegisterAccess& access, const DriveIdentity& drive, WallTime now)
+Result<DriveBackup> readBackupOf(const RegisterAccess& access, const DriveIdentity& drive,
+    SourceDirectory& sources, WallTime now)
 {
     AXISCOMP_TRY(auto axes, readAxes(access, drive));
     DriveBackup backup;
@@ -168,7 +169,7 @@ Result<DriveBackup> readBackupOf(
             continue;
         access.report("backup",
             static_cast<double>(info.index) / static_cast<double>(std::max(drive.axes, 1)));
-        AXISCOMP_TRY(auto axis, readAxisBackup(access, drive, info, now));
+        AXISCOMP_TRY(auto axis, readAxisBackup(access, drive, sources, info.index, now));
         backup.axes.push_back(std::move(axis));
     }
     if (backup.axes.empty())
@@ -183,8 +184,8 @@ Result<DriveBackup> readBackupOf(
     return backup;
 }
 
-Result<void> checkRestorable(
-    const RegisterAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
+Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
+    const DriveIdentity& drive, SourceDirectory& sources, bool force)
 {
     const auto isOther = [&](const DriveIdentity& kept) {
         return kept.serialNumber != drive.serialNumber && !force;
@@ -211,6 +212,7 @@ Result<void> checkRestorable(
                     {"reason",
                         AXISCOMP_TEXT("Error", "axis {axis} has no Table register")
                             .with("axis", axis.axis)}});
+        AXISCOMP_CHECK(checkSameAxis(access, sources, axis));
     }
     return {};
 }

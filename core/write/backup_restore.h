@@ -16,12 +16,13 @@ namespace axiscomp {
     const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange);
 
 /// Table, sources and table file of every axis with compensation registers.
-[[nodiscard]] Result<DriveBackup> readBackupOf(
-    const RegisterAccess& access, const DriveIdentity& drive, WallTime now);
+[[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
+    const DriveIdentity& drive, SourceDirectory& sources, WallTime now);
 
-/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive.
+/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive; those of
+/// checkSameAxis also with force.
 [[nodiscard]] Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
-    const DriveIdentity& drive, bool force);
+    const DriveIdentity& drive, SourceDirectory& sources, bool force);
 
 /// The write that brings an axis back to its backup.
 [[nodiscard]] Result<WriteRequest> restoreRequest(

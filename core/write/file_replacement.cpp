@@ -4,6 +4,7 @@
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
+#include "core/write/restored_axis.h"
 
 #include <algorithm>
 
@@ -163,6 +164,9 @@ Result<void> FileReplacement::keepOldFile()
     AxisBackup backup{m_drive, m_seen.user, {}, now, {}, {m_old}};
     AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, m_seen.user));
     backup.registers = std::move(registers);
+    SourceDirectory sources;
+    sources.useDrive(m_drive);
+    AXISCOMP_CHECK(describeAxis(m_access, sources, backup));
     AXISCOMP_TRY(auto saved, m_store.saveBackup(backup));
     m_backup = std::move(saved);
     return {};

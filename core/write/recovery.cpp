@@ -2,6 +2,7 @@
 #include "core/axis/verified_transfer.h"
 #include "core/write/backup_restore.h"
 #include "core/write/parameter_saving.h"
+#include "core/write/restored_axis.h"
 #include "core/write/unfinished_write.h"
 #include "core/write/write_procedure.h"
 
@@ -115,6 +116,7 @@ Result<AxisBackup> WriteProcedure::keepPresent(std::vector<std::string> slots)
     AxisBackup present{m_write.plan.drive, m_write.plan.axis, {}, m_clock(), {}, {}};
     AXISCOMP_TRY(auto registers, readAxisRegisters(m_access, present.axis));
     present.registers = std::move(registers);
+    AXISCOMP_CHECK(describeAxis(m_access, m_sources, present));
     const std::string used = toText(present.registers.front().value);
     if (std::ranges::find(slots, used) == slots.end())
         slots.push_back(used);

@@ -5,6 +5,7 @@
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/parameter_saving.h"
+#include "core/write/restored_axis.h"
 #include "core/write/unfinished_write.h"
 
 #include <algorithm>
@@ -93,6 +94,7 @@ Result<void> WriteProcedure::keepOldState()
     m_backup.axis = plan.axis;
     m_backup.time = m_clock();
     m_backup.registers = std::move(registers);
+    AXISCOMP_CHECK(describeAxis(m_access, m_sources, m_backup));
 
     std::vector<const TableSlot*> slots{m_access.profile().slotNamed(plan.before.slot)};
     if ((isNewTable() || deletes()) && m_write.slot.name != plan.before.slot)

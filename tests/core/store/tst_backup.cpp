@@ -122,6 +122,7 @@ private Q_SLOTS:
 
     void formIsStable();
     void exampleComesBack();
+    void unitsComeBackAndMayBeMissing();
     void everyBackupComesBack();
     void numbersWithoutAJsonForm_data();
     void numbersWithoutAJsonForm();
@@ -213,6 +214,21 @@ void TestAxisBackup::exampleComesBack()
     VERIFY_RESULT(backup);
     QVERIFY(*backup == withOthers(example()));
     VERIFY_RESULT(readBackup(writeBackup({}), "b.json"));
+}
+
+void TestAxisBackup::unitsComeBackAndMayBeMissing()
+{
+    AxisBackup axis = example();
+    axis.unit = "Millimeter";
+    axis.sourceUnits = {"", "Degree"};
+    const auto backup = readBackup(textOf(axis), "b.json");
+    VERIFY_RESULT(backup);
+    QVERIFY(backup->axes[0] == axis);
+    const auto refused =
+        readBackup(changed(textOf(axis), "\"unit\": \"Millimeter\"", "\"unit\": 1"), "b.json");
+    VERIFY_ERROR(refused, ErrorCode::InvalidBackup);
+    QVERIFY(refused.error().context.english("reason").starts_with("axes[0].unit: "));
+    QVERIFY(exampleText().find("nit") == std::string::npos); // as older versions wrote it
 }
 
 void TestAxisBackup::everyBackupComesBack()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/table_of_axis.h"
+#include "core/write/kept_backup.h"
 #include "core/write/lookup_side.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
@@ -144,6 +145,75 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
         VERIFY_RESULT(f.compensator.restore(*backup, false));
         QVERIFY(f.state().table == after.table);
+    }
+
+    /// Its numbers would be a thousand times too large, or too small.
+    void aBackupIsNotRestoredWhereItsNumbersMeanSomethingElse_data()
+    {
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<QString>("what");
+        QTest::newRow("values") << 0 << QStringLiteral("Meter")
+                                << QStringLiteral("values of axis 0");
+        QTest::newRow("positions of a source")
+            << 1 << QStringLiteral("Radian") << QStringLiteral("positions of dimension 2 of axis 0");
+    }
+
+    void aBackupIsNotRestoredWhereItsNumbersMeanSomethingElse()
+    {
+        QFETCH(int, axis);
+        QFETCH(QString, unit);
+        QFETCH(QString, what);
+        LinearAndRotary f;
+        VERIFY_RESULT(f.compensator.write(0, requestIn("mm", "mm", "deg")));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        const auto report = f.compensator.write(0, exampleRequest(2));
+        VERIFY_RESULT(report);
+        const auto kept = axisBackupsIn(report->backup, drivecomm::genericProfile());
+        VERIFY_RESULT(kept);
+        f.set("Axes[" + std::to_string(axis) + "]/Parameters/PositionController/PositionUnit",
+            unit.toStdString());
+        const auto before = f.state();
+        f.link.forgetChange();
+        for (const bool force : {false, true}) {
+            const auto refused = f.compensator.restore(*backup, force);
+            VERIFY_ERROR(refused, ErrorCode::UnitMismatch);
+            QCOMPARE(QString::fromStdString(refused.error().context.english("what")), what);
+            VERIFY_ERROR(f.compensator.planRestore(*backup, force), ErrorCode::UnitMismatch);
+            // What a write keeps, as the window restores it.
+            VERIFY_ERROR(f.compensator.planRestore(kept->front(), force), ErrorCode::UnitMismatch);
+        }
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+    }
+
+    void aBackupThatSaysNoUnitIsRestoredWithAWarning()
+    {
+        LinearAndRotary f;
+        VERIFY_RESULT(f.compensator.write(0, requestIn("mm", "mm", "deg")));
+        auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(2)));
+        const auto warnsOfUnit = [](const WritePlan& plan) {
+            return std::ranges::any_of(plan.warnings, [](const Text& warning) {
+                return warning.english().starts_with("The backup does not say in which unit axis 0");
+            });
+        };
+        auto plan = f.compensator.planRestore(backup->axes.front(), false);
+        VERIFY_RESULT(plan);
+        QVERIFY(!warnsOfUnit(*plan));
+        for (AxisBackup& axis : backup->axes) {
+            axis.unit.clear();
+            axis.sourceUnits.clear();
+        }
+        plan = f.compensator.planRestore(backup->axes.front(), false);
+        VERIFY_RESULT(plan);
+        QVERIFY(warnsOfUnit(*plan));
+        const auto plans = f.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(plans);
+        QVERIFY(warnsOfUnit(plans->front()));
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
     }
 };
 

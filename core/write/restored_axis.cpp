@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/write/restored_axis.h"
+
+#include "core/axis/axis_reader.h"
+#include "core/table/position_unit.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr int dimensionsOfBackup = 3;
+
+bool isKnownUnit(const std::string& unit)
+{
+    return !unitSymbol(unit).empty();
+}
+
+/// Empty: the register is no position of an axis, or is not known.
+Result<std::string> unitOfSource(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup, int n)
+{
+    const auto found =
+        std::ranges::find(backup.registers, access.axisPath(access.registers().source, backup.axis, n),
+            &RegisterWrite::path);
+    const double address = found == backup.registers.end() ? 0.0 : toDouble(found->value);
+    if (!(address >= 1.0 && address <= 4294967295.0))
+        return std::string();
+    AXISCOMP_TRY(const auto source, sources.sourceAt(access, static_cast<std::uint32_t>(address)));
+    const auto owner = access.profile().axisOfPosition(source.path);
+    if (!owner || *owner == backup.axis)
+        return owner ? backup.unit : std::string();
+    AXISCOMP_TRY(auto facts, readPositionFacts(access, *owner));
+    return std::move(facts.unit);
+}
+
+Result<void> checkUnit(Text what, const std::string& kept, const std::string& now)
+{
+    if (!isKnownUnit(kept) || !isKnownUnit(now) || isSameUnit(kept, now))
+        return {};
+    return fail(ErrorCode::UnitMismatch,
+        {{"what", std::move(what)}, {"unit", unitSymbol(kept)}, {"other", unitSymbol(now)},
+            {"restored", Verbatim{"backup"}}});
+}
+
+bool holdsTable(const AxisBackup& backup)
+{
+    return std::ranges::any_of(
+        backup.files, [](const AxisBackup::File& file) { return !file.bytes.empty(); });
+}
+
+Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
+{
+    AXISCOMP_CHECK(checkUnit(
+        AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis), kept.unit, now.unit));
+    for (std::size_t n = 0; n < std::min(kept.sourceUnits.size(), now.sourceUnits.size()); ++n)
+        AXISCOMP_CHECK(checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
+                                     .with("number", n + 1)
+                                     .with("axis", kept.axis),
+            kept.sourceUnits[n], now.sourceUnits[n]));
+    return {};
+}
+
+} // namespace
+
+Result<void> describeAxis(
+    const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup)
+{
+    AXISCOMP_TRY(auto facts, readPositionFacts(access, backup.axis));
+    backup.axisName = std::move(facts.name);
+    backup.unit = std::move(facts.unit);
+    backup.sourceUnits.clear();
+    for (int n = 1; n <= dimensionsOfBackup; ++n) {
+        AXISCOMP_TRY(auto unit, unitOfSource(access, sources, backup, n));
+        backup.sourceUnits.push_back(std::move(unit));
+    }
+    while (!backup.sourceUnits.empty() && backup.sourceUnits.back().empty())
+        backup.sourceUnits.pop_back();
+    return {};
+}
+
+Result<std::vector<Text>> checkSameAxis(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+{
+    AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
+    AXISCOMP_CHECK(describeAxis(access, sources, now));
+    std::vector<Text> doubts;
+    if (!holdsTable(backup))
+        return doubts;
+    AXISCOMP_CHECK(checkUnits(backup, now));
+    if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
+        doubts.push_back(AXISCOMP_TEXT("Error",
+            "The backup does not say in which unit axis {axis} was; its table is taken to be in "
+            "{unit}.")
+                             .with("axis", backup.axis)
+                             .with("unit", unitSymbol(now.unit)));
+    return doubts;
+}
+
+} // namespace axiscomp

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/register_access.h"
+#include "core/axis/source_directory.h"
+#include "core/store/backup.h"
+
+namespace axiscomp {
+
+/// Fills in which axis a backup is of, and in which units its table is: name, unit and the units
+/// of the sources, which its registers name. Without them nobody could tell later that the same
+/// numbers mean something else.
+[[nodiscard]] Result<void> describeAxis(
+    const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup);
+
+/// That the axis is still the one of the backup, and that the numbers of its table mean what they
+/// meant. Gives what cannot be told for sure, for whoever decides. Errors: TargetMismatch,
+/// UnitMismatch.
+[[nodiscard]] Result<std::vector<Text>> checkSameAxis(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
+
+} // namespace axiscomp
