@@ -361,7 +361,7 @@ private Q_SLOTS:
         CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         VERIFY_RESULT(f.compensator.write(0, swapped(2, Persistency::Volatile)));
-        f.link.failAt(17, LinkFault::ProgramDies);
+        f.link.failAt(19, LinkFault::ProgramDies);
         QVERIFY_THROWS_EXCEPTION(
             ProgramDied, (void)f.compensator.write(0, into(exampleRequest(3), "Small5")));
         f.link.heal();
@@ -394,7 +394,7 @@ private Q_SLOTS:
         const auto interrupted = [](CompensatorFixture& f) {
             VERIFY_RESULT(
                 f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
-            f.link.failAt(27, LinkFault::ProgramDies);
+            f.link.failAt(29, LinkFault::ProgramDies);
             QVERIFY_THROWS_EXCEPTION(ProgramDied,
                 (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
             f.link.heal();
@@ -432,7 +432,7 @@ private Q_SLOTS:
         CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
-        f.link.failAt(27, LinkFault::ProgramDies);
+        f.link.failAt(29, LinkFault::ProgramDies);
         QVERIFY_THROWS_EXCEPTION(ProgramDied,
             (void)f.compensator.write(0, into(swapped(2, Persistency::Persistent), "Small1")));
         f.link.heal();
@@ -451,7 +451,7 @@ private Q_SLOTS:
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
         const CompensatorFixture::State old = f.state();
-        f.link.failAt(17, LinkFault::ProgramDies);
+        f.link.failAt(19, LinkFault::ProgramDies);
         QVERIFY_THROWS_EXCEPTION(ProgramDied,
             (void)f.compensator.write(0, into(swapped(2, Persistency::Volatile), "Small1")));
         f.link.heal();
