@@ -320,6 +320,12 @@ Text textOf(const Error& error)
                 "used up; write volatile, or reset the count with 'axiscomp status "
                 "--reset-flash-count'"),
             error.context};
+    if (error.code == ErrorCode::TargetMismatch && error.context.contains("restored"))
+        return {AXISCOMP_TEXT("Error",
+                    "axis {axis} was {target} when the backup was made, and is {name} on the drive "
+                    "now; give the axes the order or the names that they had, or write the table "
+                    "from its file"),
+            error.context};
     if (error.code == ErrorCode::UnitMismatch && error.context.contains("restored"))
         return {AXISCOMP_TEXT("Error",
                     "the {what} are in {unit} in the backup, and the drive has them in {other} "

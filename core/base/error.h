@@ -37,7 +37,8 @@ enum class ErrorCode {
     SignNotConvertible, ///< position, reason
     SignNotStated, ///< format, sign (that is assumed), statement (how to state it)
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
-    TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement
+    TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement;
+                    ///< restored by a backup: axis, target, name
     UnitMismatch, ///< what, unit, other; restored: by a backup
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered

@@ -3,6 +3,7 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 
@@ -85,7 +86,18 @@ Result<std::vector<Text>> checkSameAxis(
 {
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
     AXISCOMP_CHECK(describeAxis(access, sources, now));
+    if (areDifferentAxes(backup.axisName, now.axisName))
+        return fail(ErrorCode::TargetMismatch,
+            {{"axis", backup.axis}, {"target", Verbatim{backup.axisName}},
+                {"name", Verbatim{now.axisName}}, {"restored", Verbatim{"backup"}}});
     std::vector<Text> doubts;
+    if (!backup.axisName.empty() && !now.axisName.empty() && backup.axisName != now.axisName)
+        doubts.push_back(AXISCOMP_TEXT("Error",
+            "Axis {axis} was called {before} when the backup was made, and is called {after} now: "
+            "see that it is the same axis.")
+                             .with("axis", backup.axis)
+                             .with("before", Verbatim{backup.axisName})
+                             .with("after", Verbatim{now.axisName}));
     if (!holdsTable(backup))
         return doubts;
     AXISCOMP_CHECK(checkUnits(backup, now));

@@ -188,6 +188,42 @@ private Q_SLOTS:
         QVERIFY(f.state() == before);
     }
 
+    /// As after a change of the order of the axes: the table of X is not for Y.
+    void aBackupIsNotRestoredToAnAxisOfAnotherName()
+    {
+        LinearAndRotary f;
+        VERIFY_RESULT(f.compensator.write(0, requestIn("mm", "mm", "deg")));
+        const auto original = f.compensator.backup();
+        VERIFY_RESULT(original);
+        QCOMPARE(original->axes.front().axisName, std::string("X"));
+        const auto report = f.compensator.write(0, exampleRequest(2));
+        VERIFY_RESULT(report);
+        const auto kept = axisBackupsIn(report->backup, drivecomm::genericProfile());
+        VERIFY_RESULT(kept);
+        QCOMPARE(kept->front().axisName, std::string("X"));
+        const auto before = f.state();
+        f.link.forgetChange();
+        DriveBackup backup = *original;
+        backup.axes.front().axisName = "Y1";
+        for (const bool force : {false, true}) {
+            const auto refused = f.compensator.restore(backup, force);
+            VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+            QVERIFY(sentence(refused.error()).starts_with("axis 0 was Y1 when the backup was made"));
+            VERIFY_ERROR(f.compensator.planRestore(backup.axes.front(), force),
+                ErrorCode::TargetMismatch);
+        }
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+
+        backup.axes.front().axisName = "Gantry"; // may be the same axis
+        const auto plan = f.compensator.planRestore(backup.axes.front(), false);
+        VERIFY_RESULT(plan);
+        QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
+            return warning.english().starts_with("Axis 0 was called Gantry");
+        }));
+        VERIFY_RESULT(f.compensator.restore(backup, false));
+    }
+
     void aBackupThatSaysNoUnitIsRestoredWithAWarning()
     {
         LinearAndRotary f;
