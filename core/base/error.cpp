@@ -326,6 +326,11 @@ Text textOf(const Error& error)
                     "now; give the axes the order or the names that they had, or write the table "
                     "from its file"),
             error.context};
+    if (error.code == ErrorCode::UnitMismatch && error.context.contains("kept"))
+        return {AXISCOMP_TEXT("Error",
+                    "the {what} of the table on the drive are in {unit}, and the new source is in "
+                    "{other}; write the table from its file, together with the source"),
+            error.context};
     if (error.code == ErrorCode::UnitMismatch && error.context.contains("restored"))
         return {AXISCOMP_TEXT("Error",
                     "the {what} are in {unit} in the backup, and the drive has them in {other} "

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace axiscomp {
 
@@ -55,6 +56,7 @@ private:
         const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
     [[nodiscard]] Result<MachineTable> settledTable(
         const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
+    [[nodiscard]] Result<void> keepTable(WriteRequest& request, AxisPlan& plan);
     [[nodiscard]] Result<bool> isWithinTolerance(
         const ValueTolerance& tolerance, const AxisPlan& plan);
     void findObstacle(AxisPlan& plan) const;
@@ -150,14 +152,26 @@ Result<void> DrivePlanner::planAxis(
     AXISCOMP_TRY(plan.plan, m_compensator.compare(plan.axis, request, m_options));
     if (axis.tolerance && plan.plan.table && !plan.plan.changes.empty()) {
         AXISCOMP_TRY(const bool isSame, isWithinTolerance(*axis.tolerance, plan));
-        if (isSame) {
-            request.table.reset();
-            AXISCOMP_TRY(plan.plan, m_compensator.compare(plan.axis, request, m_options));
-        }
+        if (isSame)
+            AXISCOMP_CHECK(keepTable(request, plan));
     }
     request.expected = plan.plan.before;
     planActivation(axis, plan);
     findObstacle(plan);
+    return {};
+}
+
+/// Where the sources change to another unit, the table is written all the same.
+Result<void> DrivePlanner::keepTable(WriteRequest& request, AxisPlan& plan)
+{
+    auto table = std::exchange(request.table, std::nullopt);
+    auto kept = m_compensator.compare(plan.axis, request, m_options);
+    if (kept)
+        plan.plan = *std::move(kept);
+    else if (kept.error().code == ErrorCode::UnitMismatch)
+        request.table = std::move(table);
+    else
+        return fail(kept.error());
     return {};
 }
 

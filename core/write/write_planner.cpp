@@ -6,6 +6,7 @@
 #include "core/drive/drive_units.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
+#include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
@@ -323,6 +324,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         if (m_status.table->grid.dimensions() != request.dimensionality)
             return fail(ErrorCode::DimensionMismatch,
                 {{"table", m_status.table->grid.dimensions()}, {"chosen", request.dimensionality}});
+        AXISCOMP_CHECK(checkKeptUnits());
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.elementCrc = m_status.table->crc;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
@@ -349,6 +351,32 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         return {};
     }
     return decideNewTable(request, std::move(file));
+}
+
+/// The table that stays has its positions in the units of the sources that it had.
+Result<void> WritePlanner::checkKeptUnits()
+{
+    const WritePlan& plan = m_write.plan;
+    const auto unitOf = [this](const DimSource& source) -> Result<std::string> {
+        const auto owner = m_access.profile().axisOfPosition(source.path);
+        if (!owner)
+            return std::string();
+        AXISCOMP_TRY(const auto facts, positionFacts(*owner));
+        return unitSymbol(facts.unit);
+    };
+    for (std::size_t n = 0; n < plan.after.sources.size(); ++n) {
+        if (plan.before.sources[n] == plan.after.sources[n])
+            continue;
+        AXISCOMP_TRY(const auto before, unitOf(plan.before.sources[n]));
+        AXISCOMP_TRY(const auto after, unitOf(plan.after.sources[n]));
+        if (!before.empty() && !after.empty() && !isSameUnit(before, after))
+            return fail(ErrorCode::UnitMismatch,
+                {{"what",
+                     AXISCOMP_TEXT("Error", "positions of dimension {number}")
+                         .with("number", n + 1)},
+                    {"unit", before}, {"other", after}, {"kept", Verbatim{"table"}}});
+    }
+    return {};
 }
 
 /// Registers may say more than the file holds, which is read.

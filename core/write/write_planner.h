@@ -52,6 +52,7 @@ private:
     [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
+    [[nodiscard]] Result<void> checkKeptUnits();
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);

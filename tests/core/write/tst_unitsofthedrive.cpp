@@ -188,6 +188,32 @@ private Q_SLOTS:
         QVERIFY(f.state() == before);
     }
 
+    /// Nobody converts what stays where it is.
+    void aTableThatStaysGetsNoSourceInAnotherUnit()
+    {
+        LinearAndRotary f;
+        WriteRequest request = requestIn("mm", "mm", "deg");
+        VERIFY_RESULT(f.compensator.write(0, request));
+        const auto before = f.state();
+        f.link.forgetChange();
+        request.table.reset();
+        std::swap(request.sources[0], request.sources[1]);
+        const auto refused = f.compensator.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::UnitMismatch);
+        QCOMPARE(QString::fromStdString(sentence(refused.error())),
+            QStringLiteral("the positions of dimension 1 of the table on the drive are in mm, and "
+                           "the new source is in deg; write the table from its file, together with "
+                           "the source"));
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+
+        request.sources = {"Axes[0]/Signals/PathPlanner/Position", test::masterY};
+        VERIFY_RESULT(f.compensator.write(0, request)); // millimetres as well
+        // What is no position has no unit that the drive says.
+        request.sources = {"Axes[0]/Signals/General/MotorTemperature", test::masterY};
+        VERIFY_RESULT(f.compensator.write(0, request));
+    }
+
     /// As after a change of the order of the axes: the table of X is not for Y.
     void aBackupIsNotRestoredToAnAxisOfAnotherName()
     {
