@@ -301,10 +301,29 @@ Text removingText(const Error& error)
         error.context};
 }
 
+/// Several changes, each of which would be possible alone.
+Text togetherText(const Error& error)
+{
+    if (error.context.contains("reserve"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the flash operations that are left would do for all of these changes, {together}, "
+                "but not for putting everything back if one fails; wait {seconds} s, or make fewer "
+                "changes at a time"),
+            error.context};
+    return {AXISCOMP_TEXT("Error",
+                "together these changes cost {together} flash operations, more than are possible "
+                "now; wait {seconds} s, or make fewer changes at a time"),
+        error.context};
+}
+
 } // namespace
 
 Text textOf(const Error& error)
 {
+    if (error.code == ErrorCode::FlashWear && error.context.contains("together")
+        && !error.context.contains("record"))
+        return togetherText(error);
     if (error.code == ErrorCode::FlashWear && error.context.contains("removing"))
         return removingText(error);
     if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))

@@ -38,6 +38,26 @@ struct Activation {
     bool isPutBack = false; ///< the proof failed, and status is again what it was before
 };
 
+/// A table that no axis used when the backup was made, and what bringing it back costs.
+struct PlannedFile {
+    AxisBackup::File file;
+    bool isThere = false; ///< the drive has exactly this file already
+    int flashOperations = 0; ///< as in WritePlan
+    int flashReserve = 0;
+};
+
+/// What restoring a whole drive would write.
+struct RestorePlan {
+    std::vector<WritePlan> axes; ///< one for each axis of the backup
+    std::vector<PlannedFile> files; ///< written after the axes
+};
+
+/// What restoring a whole drive has written.
+struct RestoreReport {
+    std::vector<WriteReport> axes; ///< without those that had everything already
+    std::vector<AxisBackup::File> files; ///< likewise
+};
+
 /// The service: reads and changes the compensation of a drive's axes in the safe order
 /// (docs/architecture.md, "The safe order of a write"). Blocking; one instance per link, used on
 /// the link's thread. All operations report link errors as DriveLink does; theirs are named at
@@ -144,6 +164,10 @@ public:
 
     /// EraseCount of all slots, and what this computer has recorded.
     [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});
+    /// Whether so many flash operations are possible now, and beside them those that putting back
+    /// may cost. Errors: FlashWear.
+    [[nodiscard]] Result<void> checkFlash(
+        int operations, int reserve, const OperationOptions& options = {});
     /// The user has decided that flash operations which are missing in a damaged record count no
     /// more (DriveStore::FlashHistory::damagedRecord).
     [[nodiscard]] Result<void> resetFlashCount(const OperationOptions& options = {});
@@ -153,7 +177,7 @@ public:
     /// All of it is planned first (planRestore). Then a normal verified write per axis, and the
     /// tables that no axis uses, as upload does it; at the end all of it is compared once more.
     /// Errors: those of planRestore, write and upload; SlotInUse, also by an axis after a reboot.
-    [[nodiscard]] Result<std::vector<WriteReport>> restore(
+    [[nodiscard]] Result<RestoreReport> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
     /// The writes of restore(), one for each axis of the backup; changes nothing. Errors:
@@ -164,10 +188,9 @@ public:
     [[nodiscard]] Result<void> restoreFiles(
         const std::vector<AxisBackup::File>& files, const OperationOptions& options = {});
 
-    /// What restoring a whole drive would write, a plan for each axis of the backup; changes
-    /// nothing. Nothing of it has to be confirmed, since the drive had it. Errors: those of
-    /// restoreRequests and planMultiAxis.
-    [[nodiscard]] Result<std::vector<WritePlan>> planRestore(
+    /// What restoring a whole drive would write; changes nothing. Nothing of it has to be
+    /// confirmed, since the drive had it. Errors: those of restoreRequests and planMultiAxis.
+    [[nodiscard]] Result<RestorePlan> planRestore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 
     /// What restoring one axis would write; changes nothing. Nothing of it has to be confirmed,
@@ -198,6 +221,10 @@ public:
         const JournalEntry& entry, const OperationOptions& options = {});
 
 private:
+    /// Files of slots that no axis uses are stored after the tables of the axes.
+    [[nodiscard]] Result<std::vector<PlannedFile>> planFiles(const DriveBackup& backup,
+        const std::vector<WritePlan>& plans, const OperationOptions& options);
+
     struct Private;
     std::unique_ptr<Private> d;
 };

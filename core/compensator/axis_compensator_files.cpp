@@ -92,6 +92,15 @@ Result<FlashUse> AxisCompensator::flashUse(const OperationOptions& options)
     return readFlashUse(access, d->store, drive, d->clock());
 }
 
+Result<void> AxisCompensator::checkFlash(
+    int operations, int reserve, const OperationOptions& options)
+{
+    AXISCOMP_TRY(const auto drive, d->identify(d->access(options)));
+    AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
+    return checkFlashBudget(
+        wearGuard(d->profile.flashWear, history), d->clock(), operations, reserve);
+}
+
 Result<void> AxisCompensator::resetFlashCount(const OperationOptions& options)
 {
     AXISCOMP_TRY(auto drive, d->identify(d->access(options)));
@@ -105,7 +114,7 @@ Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
     return readBackupOf(access, drive, d->sources, d->clock());
 }
 
-Result<std::vector<WriteReport>> AxisCompensator::restore(
+Result<RestoreReport> AxisCompensator::restore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
     const RegisterAccess access = d->access(options);
@@ -115,8 +124,8 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
         return fail(lock.error());
     // Nothing is begun that cannot be ended.
     AXISCOMP_TRY(const auto plans, planRestore(backup, force, options));
-    const std::vector<AxisBackup::File> files = filesBesides(backup, plans);
-    std::vector<WriteReport> reports;
+    const std::vector<AxisBackup::File> files = filesBesides(backup, plans.axes);
+    RestoreReport done;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
         AXISCOMP_TRY(auto request, restoreRequest(access, axis));
@@ -129,13 +138,15 @@ Result<std::vector<WriteReport>> AxisCompensator::restore(
             auto now, isThere ? readStatus(access, drive, axis.axis, d->sources) : report->now);
         restored.push_back(std::move(now));
         if (report)
-            reports.push_back(std::move(*report));
+            done.axes.push_back(std::move(*report));
     }
     for (const AxisBackup::File& file : files) {
-        AXISCOMP_CHECK(d->restoreFile(access, drive, file));
+        AXISCOMP_TRY(const bool isWritten, d->restoreFile(access, drive, file));
+        if (isWritten)
+            done.files.push_back(file);
     }
     AXISCOMP_CHECK(d->checkRestored(access, drive, restored, files));
-    return reports;
+    return done;
 }
 
 Result<std::vector<WriteRequest>> AxisCompensator::restoreRequests(
@@ -166,7 +177,7 @@ Result<void> AxisCompensator::restoreFiles(
     return d->checkRestored(access, drive, {}, files);
 }
 
-Result<std::vector<WritePlan>> AxisCompensator::planRestore(
+Result<RestorePlan> AxisCompensator::planRestore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
@@ -176,7 +187,7 @@ Result<std::vector<WritePlan>> AxisCompensator::planRestore(
     OperationOptions quiet = options;
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
-    AXISCOMP_CHECK(d->checkFlashOfFiles(d->access(options), filesBesides(backup, plans), plans));
+    AXISCOMP_TRY(auto files, planFiles(backup, plans, options));
     for (std::size_t n = 0; n < plans.size(); ++n) {
         WritePlan& plan = plans[n];
         plan.unitRemarks.clear();
@@ -190,7 +201,7 @@ Result<std::vector<WritePlan>> AxisCompensator::planRestore(
                     "axis is there.")
                                             .with("slot", file.slot));
     }
-    return plans;
+    return RestorePlan{std::move(plans), std::move(files)};
 }
 
 Result<WritePlan> AxisCompensator::planRestore(
@@ -208,23 +219,31 @@ Result<WritePlan> AxisCompensator::planRestore(
     return planned;
 }
 
-/// Files of slots that no axis uses are stored after the tables of the axes.
-Result<void> AxisCompensator::Private::checkFlashOfFiles(const RegisterAccess& access,
-    const std::vector<AxisBackup::File>& files, const std::vector<WritePlan>& plans)
+Result<std::vector<PlannedFile>> AxisCompensator::planFiles(
+    const DriveBackup& backup, const std::vector<WritePlan>& plans, const OperationOptions& options)
 {
-    if (plans.empty())
-        return {};
-    AXISCOMP_TRY(const auto drive, identify(access));
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(const auto drive, d->identify(access));
     FlashSum flash;
     for (const WritePlan& plan : plans)
         flash.add(plan.flashOperations, plan.flashReserve);
-    for (const AxisBackup::File& file : files) {
-        AXISCOMP_TRY(const TableSlot slot, slotOf(file));
-        AXISCOMP_TRY(const auto cost,
-            FileReplacement(access, store, drive, clock, slot).planReplacement(file.bytes));
-        flash.add(cost.operations, cost.reserve);
+    std::vector<PlannedFile> files;
+    for (const AxisBackup::File& file : filesBesides(backup, plans)) {
+        AXISCOMP_TRY(auto planned, d->planFile(access, drive, file));
+        flash.add(planned.flashOperations, planned.flashReserve);
+        files.push_back(std::move(planned));
     }
-    return flash.check(plans.front().flashBudget.left);
+    AXISCOMP_CHECK(flash.check(*this, options));
+    return files;
+}
+
+Result<PlannedFile> AxisCompensator::Private::planFile(
+    const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
+{
+    AXISCOMP_TRY(const TableSlot slot, slotOf(file));
+    AXISCOMP_TRY(const auto cost,
+        FileReplacement(access, store, drive, clock, slot).planReplacement(file.bytes));
+    return PlannedFile{file, cost.isThere, cost.operations, cost.reserve};
 }
 
 /// A drive that restarted while a later part was restored has lost what was volatile or not saved
@@ -256,7 +275,7 @@ Result<TableSlot> AxisCompensator::Private::slotOf(const AxisBackup::File& file)
     return *slot;
 }
 
-Result<void> AxisCompensator::Private::restoreFile(
+Result<bool> AxisCompensator::Private::restoreFile(
     const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file)
 {
     AXISCOMP_TRY(const TableSlot slot, slotOf(file));
@@ -264,7 +283,7 @@ Result<void> AxisCompensator::Private::restoreFile(
                         .run(file.bytes, FileReplacement::Users::Refused);
     if (!replaced)
         return fail(replaced.error());
-    return {};
+    return !replaced->empty();
 }
 
 } // namespace axiscomp

@@ -64,11 +64,11 @@ struct AxisCompensator::Private {
         const DriveIdentity& drive, const UnfinishedWrite& unfinished);
     /// Errors: UnknownFile.
     [[nodiscard]] Result<TableSlot> slotOf(const AxisBackup::File& file) const;
-    [[nodiscard]] Result<void> restoreFile(
+    /// Whether the drive did not have exactly this file already.
+    [[nodiscard]] Result<bool> restoreFile(
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
-    /// Errors: InvalidArgument when they cannot be stored after what the plans store.
-    [[nodiscard]] Result<void> checkFlashOfFiles(const RegisterAccess& access,
-        const std::vector<AxisBackup::File>& files, const std::vector<WritePlan>& plans);
+    [[nodiscard]] Result<PlannedFile> planFile(
+        const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
         const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
         const std::vector<AxisBackup::File>& files);

@@ -72,26 +72,25 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
         flash.add(plan->flashOperations, plan->flashReserve);
         plans.push_back(*std::move(plan));
     }
-    if (!plans.empty())
-        AXISCOMP_CHECK(flash.check(plans.front().flashBudget.left));
+    AXISCOMP_CHECK(flash.check(compensator, options));
     return plans;
 }
 
 void FlashSum::add(int operations, int reserve)
 {
+    m_changes += operations > 0 ? 1 : 0;
     m_operations += operations;
     m_needed = std::max(m_needed, m_operations + reserve);
 }
 
-Result<void> FlashSum::check(int left) const
+Result<void> FlashSum::check(AxisCompensator& compensator, const OperationOptions& options) const
 {
-    if (m_needed <= left)
+    if (m_needed == 0)
         return {};
-    return refuse(AXISCOMP_TEXT("Error",
-        "together these writes cost {cost} flash operations, and {left} are possible now; "
-        "write them volatile, or fewer at a time")
-                      .with("cost", m_needed)
-                      .with("left", left));
+    auto possible = compensator.checkFlash(m_operations, m_needed - m_operations, options);
+    if (!possible && possible.error().code == ErrorCode::FlashWear && m_changes > 1)
+        possible.error().context.set("together", m_operations);
+    return possible;
 }
 
 Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
@@ -105,10 +104,10 @@ Result<std::vector<WritePlan>> planTables(AxisCompensator& compensator,
 Result<PlannedTables> planDriveRestoration(AxisCompensator& compensator, const DriveBackup& backup,
     bool force, const OperationOptions& options)
 {
-    AXISCOMP_TRY(auto plans, compensator.planRestore(backup, force, options));
+    AXISCOMP_TRY(auto plan, compensator.planRestore(backup, force, options));
     AXISCOMP_TRY(auto requests, compensator.restoreRequests(backup, force, options));
-    std::vector<AxisBackup::File> files = filesBesides(backup, plans);
-    PlannedTables planned{{}, std::move(plans), std::move(files)};
+    std::vector<AxisBackup::File> files = filesBesides(backup, plan.axes);
+    PlannedTables planned{{}, std::move(plan.axes), std::move(files)};
     for (std::size_t n = 0; n < requests.size(); ++n)
         planned.tables.push_back({backup.axes[n].axis, {}, std::move(requests[n])});
     return planned;

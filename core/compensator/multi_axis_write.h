@@ -22,8 +22,8 @@ struct AxisWrite {
 /// The plan of each, so that nothing is begun that cannot be ended; changes nothing. A plan is made
 /// as if it were the only one: two may name the same empty slot, and the second gets another one
 /// when its turn comes. Errors: those of AxisCompensator::plan, their context names the axis
-/// (`ofAxis`); InvalidArgument when an axis is named twice, and when all together cost more flash
-/// operations than are possible now.
+/// (`ofAxis`); InvalidArgument when an axis is named twice; FlashWear also when all together cost
+/// more flash operations than are possible now.
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
@@ -32,10 +32,12 @@ class FlashSum {
 public:
     /// reserve: what putting this change back may cost, if it is the one that fails.
     void add(int operations, int reserve);
-    /// Refuses changes that together need more than are possible now. Errors: InvalidArgument.
-    [[nodiscard]] Result<void> check(int left) const;
+    /// Refuses changes that together need more than are possible now. Errors: FlashWear.
+    [[nodiscard]] Result<void> check(
+        AxisCompensator& compensator, const OperationOptions& options) const;
 
 private:
+    int m_changes = 0; ///< that cost something
     int m_operations = 0;
     int m_needed = 0;
 };

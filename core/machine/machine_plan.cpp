@@ -243,7 +243,7 @@ void DrivePlanner::checkFlash(DrivePlan& plan) const
         if (axis.problem)
             continue;
         flash.add(axis.plan.flashOperations, axis.plan.flashReserve);
-        if (auto fits = flash.check(axis.plan.flashBudget.left); !fits && !plan.obstacle)
+        if (auto fits = flash.check(m_compensator, m_options); !fits && !plan.obstacle)
             plan.obstacle = std::move(fits).error();
     }
 }

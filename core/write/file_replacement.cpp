@@ -60,7 +60,7 @@ Result<FileReplacement::Cost> FileReplacement::planReplacement(ByteView bytes)
 {
     AXISCOMP_CHECK(lookAndRead());
     if (std::ranges::equal(m_old.bytes, bytes))
-        return Cost{};
+        return Cost{.isThere = true};
     AXISCOMP_TRY(const auto saved, m_store.savedState(m_drive.serialNumber));
     return costOf(needsFlash(bytes, saved));
 }

@@ -28,6 +28,7 @@ public:
     struct Cost {
         int operations = 0;
         int reserve = 0;
+        bool isThere = false; ///< the slot holds exactly this already
     };
 
     /// Whether an axis or a cogging compensation may use the slot, or an axis after a reboot.

@@ -22,9 +22,8 @@ bool isKnownUnit(const std::string& unit)
 Result<std::string> unitOfSource(
     const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup, int n)
 {
-    const auto found =
-        std::ranges::find(backup.registers, access.axisPath(access.registers().source, backup.axis, n),
-            &RegisterWrite::path);
+    const auto found = std::ranges::find(backup.registers,
+        access.axisPath(access.registers().source, backup.axis, n), &RegisterWrite::path);
     const double address = found == backup.registers.end() ? 0.0 : toDouble(found->value);
     if (!(address >= 1.0 && address <= 4294967295.0))
         return std::string();
@@ -53,13 +52,15 @@ bool holdsTable(const AxisBackup& backup)
 
 Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
 {
-    AXISCOMP_CHECK(checkUnit(
-        AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis), kept.unit, now.unit));
+    AXISCOMP_CHECK(
+        checkUnit(AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis),
+            kept.unit, now.unit));
     for (std::size_t n = 0; n < std::min(kept.sourceUnits.size(), now.sourceUnits.size()); ++n)
-        AXISCOMP_CHECK(checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
-                                     .with("number", n + 1)
-                                     .with("axis", kept.axis),
-            kept.sourceUnits[n], now.sourceUnits[n]));
+        AXISCOMP_CHECK(
+            checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
+                          .with("number", n + 1)
+                          .with("axis", kept.axis),
+                kept.sourceUnits[n], now.sourceUnits[n]));
     return {};
 }
 

@@ -21,7 +21,7 @@ struct BackupOptions {
 
 std::size_t fileCount(const DriveBackup& backup)
 {
-    std::size_t count = 0;
+    std::size_t count = backup.otherFiles.size();
     for (const AxisBackup& axis : backup.axes)
         count += axis.files.size();
     return count;
@@ -46,24 +46,77 @@ Result<ExitCode> runBackup(Environment& environment, const BackupOptions& option
         });
 }
 
-/// What will be written, axis by axis, before any of it is. The documents of the plans.
-Result<Json> showPlans(
+Json fileDocument(const PlannedFile& planned)
+{
+    return {{"slot", planned.file.slot}, {"file", planned.file.path},
+        {"tableBytes", planned.file.bytes.size()}, {"persistent", planned.file.persistent},
+        {"isThere", planned.isThere}, {"flashOperations", planned.flashOperations}};
+}
+
+/// "Small4: 172 bytes, persistent; flash: 1 operation": a file that no axis used.
+std::string fileLine(const PlannedFile& planned)
+{
+    const AxisBackup::File& file = planned.file;
+    const auto operations = static_cast<std::size_t>(planned.flashOperations);
+    return file.slot + ": " + plural(file.bytes.size(), "byte", "bytes")
+        + (file.persistent ? ", persistent" : ", volatile") + "; "
+        + (operations == 0 ? "no flash operation"
+                           : "flash: " + plural(operations, "operation", "operations"))
+        + "\n";
+}
+
+/// What will be written of the axes and of the tables that no axis uses, before any of it is.
+struct ShownPlans {
+    Json plans = Json::array();
+    Json files = Json::array();
+};
+
+void showFiles(Environment& environment, const RestorePlan& plan, ShownPlans& shown)
+{
+    std::string lines;
+    for (const PlannedFile& file : plan.files) {
+        shown.files.push_back(fileDocument(file));
+        if (!file.isThere)
+            lines += "  " + fileLine(file);
+    }
+    if (!lines.empty())
+        environment.print("\nTables that no axis uses, restored after the axes\n" + lines);
+}
+
+Result<ShownPlans> showPlans(
     Environment& environment, CommandSession& session, const DriveBackup& backup, bool force)
 {
     AXISCOMP_TRY(
-        const auto plans, session.compensator().planRestore(backup, force, session.operation()));
+        const auto planned, session.compensator().planRestore(backup, force, session.operation()));
     AXISCOMP_TRY(const auto axes, session.compensator().axes(session.operation()));
     environment.console().clearProgress();
-    Json documents = Json::array();
-    for (const WritePlan& plan : plans) {
-        documents.push_back(toJson(plan));
+    ShownPlans shown;
+    for (const WritePlan& plan : planned.axes) {
+        shown.plans.push_back(toJson(plan));
         if (!plan.changes.empty())
-            environment.print((documents.size() > 1 ? "\n" : "")
+            environment.print((shown.plans.size() > 1 ? "\n" : "")
                 + planText(plan, axes.at(static_cast<std::size_t>(plan.axis))));
         for (const Text& warning : plan.warnings)
             environment.warn(warning.english());
     }
-    return documents;
+    showFiles(environment, planned, shown);
+    return shown;
+}
+
+/// The documents of the writes of the axes.
+Json showRestored(Environment& environment, const RestoreReport& done)
+{
+    Json list = Json::array();
+    for (const WriteReport& report : done.axes) {
+        environment.print("Restored " + axisWords(report.now.axis) + ": table "
+            + (report.now.setup.slot.empty() ? "none" : report.now.setup.slot) + ".\n");
+        list.push_back({{"plan", toJson(report.plan)}, {"report", toJson(report)}});
+    }
+    for (const AxisBackup::File& file : done.files)
+        environment.print("Restored " + file.slot + ", which no axis uses.\n");
+    if (done.axes.empty() && done.files.empty())
+        environment.print("The drive already has all of this; nothing was written.\n");
+    return list;
 }
 
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
@@ -72,30 +125,23 @@ Result<ExitCode> runRestore(Environment& environment, const BackupOptions& optio
     AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), options.file));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
-            AXISCOMP_TRY(auto plans, showPlans(environment, session, backup, options.force));
+            AXISCOMP_TRY(auto shown, showPlans(environment, session, backup, options.force));
             if (options.isDryRun) {
                 environment.print("\nNothing was written (--dry-run).\n");
-                environment.document(
-                    {{"input", options.file}, {"plans", std::move(plans)}, {"writes", nullptr}});
+                environment.document({{"input", options.file}, {"plans", std::move(shown.plans)},
+                    {"files", std::move(shown.files)}, {"writes", nullptr}});
                 return ExitCode::Done;
             }
             environment.print("\n");
             const WriteInterruption interruption(environment);
-            const auto reports =
+            const auto done =
                 session.compensator().restore(backup, options.force, session.operation());
             environment.console().clearProgress();
-            if (!reports)
-                return fail(reports.error());
-            Json list = Json::array();
-            for (const WriteReport& report : *reports) {
-                environment.print("Restored " + axisWords(report.now.axis) + ": table "
-                    + (report.now.setup.slot.empty() ? "none" : report.now.setup.slot) + ".\n");
-                list.push_back({{"plan", toJson(report.plan)}, {"report", toJson(report)}});
-            }
-            if (reports->empty())
-                environment.print("The drive already has all of this; nothing was written.\n");
-            environment.document({{"input", options.file}, {"plans", std::move(plans)},
-                {"writes", std::move(list)}});
+            if (!done)
+                return fail(done.error());
+            Json list = showRestored(environment, *done);
+            environment.document({{"input", options.file}, {"plans", std::move(shown.plans)},
+                {"files", std::move(shown.files)}, {"writes", std::move(list)}});
             return ExitCode::Done;
         });
 }

@@ -361,13 +361,40 @@ private Q_SLOTS:
 
         const ProgramRun restored = box.run(with(drive, {"restore", "b.json", "--json"}));
         VERIFY_CODE(restored, 0);
-        QCOMPARE(restored.json().keys(), (QStringList{"input", "plans", "writes"}));
+        QCOMPARE(restored.json().keys(), (QStringList{"files", "input", "plans", "writes"}));
         QCOMPARE(restored.json().value("plans").toArray().size(), 2);
         QCOMPARE(restored.json().value("writes").toArray().size(), 1);
         const QJsonObject after = box.run(with(drive, {"status", "--axis", "0", "--json"})).json();
         QCOMPARE(after.value("table"), before.value("table"));
         QCOMPARE(after.value("sources"), before.value("sources"));
         QCOMPARE(after.value("persistent"), before.value("persistent"));
+    }
+
+    void aTableThatNoAxisUsesIsPlannedAndRestoredInWords()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        box.file("t.csv", "X,E\n0,0.001\n50,0.002\n100,0.001\n");
+        VERIFY_CODE(box.run({"convert", "t.csv", "t.TAMtbl", "--dims", "1", "--table", "1",
+                        "--persistent"}),
+            0);
+        VERIFY_CODE(
+            box.run(with(drive, {"upload", "t.TAMtbl", "--to", "tables/small4.TAMtbl"})), 0);
+        const ProgramRun backup = box.run(with(drive, {"backup", "-o", "b.json"}));
+        VERIFY_CODE(backup, 0);
+        QVERIFY2(backup.out.contains(", 1 table."), backup.out.constData());
+        VERIFY_CODE(box.run(with(drive, {"delete", "--slot", "small4"})), 0);
+        const ProgramRun shown = box.run(with(drive, {"restore", "b.json", "--dry-run"}));
+        VERIFY_CODE(shown, 0);
+        QVERIFY2(shown.out.contains("persistent; flash: 1 operation\n"), shown.out.constData());
+        const ProgramRun restored = box.run(with(drive, {"restore", "b.json"}));
+        VERIFY_CODE(restored, 0);
+        QVERIFY2(restored.out.endsWith("Restored Small4, which no axis uses.\n"),
+            restored.out.constData());
+        const ProgramRun again = box.run(with(drive, {"restore", "b.json"}));
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.out.contains("nothing was written"), again.out.constData());
+        QVERIFY2(!again.out.contains("Small4"), again.out.constData());
     }
 
     void aBackupOfAnotherDriveNeedsForce()

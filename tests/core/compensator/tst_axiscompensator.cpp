@@ -575,9 +575,9 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.deactivate(1));
         const auto possible = f.compensator.planRestore(*backup, false);
         VERIFY_RESULT(possible);
-        QCOMPARE(possible->size(), std::size_t{2});
-        QVERIFY(!possible->front().changes.empty());
-        QVERIFY(possible->back().changes.empty());
+        QCOMPARE(possible->axes.size(), std::size_t{2});
+        QVERIFY(!possible->axes.front().changes.empty());
+        QVERIFY(possible->axes.back().changes.empty());
         VERIFY_RESULT(f.compensator.restore(*backup, false));
         QCOMPARE(f.compensator.readTable(0)->values, exampleTable(2, 1).values);
     }

@@ -71,8 +71,15 @@ private Q_SLOTS:
         const std::vector<AxisWrite> two{{0, exampleRequest(1, Persistency::Persistent)},
             {1, exampleRequest(2, Persistency::Persistent)}};
         const auto plans = planMultiAxis(fixture.compensator, two);
-        VERIFY_ERROR(plans, ErrorCode::InvalidArgument);
-        QVERIFY(sentence(plans.error()).find("volatile") != std::string::npos);
+        VERIFY_ERROR(plans, ErrorCode::FlashWear);
+        const std::string seconds = plans.error().context.english("seconds");
+        QVERIFY(std::stoi(seconds) > 0);
+        QCOMPARE(QString::fromStdString(sentence(plans.error())),
+            QString::fromStdString("together these changes cost 2 flash operations, more than are "
+                                   "possible now; wait "
+                + seconds + " s, or make fewer changes at a time"));
+        fixture.pass(std::chrono::seconds(std::stoi(seconds)));
+        VERIFY_RESULT(planMultiAxis(fixture.compensator, two));
     }
 };
 

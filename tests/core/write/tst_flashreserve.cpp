@@ -253,16 +253,58 @@ private Q_SLOTS:
 
         // The axis alone needs 2, the unused table 1 more.
         const auto refused = f.compensator.planRestore(*backup, false);
-        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        VERIFY_ERROR(refused, ErrorCode::FlashWear);
         QVERIFY2(
-            sentence(refused.error()).find("cost 3 flash operations, and 2") != std::string::npos,
+            sentence(refused.error())
+                .starts_with(
+                    "the flash operations that are left would do for all of these changes, 2, but"),
             sentence(refused.error()).c_str());
-        VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::InvalidArgument);
+        VERIFY_ERROR(f.compensator.restore(*backup, false), ErrorCode::FlashWear);
         QCOMPARE(f.link.firstChange(), 0);
         QVERIFY(f.state() == before);
 
-        backup->otherFiles.clear();
+        DriveBackup axesOnly = *backup;
+        axesOnly.otherFiles.clear();
+        VERIFY_RESULT(f.compensator.planRestore(axesOnly, false));
+        // Nor without axes: the drive does it, but not what the record allows.
+        VERIFY_RESULT(f.store.recordFlash(4711, f.wallTime(), 2));
+        DriveBackup filesOnly = *backup;
+        filesOnly.axes.clear();
+        const auto alone = f.compensator.planRestore(filesOnly, false);
+        VERIFY_ERROR(alone, ErrorCode::FlashWear);
+        QVERIFY(!alone.error().context.contains("together"));
+        f.pass(drivecomm::genericProfile().flashWear.window);
         VERIFY_RESULT(f.compensator.restore(*backup, false));
+    }
+
+    void whatRestoringAFileCostsIsPlannedAndSaid()
+    {
+        const auto& layout = drivecomm::genericProfile().layout;
+        CompensatorFixture f;
+        const Bytes file = *encodeTamTable(exampleTable(1, 50), true, layout);
+        VERIFY_RESULT(f.compensator.upload("tables/small4.TAMtbl", file));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.deleteSlot("Small4"));
+        const auto plan = f.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->files.size(), std::size_t{1});
+        QCOMPARE(plan->files.front().file.slot, std::string("Small4"));
+        QVERIFY(!plan->files.front().isThere);
+        QCOMPARE(plan->files.front().flashOperations, 1);
+        const int left = operationsLeft(f);
+        const auto restored = f.compensator.restore(*backup, false);
+        VERIFY_RESULT(restored);
+        QVERIFY(restored->axes.empty());
+        QCOMPARE(restored->files.size(), std::size_t{1});
+        QCOMPARE(operationsLeft(f), left - 1);
+
+        const auto again = f.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(again);
+        QVERIFY(again->files.front().isThere);
+        QCOMPARE(again->files.front().flashOperations, 0);
+        QVERIFY(f.compensator.restore(*backup, false)->files.empty());
+        QCOMPARE(operationsLeft(f), left - 1);
     }
 };
 

@@ -294,9 +294,9 @@ private Q_SLOTS:
         for (const bool isThere : {false, true}) {
             const auto plans = f.compensator.planRestore(*backup, false);
             VERIFY_RESULT(plans);
-            QCOMPARE(plans->front().after.slot, std::string("Small1"));
-            QCOMPARE(plans->front().changes.empty(), isThere);
-            QVERIFY(std::ranges::any_of(plans->front().warnings, [](const Text& warning) {
+            QCOMPARE(plans->axes.front().after.slot, std::string("Small1"));
+            QCOMPARE(plans->axes.front().changes.empty(), isThere);
+            QVERIFY(std::ranges::any_of(plans->axes.front().warnings, [](const Text& warning) {
                 return warning.english().find("in Small1 is not restored") != std::string::npos;
             }));
             VERIFY_RESULT(f.compensator.restore(*backup, false));

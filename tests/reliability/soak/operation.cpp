@@ -107,7 +107,11 @@ void carryOut(const Operation& operation, AxisCompensator& compensator,
         return keepReport(compensator.setPersistency(axis, operation.persistency, options), ending);
     case Action::RestorePrevious:
     case Action::RestoreOld:
-        return keep(compensator.restore(*operation.backup, false, options), ending.reports, ending);
+        if (auto done = compensator.restore(*operation.backup, false, options); !done)
+            ending.error = done.error();
+        else
+            ending.reports = std::move(done->axes);
+        return;
     case Action::Upload:
         if (auto done = compensator.upload(operation.path, operation.file, options); !done)
             ending.error = done.error();
