@@ -79,7 +79,7 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
 Result<AxisStatus> requestAndWait(const RegisterAccess& access, const AxisStatus& status,
     SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
-    AXISCOMP_CHECK(requestActivation(access, status, activation));
+    AXISCOMP_CHECK(requestActivation(access.expecting(status.drive), status, activation));
     return waitForState(access, status.drive, status.axis.index, sources, activation, wanted);
 }
 

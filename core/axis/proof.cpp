@@ -142,7 +142,15 @@ Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,
         if (status.setup.sources[n].path.empty())
             return fail(ErrorCode::SourceMissing, {{"dimension", n + 1}});
     }
-    return Prover(access, status, table).run(samples);
+    auto proof = Prover(access, status, table).run(samples);
+    if (!proof && proof.error().code != ErrorCode::ProofFailed
+        && proof.error().code != ErrorCode::CompensationError)
+        return proof;
+    // What another drive has answered proves nothing, and contradicts nothing.
+    const auto same = access.expecting(status.drive).checkDrive();
+    if (!same && (proof || same.error().code == ErrorCode::OtherDrive))
+        return fail(same.error());
+    return proof;
 }
 
 } // namespace axiscomp

@@ -27,6 +27,13 @@ RegisterAccess RegisterAccess::withoutStop() const
     return copy;
 }
 
+RegisterAccess RegisterAccess::expecting(const DriveIdentity& drive) const
+{
+    RegisterAccess copy = *this;
+    copy.m_expected = drive.serialNumber;
+    return copy;
+}
+
 void RegisterAccess::report(std::string_view step, double fraction) const
 {
     if (m_options.progress)
@@ -76,6 +83,17 @@ Result<DriveIdentity> RegisterAccess::identify() const
     if (drive)
         drive->name = shownText(drive->name);
     return drive;
+}
+
+Result<void> RegisterAccess::checkDrive() const
+{
+    if (!m_expected)
+        return {};
+    AXISCOMP_TRY(const auto drive, identify());
+    if (drive.serialNumber == *m_expected)
+        return {};
+    return fail(
+        ErrorCode::OtherDrive, {{"expected", *m_expected}, {"found", drive.serialNumber}});
 }
 
 Result<Readings> RegisterAccess::read(const std::vector<std::string>& paths) const

@@ -40,6 +40,8 @@ public:
     [[nodiscard]] Exchange exchange() const;
     /// For putting things back: the user's stop must not reach it.
     [[nodiscard]] RegisterAccess withoutStop() const;
+    /// For an operation that must not go on in another drive: see checkDrive().
+    [[nodiscard]] RegisterAccess expecting(const DriveIdentity& drive) const;
     void report(std::string_view step, double fraction) const;
     [[nodiscard]] Result<void> checkStop() const;
     /// Waits, and ends early with Cancelled.
@@ -55,6 +57,8 @@ public:
 
     /// Names and texts of a drive are as shownText() gives them, here and in read().
     [[nodiscard]] Result<DriveIdentity> identify() const;
+    /// Asks once more who answers, where a drive is expected. Errors: OtherDrive.
+    [[nodiscard]] Result<void> checkDrive() const;
     [[nodiscard]] Result<Readings> read(const std::vector<std::string>& paths) const;
     /// Registers that the drive does not have are left out.
     /// One that is named twice is read once.
@@ -65,6 +69,7 @@ private:
     DriveLink& m_link;
     const DriveProfile& m_profile;
     OperationOptions m_options;
+    std::optional<std::int32_t> m_expected; ///< serial number
 };
 
 /// The request may have been carried out although it failed.

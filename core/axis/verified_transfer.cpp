@@ -74,6 +74,8 @@ Result<void> writeVerified(const RegisterAccess& access, const std::vector<Regis
     auto written = writeInOrder(access, all);
     if (written || !mayHaveArrived(written.error().code))
         return written;
+    // What another drive holds says nothing about this one, and the rest is not for it.
+    AXISCOMP_CHECK(access.checkDrive());
     if (commands.empty() && compareRegisters(access, values))
         return {};
     return writeInOrder(access, all);
@@ -94,6 +96,11 @@ Result<void> uploadVerified(const RegisterAccess& access, const std::string& pat
     auto uploaded = access.link().upload(path, bytes, exchangeFor("upload", 0.0));
     if (!uploaded && !mayHaveArrived(uploaded.error().code))
         return uploaded;
+    if (!uploaded) {
+        const auto same = access.checkDrive();
+        if (!same && same.error().code == ErrorCode::OtherDrive)
+            return same;
+    }
     auto found = access.link().download(path, exchangeFor("verify", 0.5));
     if (!found)
         return fail(uploaded ? found.error() : uploaded.error());
@@ -118,6 +125,7 @@ Result<void> deleteTable(const RegisterAccess& access, std::string_view slot)
     if (isEmpty)
         return {};
     // The command may have been lost; to repeat it costs nothing where it was not.
+    AXISCOMP_CHECK(access.checkDrive());
     AXISCOMP_CHECK(writeVerified(access, {}, command));
     return checkEmpty(access, slot);
 }

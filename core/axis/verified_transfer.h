@@ -8,7 +8,8 @@ namespace axiscomp {
 /// Writes registers so that afterwards it is known whether they took effect: an answer that did not
 /// come is replaced by reading back, and a request that did not arrive is sent once more. Only for
 /// writes that may be repeated: values, and commands that do nothing the second time (commands are
-/// not read back).
+/// not read back). Nothing is read back from, or sent once more to, another drive than the access
+/// expects: OtherDrive.
 [[nodiscard]] Result<void> writeVerified(const RegisterAccess& access,
     const std::vector<RegisterWrite>& values, const std::vector<RegisterWrite>& commands = {});
 

@@ -224,8 +224,10 @@ Result<Activation> AxisCompensator::switchTo(
                                           : evaluateAxis(access, before.drive, axis, d->sources);
     Activation activation{before, std::nullopt};
     if (!now) {
-        d->withdraw(before, activation, access);
-        return fail(now.error());
+        Error error = std::move(now).error();
+        if (!d->withdraw(before, activation, access))
+            error.context.set("compensation", Verbatim{"unknown"});
+        return fail(std::move(error));
     }
     activation.status = *std::move(now);
     activation.proof = proveAxis(access, activation.status, table, samples);
@@ -237,19 +239,28 @@ Result<Activation> AxisCompensator::switchTo(
 
 /// A switch that was not seen to its end must not happen later, unproved. An error of the
 /// compensation stays, to be read.
-void AxisCompensator::Private::withdraw(
+bool AxisCompensator::Private::withdraw(
     const AxisStatus& before, Activation& activation, const RegisterAccess& access)
 {
-    const auto now = readStatus(access.withoutStop(), before.drive, before.axis.index, sources);
-    if (now && now->axis.state != CompensationState::Error && now->activation != before.activation)
-        putBack(before, activation, access);
+    const RegisterAccess quiet = access.withoutStop().expecting(before.drive);
+    if (!quiet.checkDrive())
+        return false;
+    const auto now = readStatus(quiet, before.drive, before.axis.index, sources);
+    if (!now)
+        return false;
+    if (now->axis.state == CompensationState::Error || now->activation == before.activation)
+        return true;
+    putBack(before, activation, access);
+    return activation.isPutBack;
 }
 
 /// Goes on after the user has stopped, and as well as it can after anything else.
 void AxisCompensator::Private::putBack(
     const AxisStatus& before, Activation& activation, const RegisterAccess& access)
 {
-    const RegisterAccess quiet = access.withoutStop();
+    const RegisterAccess quiet = access.withoutStop().expecting(before.drive);
+    if (!quiet.checkDrive())
+        return;
     const int axis = before.axis.index;
     auto off = deactivateAxis(quiet, before.drive, axis, sources);
     if (off && before.axis.state == CompensationState::Evaluating)

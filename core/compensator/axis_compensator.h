@@ -120,7 +120,8 @@ public:
         int axis, int samples = 5, const OperationOptions& options = {});
 
     /// Switches the compensation, and proves it unless it is switched off. When the proof fails, or
-    /// the user stops it, the state from before is put back, also when it was Evaluating.
+    /// the user stops it, the state from before is put back, also when it was Evaluating. An error
+    /// has "compensation": "unknown" when the drive may have switched and cannot be asked.
     [[nodiscard]] Result<Activation> switchTo(
         int axis, Switch wanted, int samples = 5, const OperationOptions& options = {});
 

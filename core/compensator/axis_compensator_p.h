@@ -54,7 +54,9 @@ struct AxisCompensator::Private {
     [[nodiscard]] Result<ResumedWrite> resume(
         const RegisterAccess& access, const JournalEntry& entry);
 
-    void withdraw(const AxisStatus& before, Activation& activation, const RegisterAccess& access);
+    /// Whether it is known what the compensation does now.
+    [[nodiscard]] bool withdraw(
+        const AxisStatus& before, Activation& activation, const RegisterAccess& access);
     void putBack(const AxisStatus& before, Activation& activation, const RegisterAccess& access);
 
     // With the write lock held.

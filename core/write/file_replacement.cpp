@@ -38,8 +38,9 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     AXISCOMP_CHECK(checkUnchanged());
     AXISCOMP_CHECK(noteCovering(bytes, cost));
     auto done = put(m_access, bytes);
-    const bool isRefused =
-        !done && !isUncertain(done.error().code) && done.error().code != ErrorCode::VerifyMismatch;
+    const bool isRefused = !done && !isUncertain(done.error().code)
+        && done.error().code != ErrorCode::VerifyMismatch
+        && done.error().code != ErrorCode::OtherDrive;
     FlashAccount account(m_store, m_drive.serialNumber, m_clock);
     if (!done)
         account.noteRefusal(done.error());
@@ -47,7 +48,10 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     if (!done)
         outcome = fail(isRefused ? done.error() : rollBack(done.error()));
     if (!isRefused || mayHaveSpentFlash(done.error())) {
-        const auto counts = readEraseCounts(m_access.withoutStop(), {m_slot.name});
+        const RegisterAccess access = m_access.withoutStop();
+        Result<EraseCounts> counts = EraseCounts{};
+        if (done || access.checkDrive()) // the counts of another drive say nothing about this one
+            counts = readEraseCounts(access, {m_slot.name});
         account.record(m_seen.counts, counts.value_or(EraseCounts{}), cost.operations);
     }
     if (done && bytes.empty()) {
@@ -175,10 +179,7 @@ Result<void> FileReplacement::keepOldFile()
 /// The last question before the change, as in a write.
 Result<void> FileReplacement::checkUnchanged() const
 {
-    AXISCOMP_TRY(auto drive, m_access.identify());
-    if (drive.serialNumber != m_drive.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", m_drive.serialNumber}, {"found", drive.serialNumber}});
+    AXISCOMP_CHECK(m_access.checkDrive());
     AXISCOMP_TRY(auto now, look());
     const std::size_t elementBytes = now.state.elements * sizeof(float);
     const bool isWhatWasKept = m_old.bytes.size() >= elementBytes
@@ -214,7 +215,10 @@ Result<void> FileReplacement::put(const RegisterAccess& access, ByteView bytes) 
 /// Gives the error to report.
 Error FileReplacement::rollBack(const Error& reason) const
 {
-    auto restored = put(m_access.withoutStop(), m_old.bytes);
+    const RegisterAccess access = m_access.withoutStop();
+    auto restored = access.checkDrive();
+    if (restored)
+        restored = put(access, m_old.bytes);
     if (restored)
         return reason;
     return Error{ErrorCode::RollbackFailed,

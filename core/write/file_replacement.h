@@ -16,7 +16,7 @@ class FileReplacement {
 public:
     FileReplacement(const RegisterAccess& access, DriveStore& store, const DriveIdentity& drive,
         std::function<WallTime()> clock, const TableSlot& slot)
-        : m_access(access)
+        : m_access(access.expecting(drive))
         , m_store(store)
         , m_drive(drive)
         , m_clock(std::move(clock))
@@ -63,7 +63,7 @@ private:
     [[nodiscard]] Result<void> put(const RegisterAccess& access, ByteView bytes) const;
     [[nodiscard]] Error rollBack(const Error& reason) const;
 
-    const RegisterAccess& m_access;
+    RegisterAccess m_access;
     DriveStore& m_store;
     const DriveIdentity& m_drive;
     std::function<WallTime()> m_clock;

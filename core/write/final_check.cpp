@@ -12,10 +12,7 @@ namespace axiscomp {
 Result<void> WriteProcedure::checkUnchanged()
 {
     const WritePlan& plan = m_write.plan;
-    AXISCOMP_TRY(auto drive, m_access.identify());
-    if (drive.serialNumber != plan.drive.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", plan.drive.serialNumber}, {"found", drive.serialNumber}});
+    AXISCOMP_CHECK(m_access.checkDrive());
     // All of it at one instant, where the profile allows, and nothing is asked after it: who
     // changes something between this reading and the first change cannot be noticed any more.
     AXISCOMP_TRY(

@@ -67,9 +67,10 @@ Result<void> checkFlashBudget(
 
 bool mayHaveSpentFlash(const Error& error)
 {
-    // What was asked before the connection was found to be gone may have arrived.
+    // What was asked before the connection was found to be gone, or to lead to another drive, may
+    // have arrived.
     return isUncertain(error.code) || isUnreachable(error.code)
-        || error.code == ErrorCode::VerifyMismatch;
+        || error.code == ErrorCode::OtherDrive || error.code == ErrorCode::VerifyMismatch;
 }
 
 void FlashAccount::record(const EraseCounts& before, const EraseCounts& after, int assumed)

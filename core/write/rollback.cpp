@@ -9,6 +9,16 @@
 
 namespace axiscomp {
 
+namespace {
+
+/// There is nothing to be asked or to be put back there.
+bool isOutOfReach(ErrorCode code)
+{
+    return isUnreachable(code) || code == ErrorCode::OtherDrive;
+}
+
+} // namespace
+
 const AxisBackup::File* WriteProcedure::backupOf(const std::string& slot) const
 {
     const auto file = std::ranges::find(m_backup.files, slot, &AxisBackup::File::slot);
@@ -31,13 +41,13 @@ Error WriteProcedure::rollBack(const Error& reason)
     access.report("putting back", 0.95);
     auto undone = undo(access);
     accountForUndo(access, undone);
+    if (!undone && undone.error().code == ErrorCode::OtherDrive)
+        return otherDrive(reason, undone.error());
     if (!undone && isUnreachable(undone.error().code)) {
         // As long as the axis was not touched it has its old state, whatever the other slot holds.
         if (!m_registersTouched)
             return reason;
-        // Registers that are written one by one may have left it switched off, and a deletion
-        // begins with that.
-        if (!switchesOff() && !deletes() && access.profile().writesAtOneInstant)
+        if (!mayBeHalfWay())
             return outcome(ErrorCode::OutcomeUnknown, reason, {});
     }
     if (!undone && !hasOldState(access))
@@ -46,11 +56,27 @@ Error WriteProcedure::rollBack(const Error& reason)
     return reason;
 }
 
+/// Registers that are written one by one may have left the axis switched off, and a deletion begins
+/// with that.
+bool WriteProcedure::mayBeHalfWay() const
+{
+    return m_registersTouched
+        && (switchesOff() || deletes() || !m_access.profile().writesAtOneInstant);
+}
+
+/// Another drive has the address by now: nothing is put back there, and the journal stays open for
+/// the drive that was written.
+Error WriteProcedure::otherDrive(const Error& reason, const Error& other) const
+{
+    return mayBeHalfWay() ? outcome(ErrorCode::RollbackFailed, reason, textOf(other))
+                          : outcome(ErrorCode::OutcomeUnknown, other, {});
+}
+
 void WriteProcedure::accountForUndo(const RegisterAccess& access, const Result<void>& undone)
 {
     if (!undone)
         m_flash.noteRefusal(undone.error());
-    const bool mayAsk = undone || !isUnreachable(undone.error().code);
+    const bool mayAsk = undone || !isOutOfReach(undone.error().code);
     if (!mayAsk || (!m_slotTouched && !m_flashTouched))
         return;
     if (auto after = readEraseCounts(access, touchedSlots()))
@@ -63,12 +89,13 @@ void WriteProcedure::accountForUndo(const RegisterAccess& access, const Result<v
 Result<void> WriteProcedure::undo(const RegisterAccess& access)
 {
     const auto attempt = [&]() -> Result<void> {
+        AXISCOMP_CHECK(access.checkDrive());
         AXISCOMP_CHECK(putBack(access));
         AXISCOMP_CHECK(confirmOldState(access));
         return {};
     };
     auto undone = attempt();
-    if (!undone && !isUnreachable(undone.error().code))
+    if (!undone && !isOutOfReach(undone.error().code))
         undone = attempt();
     return undone;
 }
@@ -184,7 +211,7 @@ Result<void> WriteProcedure::undoOtherSlot(const RegisterAccess& access)
 /// The last resort when undoing failed somewhere: does the axis have its old state all the same?
 bool WriteProcedure::hasOldState(const RegisterAccess& access)
 {
-    if (!compareRegisters(access, m_backup.registers))
+    if (!access.checkDrive() || !compareRegisters(access, m_backup.registers))
         return false;
     const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
     if (!old || old->bytes.empty())

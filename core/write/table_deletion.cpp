@@ -108,7 +108,7 @@ Result<void> WriteProcedure::deleteOldTable()
         if (!mayHaveSpentFlash(deleted.error()))
             return deleted;
     }
-    const auto spent = recordSpent(changesPersistency() ? 1 : 0);
+    const auto spent = recordSpent(changesPersistency() ? 1 : 0, deleted);
     if (!deleted)
         return deleted;
     AXISCOMP_CHECK(spent);

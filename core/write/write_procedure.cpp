@@ -15,7 +15,7 @@ namespace axiscomp {
 WriteProcedure::WriteProcedure(const RegisterAccess& access, DriveStore& store,
     SourceDirectory& sources, std::function<WallTime()> clock, PreparedWrite prepared,
     std::optional<JournalEntry> earlier)
-    : m_access(access)
+    : m_access(access.expecting(prepared.plan.drive))
     , m_store(store)
     , m_sources(sources)
     , m_clock(std::move(clock))
@@ -261,7 +261,7 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
         if (!isCommitted && !mayHaveSpentFlash(reached.error()))
             return reached;
     }
-    auto spent = recordSpent(m_write.plan.flashOperations);
+    auto spent = recordSpent(m_write.plan.flashOperations, reached);
     if (reached && !spent)
         return spent;
     if (reached) // what flash holds there is what the drive uses, or nothing
@@ -270,10 +270,13 @@ Result<void> WriteProcedure::commitWith(const std::vector<RegisterWrite>& values
     return reached;
 }
 
-/// What the slots' counts say now; assumed: where they do not say it.
-Result<void> WriteProcedure::recordSpent(int assumed)
+/// What the slots' counts say now; assumed: where they do not say it. outcome: of what has spent
+/// it; the counts of another drive would say nothing about this one.
+Result<void> WriteProcedure::recordSpent(int assumed, const Result<void>& outcome)
 {
-    auto after = readEraseCounts(m_access, touchedSlots());
+    const bool isOther = !outcome && outcome.error().code == ErrorCode::OtherDrive;
+    auto after = isOther ? Result<EraseCounts>(fail(outcome.error()))
+                         : readEraseCounts(m_access, touchedSlots());
     // What cannot be asked has been spent, as far as anybody knows.
     m_flash.record(
         m_eraseCounts, after.value_or(EraseCounts{}), after ? assumed : std::min(assumed, 1));
@@ -300,6 +303,7 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
     const auto before = m_eraseCounts.find(slot);
     if (before == m_eraseCounts.end() || after[slot] != before->second)
         return {};
+    AXISCOMP_CHECK(m_access.checkDrive());
     return writeVerified(m_access, {}, commit);
 }
 
@@ -355,13 +359,18 @@ Result<AxisStatus> WriteProcedure::confirm()
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
                 {"expected", setupText(plan.after)}});
-    if (!now || !deletes())
+    if (!now)
         return now;
-    auto empty = checkEmpty(access, plan.deletedSlot);
-    if (!empty && isUnreachable(empty.error().code))
-        empty = checkEmpty(access, plan.deletedSlot);
-    if (!empty)
-        return fail(empty.error());
+    const auto confirmRest = [&]() -> Result<void> {
+        if (deletes())
+            AXISCOMP_CHECK(checkEmpty(access, plan.deletedSlot));
+        return access.checkDrive(); // that has just been read
+    };
+    auto rest = confirmRest();
+    if (!rest && isUnreachable(rest.error().code))
+        rest = confirmRest();
+    if (!rest)
+        return fail(rest.error());
     return now;
 }
 

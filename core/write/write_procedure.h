@@ -40,7 +40,8 @@ private:
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> reachFlash(
         const std::vector<RegisterWrite>& values, bool& isCommitted);
-    [[nodiscard]] Result<void> recordSpent(int assumed);
+    [[nodiscard]] Result<void> recordSpent(
+        int assumed, const Result<void>& outcome);
     [[nodiscard]] Result<void> deleteOldTable();
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);
@@ -49,6 +50,8 @@ private:
 
     // Putting back, in reverse order.
     [[nodiscard]] Error rollBack(const Error& reason);
+    [[nodiscard]] bool mayBeHalfWay() const;
+    [[nodiscard]] Error otherDrive(const Error& reason, const Error& other) const;
     [[nodiscard]] Result<void> undo(const RegisterAccess& access);
     [[nodiscard]] Result<void> putBack(const RegisterAccess& access);
     [[nodiscard]] Result<AxisStatus> confirmOldState(const RegisterAccess& access) const;

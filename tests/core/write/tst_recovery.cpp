@@ -220,7 +220,7 @@ private Q_SLOTS:
         bool isOver = false;
         for (int exchange = 1; !isOver; ++exchange) {
             Begun c(chosen);
-            c.link.failAt(exchanges - 2, LinkFault::DriveGoneAfter);
+            c.link.failAt(exchanges - 3, LinkFault::DriveGoneAfter);
             (void)c.write();
             c.link.heal();
             const auto status = c.compensator.status(0);
