@@ -92,8 +92,7 @@ Result<void> RegisterAccess::checkDrive() const
     AXISCOMP_TRY(const auto drive, identify());
     if (drive.serialNumber == *m_expected)
         return {};
-    return fail(
-        ErrorCode::OtherDrive, {{"expected", *m_expected}, {"found", drive.serialNumber}});
+    return fail(ErrorCode::OtherDrive, {{"expected", *m_expected}, {"found", drive.serialNumber}});
 }
 
 Result<Readings> RegisterAccess::read(const std::vector<std::string>& paths) const

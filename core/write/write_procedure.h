@@ -40,8 +40,7 @@ private:
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> reachFlash(
         const std::vector<RegisterWrite>& values, bool& isCommitted);
-    [[nodiscard]] Result<void> recordSpent(
-        int assumed, const Result<void>& outcome);
+    [[nodiscard]] Result<void> recordSpent(int assumed, const Result<void>& outcome);
     [[nodiscard]] Result<void> deleteOldTable();
     [[nodiscard]] Result<void> switchOver();
     [[nodiscard]] Result<void> switchOverOneByOne(const std::vector<RegisterWrite>& values);

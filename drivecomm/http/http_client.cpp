@@ -52,7 +52,9 @@ struct HttpClient::Private {
         thread.join();
     }
 
-    [[nodiscard]] Result<HttpReply> sendOnce(
+    [[nodiscard]] Result<HttpReply> sendOnce(const HttpRequest& request,
+        const ExchangeDeadline& running, PendingHttp::On connection, bool& isHeldBack);
+    [[nodiscard]] Result<HttpReply> sendChecked(
         const HttpRequest& request, const ExchangeDeadline& running);
     [[nodiscard]] tl::unexpected<Error> late(const Exchange& exchange) const
     {
@@ -61,6 +63,9 @@ struct HttpClient::Private {
 
     DriveEndpoint endpoint;
     CertificateCheck certificateCheck;
+    std::function<Result<void>(const ExchangeDeadline&)> check;
+    bool isChecked = false; ///< the connection that is kept
+    bool isChecking = false;
     /// Not a QThread: when that one has been waited for, it may not have let go of what OpenSSL
     /// keeps for each thread, and the program's end would come in between.
     std::thread thread;
@@ -78,8 +83,8 @@ HttpClient::~HttpClient()
     d->end();
 }
 
-Result<HttpReply> HttpClient::Private::sendOnce(
-    const HttpRequest& request, const ExchangeDeadline& running)
+Result<HttpReply> HttpClient::Private::sendOnce(const HttpRequest& request,
+    const ExchangeDeadline& running, PendingHttp::On connectsTo, bool& isHeldBack)
 {
     const Exchange& exchange = running.exchange;
     if (exchange.stop.stop_requested())
@@ -87,7 +92,7 @@ Result<HttpReply> HttpClient::Private::sendOnce(
     if (std::chrono::steady_clock::now() >= running.deadline)
         return late(exchange);
     startThread();
-    const auto pending = std::make_shared<PendingHttp>(request);
+    const auto pending = std::make_shared<PendingHttp>(request, connectsTo);
     const auto post = [this](auto action) {
         QMetaObject::invokeMethod(connection, std::move(action), Qt::QueuedConnection);
     };
@@ -118,16 +123,61 @@ Result<HttpReply> HttpClient::Private::sendOnce(
             return fail(ErrorCode::Cancelled);
         return late(exchange);
     }
+    isHeldBack = pending->isHeldBack;
     return std::move(*pending->outcome);
+}
+
+/// Only one of the client's own connections may be asked without a check: the one that had it.
+Result<HttpReply> HttpClient::Private::sendChecked(
+    const HttpRequest& request, const ExchangeDeadline& running)
+{
+    using On = PendingHttp::On;
+    bool isHeldBack = false;
+    if (isChecking)
+        return sendOnce(request, running, On::New, isHeldBack);
+    if (!check)
+        return sendOnce(request, running, On::Any, isHeldBack);
+    if (isChecked) {
+        auto reply = sendOnce(request, running, On::Kept, isHeldBack);
+        if (!isHeldBack)
+            return reply;
+    }
+    isChecked = false;
+    isChecking = true;
+    const auto checked = check(running);
+    isChecking = false;
+    if (!checked)
+        return fail(checked.error());
+    isChecked = true;
+    isHeldBack = false;
+    auto reply = sendOnce(request, running, On::Kept, isHeldBack);
+    if (!isHeldBack)
+        return reply;
+    // A server that closes every connection: right after the check is the best there is.
+    isChecked = false;
+    return sendOnce(request, running, On::New, isHeldBack);
+}
+
+void HttpClient::checkConnections(
+    std::function<Result<void>(const ExchangeDeadline&)> check, bool isChecked)
+{
+    d->check = std::move(check);
+    d->isChecked = isChecked;
+}
+
+void HttpClient::takeAnyConnection()
+{
+    d->check = {};
 }
 
 Result<HttpReply> HttpClient::send(const HttpRequest& request, const ExchangeDeadline& running)
 {
-    auto reply = d->sendOnce(request, running);
-    for (int i = 0; i < repeats && request.method == HttpRequest::Method::Get; ++i) {
+    auto reply = d->sendChecked(request, running);
+    for (int i = 0; i < repeats && !d->isChecking && request.method == HttpRequest::Method::Get;
+         ++i) {
         if (reply || reply.error().code != ErrorCode::ConnectionLost)
             break;
-        reply = d->sendOnce(request, running);
+        reply = d->sendChecked(request, running);
     }
     return reply;
 }

@@ -8,6 +8,7 @@
 #include "drivecomm/link/exchange_deadline.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,6 +42,14 @@ public:
     /// Protocol, CertificateRejected, Cancelled.
     [[nodiscard]] Result<HttpReply> send(
         const HttpRequest& request, const ExchangeDeadline& running);
+
+    /// Who answers may be another one on another connection. A request on a new connection goes out
+    /// after check has said yes, whose own requests are the first there. A server that closes each
+    /// connection is asked before each request. isChecked: the present connection need not be.
+    void checkConnections(
+        std::function<Result<void>(const ExchangeDeadline&)> check, bool isChecked);
+    /// As before there was a check.
+    void takeAnyConnection();
 
 private:
     struct Private;

@@ -98,10 +98,21 @@ void HttpConnection::start(const std::shared_ptr<PendingHttp>& pending)
     m_piece = 0;
     m_offset = 0;
     m_written = 0;
-    if (canBeUsedAgain(pending->request))
+    if (pending->connection != PendingHttp::On::New && canBeUsedAgain(pending->request))
         begin();
+    else if (pending->connection == PendingHttp::On::Kept)
+        holdBack();
     else
         connectSocket();
+}
+
+void HttpConnection::holdBack()
+{
+    const auto pending = std::exchange(m_pending, nullptr);
+    const std::scoped_lock lock(pending->mutex);
+    pending->isHeldBack = true;
+    pending->outcome = Result<HttpReply>(fail(ErrorCode::NotConnected));
+    pending->changed.notify_all();
 }
 
 bool HttpConnection::canBeUsedAgain(const HttpRequest& request) const

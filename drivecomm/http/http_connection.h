@@ -20,11 +20,23 @@ namespace axiscomp::drivecomm {
 
 /// One request on its way, shared by the thread that waits for it and the thread of the network.
 struct PendingHttp {
-    explicit PendingHttp(const HttpRequest& theRequest) : request(theRequest) { }
+    /// On which connection it may go out.
+    enum class On {
+        Any, ///< the one that is kept, where it can be used again
+        Kept, ///< that one only
+        New,
+    };
+    explicit PendingHttp(const HttpRequest& theRequest, On theConnection = On::Any)
+        : request(theRequest)
+        , connection(theConnection)
+    {
+    }
     const HttpRequest& request; ///< valid until outcome is there
+    const On connection;
     std::mutex mutex;
     std::condition_variable_any changed;
     std::optional<Result<HttpReply>> outcome;
+    bool isHeldBack = false; ///< there was no Kept connection: nothing was sent
     std::uint64_t progress = 0;
     std::uint64_t total = 0;
 };
@@ -42,6 +54,7 @@ public:
 
 private:
     [[nodiscard]] bool canBeUsedAgain(const HttpRequest& request) const;
+    void holdBack();
     void connectSocket();
     void makeSocket();
     void judge(QSslSocket& socket, const QList<QSslError>& errors);

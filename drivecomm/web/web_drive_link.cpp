@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 namespace axiscomp::drivecomm {
 
@@ -59,6 +61,9 @@ public:
     Result<void> upload(const std::string& path, ByteView bytes, const Exchange& exchange) override;
 
 private:
+    [[nodiscard]] Result<DriveIdentity> identifyAny(const ExchangeDeadline& running);
+    void expect(std::int32_t serial, bool isChecked);
+    [[nodiscard]] Result<void> checkDrive(const ExchangeDeadline& running);
     [[nodiscard]] Result<HttpReply> ask(
         const HttpRequest& request, const AskedFor& asked, const ExchangeDeadline& running);
     [[nodiscard]] Result<std::vector<RegisterReading>> read(
@@ -81,6 +86,7 @@ private:
     std::string m_endpoint;
     const DriveProfile& m_profile;
     HttpClient m_http;
+    std::optional<std::int32_t> m_expected; ///< serial number of the drive that was identified
 };
 
 Result<HttpReply> WebDriveLink::ask(
@@ -96,12 +102,42 @@ Result<HttpReply> WebDriveLink::ask(
 
 Result<DriveIdentity> WebDriveLink::identify(const Exchange& exchange)
 {
-    const ExchangeDeadline running(exchange);
+    const auto before = std::exchange(m_expected, {});
+    m_http.takeAnyConnection();
+    auto identity = identifyAny(ExchangeDeadline(exchange));
+    if (!identity && !m_expected && before)
+        expect(*before, false);
+    return identity;
+}
+
+/// From here on another drive than this one is refused, also while the axes are counted.
+void WebDriveLink::expect(std::int32_t serial, bool isChecked)
+{
+    m_expected = serial;
+    m_http.checkConnections(
+        [this](const ExchangeDeadline& running) { return checkDrive(running); }, isChecked);
+}
+
+/// A new connection may lead to another drive than the one that was identified.
+Result<void> WebDriveLink::checkDrive(const ExchangeDeadline& running)
+{
+    const std::vector<std::string> path{m_profile.registers.serialNumber};
+    AXISCOMP_TRY(const auto readings, readOnce(path, running));
+    const auto* found = std::get_if<std::int32_t>(&readings.front().value);
+    if (found && *found == *m_expected)
+        return {};
+    return fail(ErrorCode::OtherDrive,
+        {{"expected", *m_expected}, {"found", toText(readings.front().value)}});
+}
+
+Result<DriveIdentity> WebDriveLink::identifyAny(const ExchangeDeadline& running)
+{
     DriveIdentity identity;
     auto name = readName(running, identity.serialNumber);
     if (!name)
         return fail(std::move(name.error()));
     identity.name = std::move(*name);
+    expect(identity.serialNumber, true);
     AXISCOMP_TRY(const auto axes, countAxes(running));
     identity.axes = axes;
     return identity;

@@ -63,6 +63,8 @@ private Q_SLOTS:
     void worksOnAnyThread();
     void servesSeveralLinksAtOnce();
     void makesLinksFromEndpoints();
+    void writesNothingToAnotherDrive();
+    void asksOnceForEachConnectionWhoAnswers();
     void theResponderEndsWithAConnectionOpen();
 };
 
@@ -223,6 +225,50 @@ void WebDriveLinkTest::makesLinksFromEndpoints()
     VERIFY_RESULT(identity);
     QCOMPARE(identity->axes, 2);
     VERIFY_RESULT((*demo)->listFiles({}));
+}
+
+void WebDriveLinkTest::writesNothingToAnotherDrive()
+{
+    ServedDrive served;
+    VERIFY_RESULT(served.link->identify({}));
+    WebServerOptions options;
+    options.port = served.server->port();
+    served.server.reset();
+    VirtualDriveOptions exchanged = ServedDrive::options();
+    exchanged.serialNumber = 617;
+    VirtualDrive other(genericProfile(), exchanged);
+    FaultPlan faults;
+    const auto server = WebServer::start(other, genericProfile(), faults, options).value();
+    const Bytes file(100);
+    for (int i = 0; i < 2; ++i) { // being refused is no introduction
+        const auto refused = served.link->writeRegisters(oneWrite, {});
+        VERIFY_ERROR(refused, ErrorCode::OtherDrive);
+        QCOMPARE(refused.error().context.english("expected"), std::string("616"));
+        QCOMPARE(refused.error().context.english("found"), std::string("617"));
+        VERIFY_ERROR(served.link->readRegisters(twoStates, {}), ErrorCode::OtherDrive);
+        VERIFY_ERROR(served.link->upload("tables/small1.TAMtbl", file, {}), ErrorCode::OtherDrive);
+    }
+    const std::vector<std::string> path{oneWrite.front().path};
+    QCOMPARE(other.readRegisters(path)->front().value, RegisterValue(0.0F));
+    VERIFY_RESULT(served.link->identify({})); // whoever asks who it is knows
+    VERIFY_RESULT(served.link->writeRegisters(oneWrite, {}));
+    QCOMPARE(other.readRegisters(path)->front().value, RegisterValue(1.0F));
+}
+
+void WebDriveLinkTest::asksOnceForEachConnectionWhoAnswers()
+{
+    const RawResponder responder(driveWithAxes(2, Missing::Named));
+    const auto link = webLinkTo(responder.url());
+    VERIFY_RESULT(link->identify({}));
+    QCOMPARE(responder.requests(), 2);
+    for (int i = 0; i < 3; ++i)
+        VERIFY_RESULT(link->readRegisters(twoStates, {}));
+    QCOMPARE(responder.requests(), 5);
+    std::this_thread::sleep_for(1100ms); // a write does not trust a connection that was idle
+    (void)link->writeRegisters(oneWrite, {}); // asks on a new one, then goes out
+    QCOMPARE(responder.requests(), 7);
+    (void)link->writeRegisters(oneWrite, {});
+    QCOMPARE(responder.requests(), 8);
 }
 
 /// What these tests stand on: a responder that waited on would keep its test from ending.
