@@ -38,6 +38,15 @@ std::optional<LookupAt> lookupAtSources(
     return areOnBothSides ? std::nullopt : common;
 }
 
+std::optional<std::size_t> ownDimension(
+    const DriveProfile& profile, int axis, std::span<const std::string> sources)
+{
+    const auto own = ownSource(profile, axis, sources);
+    if (own == sources.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(own - sources.begin());
+}
+
 std::string lookupSource(
     const DriveProfile& profile, int axis, std::span<const std::string> sources)
 {

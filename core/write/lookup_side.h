@@ -5,6 +5,7 @@
 #include "core/drive/drive_profile.h"
 #include "core/neutral/lookup_note.h"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,11 @@ namespace axiscomp {
 
 /// The source that decides it: the position of the axis itself, or else the first one.
 [[nodiscard]] std::string lookupSource(
+    const DriveProfile& profile, int axis, std::span<const std::string> sources);
+
+/// The dimension whose source is the position of the axis itself; nothing: none is, as in a table
+/// over a temperature or over other axes.
+[[nodiscard]] std::optional<std::size_t> ownDimension(
     const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
 /// Whether a source is on the side of the compensation for which a table was made: its values

@@ -62,6 +62,8 @@ struct WritePlan {
     std::optional<CompensationTable> table; ///< in the drive's units; none: the table stays
     std::optional<LookupAt>
         lookupAt; ///< where the axis looks its table up then; nothing: not known
+    std::optional<std::size_t>
+        ownDimension; ///< whose source is the position of the axis itself; nothing: none is
     std::vector<Text> largeCorrections; ///< what has to be confirmed (WriteRequest::acceptsLarge)
     std::vector<DimensionCoverage> coverage; ///< where the drive says how far an axis travels
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units

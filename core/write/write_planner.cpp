@@ -147,6 +147,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     if (!decided)
         return fail(decided.error());
     plan.lookupAt = lookupAtSources(m_access.profile(), axis, sourcePaths(plan.after));
+    plan.ownDimension = ownDimension(m_access.profile(), axis, sourcePaths(plan.after));
     if (request.deletesTable) {
         decided = decideDeletion(request);
     } else if (request.withoutTable) {

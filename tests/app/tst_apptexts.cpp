@@ -122,8 +122,19 @@ private Q_SLOTS:
         CompensationTable table;
         table.grid.axes = {{"X", "mm", 0.0, 40.0, 3}};
         table.values = {0.0F, 0.0021F, 0.001F};
-        QCOMPARE(signSentence(table, "mm", LookupAt::Set),
+        QCOMPARE(signSentence(table, "mm", {LookupAt::Set}),
             "at the set position 40.0000 the drive will add +0.0021 mm");
+    }
+
+    void atATemperatureNobodyKnowsWhatTheEncoderReads()
+    {
+        CompensationTable table;
+        table.grid.axes = {{"T", "degC", 20.0, 20.0, 2}};
+        table.values = {0.0F, 0.0021F};
+        for (const auto lookupAt : {std::optional<LookupAt>(), std::optional(LookupAt::Set)})
+            QCOMPARE(signSentence(table, "mm", {lookupAt, false}),
+                "where the source reads 40 the reference is 0.0021 mm above the encoder: the drive "
+                "will add +0.0021 mm");
     }
 
     void signSentenceNamesAllSources()

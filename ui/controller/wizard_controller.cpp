@@ -16,6 +16,7 @@
 #include "ui/text/sign_sentence.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp::ui {
 
@@ -496,8 +497,15 @@ std::size_t WizardController::selectedTableBytes() const
 QString WizardController::signSentence() const
 {
     const AxisInfo axis = status() ? status()->axis : AxisInfo{};
-    return signSentenceFor(
-        m_parts->tables.selected(), axis, setup().edited().sources, selectedPlace().lookupAt);
+    const LoadedTable table = m_parts->tables.selected();
+    const auto& sources = setup().edited().sources;
+    std::vector<std::string> paths;
+    std::ranges::transform(sources, std::back_inserter(paths), &DimSource::path);
+    auto own = ownDimension(m_parts->profile, axis.index, paths);
+    // Until a source is chosen, a curve is shown as one over the axis's own position.
+    if (!sources[0].isSet() && table.table && table.table->grid.dimensions() == 1)
+        own = 0;
+    return signSentenceFor(table, axis, own, selectedPlace().lookupAt);
 }
 
 ActionState WizardController::action(Action action) const

@@ -323,7 +323,7 @@ void WritePreview::showChange(const Change& change)
     if (!change.newTable.table)
         return;
     const QString sign = m_controller.plannedRestoration()
-        ? signSentenceFor(change.newTable, status->axis, plan->after.sources, plan->lookupAt)
+        ? signSentenceFor(change.newTable, status->axis, plan->ownDimension, plan->lookupAt)
         : m_controller.signSentence();
     m_sign->setText(sign);
     m_sign->setVisible(!sign.isEmpty());

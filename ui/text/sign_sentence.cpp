@@ -56,22 +56,17 @@ class Sentence {
 
 public:
     Sentence(const CompensationTable& table, std::size_t element, const AxisInfo& axis,
-        const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt)
+        std::optional<std::size_t> own, std::optional<LookupAt> lookupAt)
         : m_table(table)
         , m_isAtSet(lookupAt == LookupAt::Set)
         , m_unit(unitSymbol(axis.unit))
         , m_value(static_cast<double>(table.values[element]))
+        , m_own(own ? static_cast<int>(*own) : -1)
     {
         for (const GridAxis& gridAxis : table.grid.axes) {
             m_position.push_back(gridAxis.position(element % gridAxis.size));
             element /= gridAxis.size;
         }
-        for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
-            if (!axis.folder.empty() && sources[n].path.starts_with(axis.folder) && m_own < 0)
-                m_own = static_cast<int>(n);
-        }
-        if (m_own < 0 && table.grid.dimensions() == 1)
-            m_own = sources[0].path.empty() ? 0 : -1;
     }
 
     [[nodiscard]] QString text() const
@@ -143,18 +138,20 @@ private:
     bool m_isAtSet = false; ///< the axis's own position is one after the compensation
     QString m_unit; ///< of what the drive adds
     double m_value = 0.0;
-    std::vector<double> m_position;
     int m_own = -1; ///< the dimension that is the axis's own position
+    std::vector<double> m_position;
 };
 
 } // namespace
 
 QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
-    const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt)
+    std::optional<std::size_t> own, std::optional<LookupAt> lookupAt)
 {
     if (!table.table || table.table->values.empty())
         return {};
-    return Sentence(*table.table, table.largestElement, axis, sources, lookupAt).text();
+    if (own && *own >= table.table->grid.axes.size())
+        own.reset();
+    return Sentence(*table.table, table.largestElement, axis, own, lookupAt).text();
 }
 
 } // namespace axiscomp::ui

@@ -6,15 +6,18 @@
 
 #include <QString>
 
+#include <cstddef>
+#include <optional>
+
 namespace axiscomp::ui {
 
 /// What the table does, in numbers, at its largest value: "where the encoder reads 40.0000 mm the
 /// reference says 40.0021 mm: the drive will add +0.0021 mm". It is there so that a wrong sign,
 /// unit or column is seen before it moves a machine. Positions have the file's names and units;
 /// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
-/// between the two is said. sources tell which dimension is the axis's own position; lookupAt, on
-/// which side of the compensation that is.
+/// between the two is said. own: the dimension that is the axis's own position; nothing: none is.
+/// lookupAt: on which side of the compensation that is.
 [[nodiscard]] QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
-    const std::array<DimSource, 3>& sources, std::optional<LookupAt> lookupAt);
+    std::optional<std::size_t> own, std::optional<LookupAt> lookupAt);
 
 } // namespace axiscomp::ui

@@ -67,7 +67,7 @@ std::string tableWords(const WritePlan& plan, const CompensationTable& table, st
 } // namespace
 
 std::string signSentence(
-    const CompensationTable& table, std::string_view unit, std::optional<LookupAt> lookupAt)
+    const CompensationTable& table, std::string_view unit, const SignPlace& at)
 {
     const auto largest =
         std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
@@ -77,10 +77,10 @@ std::string signSentence(
     const std::string added = withUnit(signedText(floatText(value)), unit);
     if (value == 0.0)
         return "all values are 0: the drive will add nothing";
-    if (position.size() == 1 && table.target != otherAxis) {
+    if (position.size() == 1 && at.isOwnPosition && table.target != otherAxis) {
         const int decimals =
             std::max(decimalsOf(position[0], mostDecimals), decimalsOf(value, mostDecimals));
-        if (lookupAt == LookupAt::Set)
+        if (at.lookupAt == LookupAt::Set)
             return "at the set position " + fixedText(position[0], decimals)
                 + " the drive will add " + added;
         return "where the encoder reads " + fixedText(position[0], decimals)
@@ -90,7 +90,8 @@ std::string signSentence(
     std::string place;
     for (std::size_t n = 0; n < position.size(); ++n)
         place += (n == 0 ? "" : n + 1 == position.size() ? " and " : ", ") + shortText(position[n]);
-    return "where the sources read " + place + " the reference is "
+    return (position.size() == 1 ? "where the source reads " : "where the sources read ") + place
+        + " the reference is "
         + withUnit(floatText(std::abs(value)), unit) + (value > 0 ? " above" : " below")
         + " the encoder: the drive will add " + added;
 }
@@ -113,7 +114,7 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
     if (plan.table) {
         const std::string unit = unitSymbol(axis.unit);
         lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
-        lines.emplace_back("Sign", signSentence(*plan.table, unit, plan.lookupAt));
+        lines.emplace_back("Sign", signSentence(*plan.table, unit, {plan.lookupAt, plan.ownDimension.has_value()}));
     }
     lines.emplace_back("Flash", flashWords(plan.flashOperations, plan.flashBudget));
     return text + "\n" + labelled(lines, "  ");

@@ -13,10 +13,17 @@ namespace axiscomp::app {
 /// and what it costs.
 [[nodiscard]] std::string planText(const WritePlan& plan, const AxisInfo& axis);
 
+/// Where a table is looked up.
+struct SignPlace {
+    std::optional<LookupAt> lookupAt{}; ///< of the axis's own source
+    bool isOwnPosition = true; ///< one of the sources is the position of the axis itself
+};
 /// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
-/// reference says 40.0021: the drive will add +0.0021 mm". lookupAt: of the axis's own source.
+/// reference says 40.0021: the drive will add +0.0021 mm". What the encoder reads is only known of
+/// a table over the axis's own position: at a temperature it says "the reference is 0.0021 mm above
+/// the encoder".
 [[nodiscard]] std::string signSentence(
-    const CompensationTable& table, std::string_view unit, std::optional<LookupAt> lookupAt = {});
+    const CompensationTable& table, std::string_view unit, const SignPlace& at = {});
 
 [[nodiscard]] std::string planText(const SlotDeletion& plan);
 

@@ -168,15 +168,15 @@ private Q_SLOTS:
         std::vector<float> numbers;
         for (const QByteArray& value : values.split(' '))
             numbers.push_back(value.toFloat());
-        QCOMPARE(signSentenceFor(table1D(numbers), axisX(), {}, {}), sentence);
+        QCOMPARE(signSentenceFor(table1D(numbers), axisX(), 0, {}), sentence);
     }
 
     void theSignSentencePromisesNothingThatCannotBeWritten()
     {
-        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), {}, {}),
+        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), 0, {}),
             QStringLiteral("the values are in arcsec, which cannot be converted to mm, the unit of "
                            "the axis: they will not be written"));
-        QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {}, {})
+        QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), 0, {})
                     .contains(QStringLiteral("the drive will add +2.1 mm")));
     }
 
@@ -186,18 +186,28 @@ private Q_SLOTS:
         table.grid.axes = {{.name = "X", .unit = "mm", .start = 0.0, .distance = 10.0, .size = 2},
             {.name = "Y", .unit = "mm", .start = 0.0, .distance = 30.0, .size = 2}};
         table.values = {0.0F, 0.0F, 0.0F, 0.0021F};
-        const DimSource x{1, test::masterX};
-        const DimSource y{2, test::masterY};
-        QCOMPARE(signSentenceFor(kept(table), axisX(), {x, y, {}}, {}),
+        QCOMPARE(signSentenceFor(kept(table), axisX(), 0, {}),
             QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm, the reference reads "
                            "10.0021 mm: the drive will add +0.0021 mm"));
         // Over other axes only: what the encoder of this one reads is not in the table.
         AxisInfo z = axisX();
         z.index = 2;
         z.folder = "Axes[2]/";
-        QCOMPARE(signSentenceFor(kept(table), z, {x, y, {}}, {}),
+        QCOMPARE(signSentenceFor(kept(table), z, {}, {}),
             QStringLiteral("at X 10 mm, Y 30 mm the reference reads 0.0021 mm more than the "
                            "encoder: the drive will add +0.0021 mm"));
+    }
+
+    void atATemperatureTheSignSentenceTellsNoReadingOfTheEncoder()
+    {
+        CompensationTable table;
+        table.grid.axes = {
+            {.name = "T", .unit = "degC", .start = 20.0, .distance = 20.0, .size = 2}};
+        table.values = {0.0F, 0.0021F};
+        for (const auto lookupAt : {std::optional<LookupAt>(), std::optional(LookupAt::Set)})
+            QCOMPARE(signSentenceFor(kept(table), axisX(), {}, lookupAt),
+                QStringLiteral("at T 40 degC the reference reads 0.0021 mm more than the encoder: "
+                               "the drive will add +0.0021 mm"));
     }
 
     void labelsSayAsMuchAsIsNeeded()
