@@ -100,6 +100,12 @@ bool isTemperatureUnit(std::string_view unit)
     return std::ranges::find(temperatures, inSmallLetters(unit)) != temperatures.end();
 }
 
+bool isCelsius(std::string_view unit)
+{
+    constexpr std::array<std::string_view, 4> names{"\u00b0c", "degc", "c", "celsius"};
+    return std::ranges::find(names, inSmallLetters(unit)) != names.end();
+}
+
 bool isSameUnit(std::string_view a, std::string_view b)
 {
     const Unit* const first = unitNamed(a);

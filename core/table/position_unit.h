@@ -20,6 +20,8 @@ namespace axiscomp {
 [[nodiscard]] bool isPositionUnit(std::string_view unit);
 /// "°C", "degC", "K" ...
 [[nodiscard]] bool isTemperatureUnit(std::string_view unit);
+/// "°C", "degC" ...: the one that a register of a temperature is taken to be in.
+[[nodiscard]] bool isCelsius(std::string_view unit);
 
 /// The same unit, perhaps spelled in another way; units that are not known are compared as texts.
 [[nodiscard]] bool isSameUnit(std::string_view a, std::string_view b);

@@ -94,6 +94,28 @@ std::optional<Text> valueRemark(const std::string& before, bool isStated, const 
         .with("largest", largestCorrection(converted));
 }
 
+/// Whether the table states a unit of something. Where it states none at all, the remark on its
+/// values says so once.
+bool statesUnits(const CompensationTable& table)
+{
+    return !table.unit.empty()
+        || std::ranges::any_of(
+            table.grid.axes, [](const GridAxis& axis) { return !axis.unit.empty(); });
+}
+
+/// For positions without a unit beside others that have one: it may have been forgotten.
+Text positionAssumption(const GridAxis& axis, std::size_t number, const std::string& drive)
+{
+    const std::string after = symbolOf(drive);
+    return AXISCOMP_TEXT("Error",
+        "The table states no unit for the positions of dimension {number}; they are taken to be in "
+        "{after}: {first} to {last}.")
+        .with("number", number)
+        .with("after", after)
+        .with("first", Quantity{roundedText(axis.start), after})
+        .with("last", Quantity{roundedText(axis.last()), after});
+}
+
 /// Brings the positions of a dimension into the unit of the drive.
 Result<std::optional<Text>> convertPositions(
     GridAxis& axis, std::size_t number, const std::string& drive)
@@ -161,6 +183,11 @@ Result<TableInUnits> inDriveUnits(
         result.remarks.push_back(std::move(*remark));
     const std::size_t dimensions = std::min(converted.grid.axes.size(), units.positions.size());
     for (std::size_t n = 0; n < dimensions; ++n) {
+        const bool isAssumed = table.grid.axes[n].unit.empty() && statesUnits(table)
+            && !unitSymbol(units.positions[n]).empty();
+        if (isAssumed)
+            result.remarks.push_back(
+                positionAssumption(table.grid.axes[n], n + 1, units.positions[n]));
         AXISCOMP_TRY(
             auto remark, convertPositions(converted.grid.axes[n], n + 1, units.positions[n]));
         if (remark)

@@ -231,11 +231,34 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
             }));
     AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
+    noteUnknownUnits(request.table->grid);
     m_write.plan.table = std::move(converted.table);
     m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);
     WriteRequest result = request;
     result.table = m_write.plan.table;
     return result;
+}
+
+/// Columns with a unit over a source of which nobody knows it: kelvins over a register in °C would
+/// be 273 off. A temperature in °C needs no word.
+void WritePlanner::noteUnknownUnits(const Grid& grid)
+{
+    WritePlan& plan = m_write.plan;
+    const DriveProfile& profile = m_access.profile();
+    for (std::size_t n = 0; n < std::min(grid.axes.size(), plan.after.sources.size()); ++n) {
+        const DimSource& source = plan.after.sources[n];
+        const std::string& unit = grid.axes[n].unit;
+        const bool isUsual = isCelsius(unit) && profile.isTemperature(source.path);
+        if (unit.empty() || isUsual || !source.isSet() || profile.axisOfPosition(source.path))
+            continue;
+        const std::string name = source.path.empty() ? hexText(source.address) : source.path;
+        plan.unitRemarks.push_back(AXISCOMP_TEXT("Error",
+            "The positions of dimension {number} are written in {unit} as they stand: the profile "
+            "does not say the unit of {source}.")
+                                       .with("number", n + 1)
+                                       .with("unit", unit)
+                                       .with("source", Verbatim{name}));
+    }
 }
 
 Result<void> WritePlanner::decideCoverage()

@@ -51,6 +51,7 @@ private:
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
     [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
+    void noteUnknownUnits(const Grid& grid);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<void> checkKeptUnits();
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);

@@ -180,6 +180,28 @@ private Q_SLOTS:
         QVERIFY(result->table.values == tableIn("", "").values);
     }
 
+    /// "X,E [um]" on an axis in metres: 0 to 1000 may have been meant in mm.
+    void positionsWithoutAUnitInATableThatStatesSomeAreSaid()
+    {
+        const auto result = inDriveUnits(tableIn("um", ""), {"Meter", {"Meter"}});
+        VERIFY_RESULT(result);
+        QCOMPARE(remarksOf(*result).value(1),
+            QStringLiteral("The table states no unit for the positions of dimension 1; they are "
+                           "taken to be in m: -12.5 m to 12.5 m."));
+        QCOMPARE(remarksOf(*result).size(), 2);
+        CompensationTable plane = tableIn("", "mm");
+        plane.grid.axes.push_back({"Y", "", 0.0, 1.0, 1});
+        const auto second =
+            inDriveUnits(plane, {"Millimeter", {"Millimeter", "Degree"}}, UnstatedUnit::OfDrive);
+        VERIFY_RESULT(second);
+        QVERIFY(remarksOf(*second).last().contains(QStringLiteral("dimension 2")));
+        QVERIFY(remarksOf(*second).last().contains(QStringLiteral("in deg")));
+        // Of a source that has none there is nothing to assume.
+        for (const char* none : {"", "None"})
+            QCOMPARE(inDriveUnits(tableIn("um", ""), {"Millimeter", {none}})->remarks.size(),
+                std::size_t{1});
+    }
+
     void aUnitThatNobodyStatesIsSaid()
     {
         const auto nobody = inDriveUnits(tableIn("", ""), {"None", {}});

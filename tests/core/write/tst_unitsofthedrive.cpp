@@ -84,6 +84,22 @@ private Q_SLOTS:
         QVERIFY(plan->unitRemarks.empty());
     }
 
+    void ofASourceWhoseUnitNobodyKnowsTheUnitOfTheColumnIsSaid()
+    {
+        LinearAndRotary f;
+        for (const char* unit : {"K", "degF"}) {
+            WriteRequest request = requestIn("mm", "mm", unit);
+            request.sources[1] = "Axes[0]/Signals/General/MotorTemperature";
+            const auto plan = f.compensator.plan(0, request);
+            VERIFY_RESULT(plan);
+            QCOMPARE(plan->unitRemarks.size(), std::size_t{1});
+            QCOMPARE(plan->unitRemarks.front().english(),
+                std::string("The positions of dimension 2 are written in ") + unit
+                    + " as they stand: the profile does not say the unit of "
+                      "Axes[0]/Signals/General/MotorTemperature.");
+        }
+    }
+
     void aTableIsReadWithWhatTheDriveSaysOfIt()
     {
         LinearAndRotary f;
