@@ -4,6 +4,7 @@
 #include "core/write/backup_restore.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace axiscomp {
@@ -24,6 +25,16 @@ std::vector<AxisWrite> axisWrites(std::span<const AxisTable> tables)
             writes.back().request.table = *table.table.table;
     }
     return writes;
+}
+
+/// The slots into which these plans put a table.
+std::map<std::string, int> takenBy(std::span<const WritePlan> plans)
+{
+    std::map<std::string, int> taken;
+    for (const WritePlan& plan : plans)
+        if (plan.slotReason != SlotReason::KeepTable)
+            taken.emplace(plan.after.slot, plan.axis);
+    return taken;
 }
 
 Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const AxisTable> tables,
@@ -63,7 +74,9 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::vector<WritePlan> plans;
     FlashSum flash;
     for (const AxisWrite& write : writes) {
-        auto plan = compensator.plan(write.axis, write.request, options);
+        WriteRequest request = write.request;
+        request.takenSlots = takenBy(plans);
+        auto plan = compensator.plan(write.axis, request, options);
         if (!plan) {
             Error error = plan.error();
             error.context.set("ofAxis", write.axis);

@@ -19,11 +19,10 @@ struct AxisWrite {
     WriteRequest request;
 };
 
-/// The plan of each, so that nothing is begun that cannot be ended; changes nothing. A plan is made
-/// as if it were the only one: two may name the same empty slot, and the second gets another one
-/// when its turn comes. Errors: those of AxisCompensator::plan, their context names the axis
-/// (`ofAxis`); InvalidArgument when an axis is named twice; FlashWear also when all together cost
-/// more flash operations than are possible now.
+/// The plan of each, so that nothing is begun that cannot be ended; changes nothing. No two put a
+/// table into the same slot, as it will be when one is written after the other. Errors: those of
+/// AxisCompensator::plan, their context names the axis (`ofAxis`); InvalidArgument when an axis is
+/// named twice; FlashWear also when all together cost more flash operations than are possible now.
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 namespace axiscomp {
@@ -75,14 +76,18 @@ Result<DrivePlan> DrivePlanner::plan(
 {
     DrivePlan result;
     AXISCOMP_TRY(result.drive, identifyAs(m_compensator, drive.serialNumber, m_options));
+    std::map<std::string, int> taken;
     for (std::size_t n = 0; n < drive.axes.size(); ++n) {
         AxisPlan& plan = result.axes.emplace_back();
         plan.name = drive.axes[n].axis;
+        plan.request.takenSlots = taken;
         auto planned = planAxis(drive.axes[n], tables[n], plan);
         if (!planned && endsPlan(planned.error()))
             return fail(std::move(planned).error());
         if (!planned)
             plan.problem = std::move(planned).error();
+        else if (plan.plan.slotReason != SlotReason::KeepTable)
+            taken.emplace(plan.plan.after.slot, plan.axis);
     }
     checkNamedOnce(result);
     checkFlash(result);

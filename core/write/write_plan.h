@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct WriteRequest {
     std::optional<CompensationTable> table; ///< none: keep the table that the axis uses
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
+    std::map<std::string, int> takenSlots = {}; ///< by writes that go first, each for which axis
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     bool deletesTable =
         false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest

@@ -419,7 +419,7 @@ Result<bool> WritePlanner::isThere(const WriteRequest& request, const Compensati
 
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
 {
-    AXISCOMP_TRY(auto slots, slotFacts());
+    AXISCOMP_TRY(auto slots, slotFacts(request));
     AXISCOMP_TRY(auto choice, chooseSlot(file.size(), request.slot, slots));
     m_write.slot = choice.slot;
     m_write.slotBefore = choice.state;
@@ -444,7 +444,7 @@ Result<void> WritePlanner::noteStored(const Grid& grid)
     return {};
 }
 
-Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
+Result<std::vector<SlotFacts>> WritePlanner::slotFacts(const WriteRequest& request)
 {
     AXISCOMP_TRY(auto files, m_access.link().listFiles(m_access.exchange()));
     std::vector<SlotFacts> slots;
@@ -462,6 +462,11 @@ Result<std::vector<SlotFacts>> WritePlanner::slotFacts()
         slots.push_back(facts);
     }
     AXISCOMP_CHECK(lookInto(slots));
+    for (SlotFacts& facts : slots)
+        if (const auto taken = request.takenSlots.find(facts.slot.name);
+            taken != request.takenSlots.end() && facts.otherUser.isEmpty())
+            facts.otherUser = AXISCOMP_TEXT("Error", "axis {axis}, which is written first")
+                                  .with("axis", taken->second);
     return slots;
 }
 

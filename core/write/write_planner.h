@@ -65,7 +65,7 @@ private:
     [[nodiscard]] int flashReserve(bool isStoring) const;
     [[nodiscard]] Result<void> decideSaving();
     [[nodiscard]] Result<void> readOthers();
-    [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts();
+    [[nodiscard]] Result<std::vector<SlotFacts>> slotFacts(const WriteRequest& request);
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();

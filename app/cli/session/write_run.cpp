@@ -5,6 +5,9 @@
 #include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
 
+#include <map>
+#include <vector>
+
 namespace axiscomp::app {
 
 namespace {
@@ -65,6 +68,23 @@ std::string axisList(std::span<const std::string> names)
     for (const std::string& name : names)
         list += (list.empty() ? "" : ", ") + name;
     return list;
+}
+
+/// The error of one of several writes, with what the others have come to. One whose own axis may
+/// hold anything is in neither list: driveHolds says it.
+Error ofSeveral(
+    Environment& environment, Error error, std::span<const std::string> names, std::size_t failed)
+{
+    const bool isOpen =
+        error.code == ErrorCode::OutcomeUnknown || error.code == ErrorCode::RollbackFailed;
+    const auto written = names.first(failed);
+    const auto notWritten = names.subspan(failed + (isOpen ? 1 : 0));
+    error.context.set("written", std::vector(written.begin(), written.end()));
+    error.context.set("notWritten", std::vector(notWritten.begin(), notWritten.end()));
+    if (failed > 0)
+        environment.console().note("note: written before the error: " + axisList(written)
+            + (notWritten.empty() ? "" : "; not written: " + axisList(notWritten)));
+    return error;
 }
 
 } // namespace
@@ -154,20 +174,22 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
 {
     AXISCOMP_TRY(
         const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
+    std::map<std::string, int> taken;
     for (std::size_t n = 0; n < writes.size() && !isDryRun; ++n)
         AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
     Json documents = Json::array();
     for (std::size_t n = 0; n < writes.size(); ++n) {
         if (n > 0)
             environment.print("\n");
-        auto outcome =
-            writeAndReport(environment, session, writes[n].axis, writes[n].request, isDryRun);
-        if (!outcome) {
-            if (n > 0)
-                environment.console().note("note: written before the error: "
-                    + axisList(names.first(n)) + "; not written: " + axisList(names.subspan(n)));
-            return fail(outcome.error());
-        }
+        WriteRequest request = writes[n].request;
+        if (isDryRun)
+            request.takenSlots = taken;
+        auto outcome = writeAndReport(environment, session, writes[n].axis, request, isDryRun);
+        if (!outcome)
+            return fail(isDryRun ? outcome.error()
+                                 : ofSeveral(environment, outcome.error(), names, n));
+        if (plans[n].slotReason != SlotReason::KeepTable)
+            taken.emplace(plans[n].after.slot, writes[n].axis);
         documents.push_back(std::move(outcome->document));
     }
     return documents;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/multi_axis_write.h"
+#include "core/table/tam_table.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -11,6 +12,7 @@ namespace tst_multiaxiswrite {
 using namespace axiscomp;
 using test::CompensatorFixture;
 using test::exampleRequest;
+using test::exampleTable;
 
 class TestSeveralWrites : public QObject {
     Q_OBJECT
@@ -39,6 +41,46 @@ private Q_SLOTS:
             VERIFY_RESULT(fixture.compensator.write(write.axis, write.request));
         QVERIFY(fixture.state(0).registers[0] != fixture.state(1).registers[0]);
         QVERIFY(fixture.state(0).table != fixture.state(1).table);
+    }
+
+    void plansNameTheSlotsThatTheWritesWillTake()
+    {
+        CompensatorFixture fixture;
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        const auto plans = planMultiAxis(fixture.compensator, writes);
+        VERIFY_RESULT(plans);
+        for (std::size_t n = 0; n < writes.size(); ++n) {
+            const auto report = fixture.compensator.write(writes[n].axis, writes[n].request);
+            VERIFY_RESULT(report);
+            QCOMPARE(report->plan.after.slot, plans->at(n).after.slot);
+        }
+    }
+
+    void withOneSlotForTwoAxesNoneIsWritten()
+    {
+        CompensatorFixture fixture;
+        const auto file = encodeTamTable(
+            exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(file);
+        const auto& slots = drivecomm::genericProfile().tableSlots;
+        for (std::size_t n = 1; n < slots.size(); ++n)
+            VERIFY_RESULT(fixture.drive.upload(slots[n].file, *file));
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        VERIFY_RESULT(planMultiAxis(fixture.compensator, std::span(writes).first(1)));
+        const auto plans = planMultiAxis(fixture.compensator, writes);
+        VERIFY_ERROR(plans, ErrorCode::NoFreeSlot);
+        QCOMPARE(plans.error().context.english("ofAxis"), std::string("1"));
+        QVERIFY2(sentence(plans.error()).find("axis 0, which is written first") != std::string::npos,
+            sentence(plans.error()).c_str());
+    }
+
+    void aSlotIsNotNamedForTwoAxes()
+    {
+        CompensatorFixture fixture;
+        std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        for (AxisWrite& write : writes)
+            write.request.slot = "Small3";
+        VERIFY_ERROR(planMultiAxis(fixture.compensator, writes), ErrorCode::SlotInUse);
     }
 
     void anAxisIsNotNamedTwice()
