@@ -105,13 +105,22 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         recovery.finishObstacle = recovery.undoObstacle = unfinished.error();
         return recovery;
     }
+    AXISCOMP_TRY(recovery.undoFlashOperations,
+        WriteProcedure(
+            access, d->store, d->sources, d->clock, unfinished->prepared(drive), entry)
+            .costOfRecovery(*unfinished));
+    AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
+    if (auto fits = checkFlashBudget(wearGuard(d->profile.flashWear, history), d->clock(),
+            recovery.undoFlashOperations);
+        !fits)
+        recovery.undoObstacle = std::move(fits).error();
     if (status.isOn())
         recovery.undoObstacle = compensationActive(status);
     auto prepared = d->prepareFinish(access, drive, *unfinished);
     if (!prepared && isUnreachable(prepared.error().code))
         return fail(prepared.error());
     if (prepared)
-        recovery.flashOperations = prepared->plan.flashOperations;
+        recovery.finishFlashOperations = prepared->plan.flashOperations;
     else
         recovery.finishObstacle = prepared.error();
     return recovery;

@@ -20,7 +20,8 @@ Bytes bytesOf(const AxisBackup& backup, const std::string& slot)
 
 } // namespace
 
-Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfinished)
+/// What that write may have changed so far.
+Result<void> WriteProcedure::takeUp(const UnfinishedWrite& unfinished)
 {
     m_backup = unfinished.before();
     const int step = stepRank(unfinished.entry().step);
@@ -45,7 +46,24 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
                 && (use.slot != unfinished.oldSlot() || use.crc != unfinished.oldCrc());
         });
     m_savedTouched = m_savedTouched || (isSavedOtherwise && wasPersistent);
-    AXISCOMP_CHECK(checkFlash());
+    return {};
+}
+
+Result<int> WriteProcedure::costOfRecovery(const UnfinishedWrite& unfinished)
+{
+    AXISCOMP_CHECK(takeUp(unfinished));
+    return costOfUndo();
+}
+
+Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfinished)
+{
+    AXISCOMP_CHECK(takeUp(unfinished));
+    // What reached flash has to leave it again: better not to begin than to stop half-way, with the
+    // axis switched off.
+    AXISCOMP_TRY(const int operations, costOfUndo());
+    AXISCOMP_TRY(auto history, m_store.flashHistory(m_write.plan.drive.serialNumber));
+    AXISCOMP_CHECK(checkFlashBudget(
+        wearGuard(m_access.profile().flashWear, history), m_clock(), operations));
     AXISCOMP_TRY(auto status, inspectBeforeRecovery(unfinished));
 
     // Half of the way back is no better than half of the way there: it cannot be stopped.
@@ -65,9 +83,8 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     return WriteReport{plan, std::move(now), m_backupFile};
 }
 
-/// What reached flash has to leave it again: better not to begin than to stop half-way, with the
-/// axis switched off.
-Result<void> WriteProcedure::checkFlash()
+/// Flash operations, at most: what somebody else has put into the slot meanwhile stays.
+Result<int> WriteProcedure::costOfUndo()
 {
     int operations = m_flashTouched ? 1 : 0;
     if (m_savedTouched) {
@@ -80,9 +97,7 @@ Result<void> WriteProcedure::checkFlash()
     AXISCOMP_TRY(auto saved, m_store.savedState(m_write.plan.drive.serialNumber));
     if (m_savedTouched && !overwritesOwn() && old && !old->persistent && saved.isCovered(slot))
         ++operations;
-    AXISCOMP_TRY(auto history, m_store.flashHistory(m_write.plan.drive.serialNumber));
-    return checkFlashBudget(
-        wearGuard(m_access.profile().flashWear, history), m_clock(), operations);
+    return operations;
 }
 
 /// Keeps what there is now, and looks who uses the slots: what somebody else has put there

@@ -33,7 +33,8 @@ enum class UnfinishedOutcome {
 struct Recovery {
     std::optional<Error> finishObstacle; ///< none: finishUnfinished is possible now
     std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
-    int flashOperations = 0; ///< that finishing costs
+    int finishFlashOperations = 0; ///< that finishing costs
+    int undoFlashOperations = 0; ///< that undoing costs at most
 };
 
 /// A write that did not end, with what was kept before its first change.

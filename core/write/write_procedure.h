@@ -23,6 +23,8 @@ public:
     [[nodiscard]] Result<WriteReport> finishEarlier();
     /// Only the way back of the earlier write, whose decisions the prepared write has.
     [[nodiscard]] Result<WriteReport> recoverOldState(const UnfinishedWrite& unfinished);
+    /// The flash operations that this costs at most; changes nothing.
+    [[nodiscard]] Result<int> costOfRecovery(const UnfinishedWrite& unfinished);
 
 private:
     // In the order in which they run.
@@ -60,7 +62,8 @@ private:
     [[nodiscard]] Result<void> undoOtherSlot(const RegisterAccess& access);
     [[nodiscard]] bool mustStay(const RegisterAccess& access) const;
     [[nodiscard]] bool hasOldState(const RegisterAccess& access);
-    [[nodiscard]] Result<void> checkFlash();
+    [[nodiscard]] Result<void> takeUp(const UnfinishedWrite& unfinished);
+    [[nodiscard]] Result<int> costOfUndo();
     [[nodiscard]] Result<AxisStatus> inspectBeforeRecovery(const UnfinishedWrite& unfinished);
     [[nodiscard]] Result<AxisBackup> keepPresent(std::vector<std::string> slots);
 

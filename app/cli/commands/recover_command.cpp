@@ -34,22 +34,29 @@ std::string possibilityText(const char* name, const char* option, const std::str
 
 std::string recoveryText(const Recovery& recovery)
 {
-    const std::string cost = recovery.flashOperations == 0 ? "needs no flash"
-                                                           : "costs "
-            + plural(static_cast<std::uint64_t>(recovery.flashOperations), "flash operation",
-                "flash operations");
+    const auto cost = [](const char* costs, int operations) {
+        return operations == 0 ? std::string("; it needs no flash")
+                               : costs
+                + plural(static_cast<std::uint64_t>(operations), "flash operation",
+                    "flash operations");
+    };
     return "What can be done:\n"
-        + possibilityText("Finish: ", "--finish", "brings the complete new state about; it " + cost,
+        + possibilityText("Finish: ", "--finish",
+            "brings the complete new state about"
+                + cost("; it costs ", recovery.finishFlashOperations),
             recovery.finishObstacle)
-        + possibilityText(
-            "Undo:   ", "--undo", "brings the complete old state back", recovery.undoObstacle);
+        + possibilityText("Undo:   ", "--undo",
+            "brings the complete old state back"
+                + cost("; it costs at most ", recovery.undoFlashOperations),
+            recovery.undoObstacle);
 }
 
 /// With nothing unfinished and nothing done.
 Json recoverDocument()
 {
-    return {{"unfinishedWrite", nullptr}, {"finishObstacle", nullptr}, {"undoObstacle", nullptr},
-        {"report", nullptr}};
+    return {{"unfinishedWrite", nullptr}, {"isBeingWritten", false}, {"finishObstacle", nullptr},
+        {"finishFlashOperations", nullptr}, {"undoObstacle", nullptr},
+        {"undoFlashOperations", nullptr}, {"report", nullptr}};
 }
 
 /// Only says what there is and what is possible.
@@ -63,6 +70,10 @@ ExitCode explain(Environment& environment, const SettledWrite& settled)
     if (settled.outcome != Outcome::New) {
         json["finishObstacle"] = errorOrNull(settled.recovery.finishObstacle);
         json["undoObstacle"] = errorOrNull(settled.recovery.undoObstacle);
+        if (!settled.recovery.finishObstacle)
+            json["finishFlashOperations"] = settled.recovery.finishFlashOperations;
+        if (!settled.recovery.undoObstacle)
+            json["undoFlashOperations"] = settled.recovery.undoFlashOperations;
         environment.print("\n" + recoveryText(settled.recovery));
     }
     environment.document(json);
@@ -106,7 +117,9 @@ Result<ExitCode> explainUnfinished(Environment& environment, CommandSession& ses
         return fail(*now.settlingProblem);
     if (now.isBeingWritten) {
         environment.print(beingWritten(now.status.axis) + "\n");
-        environment.document(recoverDocument());
+        Json document = recoverDocument();
+        document["isBeingWritten"] = true;
+        environment.document(document);
         return ExitCode::Done;
     }
     return now.settled ? explain(environment, *now.settled) : nothingUnfinished(environment, axis);

@@ -182,6 +182,7 @@ private Q_SLOTS:
         QVERIFY2(during.err.contains("another program is writing"), during.err.constData());
         VERIFY_CODE(recover, 0);
         QVERIFY2(recover.json().value("unfinishedWrite").isNull(), recover.text().constData());
+        QCOMPARE(recover.json().value("isBeingWritten").toBool(), true);
         // Once that program has gone without ending it, it is.
         const ProgramRun after = bench.status(url);
         VERIFY_CODE(after, 0);
@@ -232,6 +233,9 @@ private Q_SLOTS:
             return; // it had ended before the program was killed
         QVERIFY2(said.json().value("finishObstacle").isNull(), said.text().constData());
         QVERIFY2(said.json().value("undoObstacle").isNull(), said.text().constData());
+        QCOMPARE(said.json().value("isBeingWritten"), QJsonValue(false));
+        for (const char* const cost : {"finishFlashOperations", "undoFlashOperations"})
+            QVERIFY2(said.json().value(QLatin1String(cost)).isDouble(), said.text().constData());
         const ProgramRun done = bench.box.run(recover + QStringList{option});
         VERIFY_CODE(done, 0);
         const ProgramRun status = bench.status(url);

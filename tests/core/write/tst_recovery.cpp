@@ -281,6 +281,61 @@ private Q_SLOTS:
         VERIFY_RESULT(c.compensator.recovery(c.entry));
     }
 
+    void whatUndoingCostsIsSaidBeforehand()
+    {
+        constexpr Scenario chosen{"replace", Persistency::Persistent, Persistency::Persistent, true,
+            true, false};
+        Begun whole(chosen);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.write());
+        const int exchanges = whole.link.exchanges() - begin;
+        int most = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchange, LinkFault::DriveGone);
+            (void)c.write();
+            c.link.heal();
+            const auto entry = c.store.journal(4711, 0).value();
+            if (!entry)
+                continue;
+            const auto recovery = c.compensator.recovery(*entry);
+            VERIFY_RESULT(recovery);
+            const auto report = c.compensator.undoUnfinished(*entry);
+            VERIFY_RESULT(report);
+            QVERIFY2(report->plan.flashOperations <= recovery->undoFlashOperations,
+                "exchange " + QByteArray::number(exchange));
+            most = std::max(most, report->plan.flashOperations);
+        }
+        QVERIFY2(most > 0, "no undoing has cost anything");
+    }
+
+    void undoingThatFlashDoesNotAllowNowIsAnObstacle()
+    {
+        constexpr Scenario chosen{"replace", Persistency::Persistent, Persistency::Persistent, true,
+            true, false};
+        int refused = 0;
+        for (int exchange = 1; exchange < 200; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchange, LinkFault::DriveGone);
+            const bool isWritten = c.write().has_value();
+            c.link.heal();
+            const auto entry = c.store.journal(4711, 0).value();
+            if (isWritten && !entry)
+                break;
+            if (!entry || c.compensator.recovery(*entry)->undoFlashOperations == 0)
+                continue;
+            VERIFY_RESULT(c.store.recordFlash(
+                4711, c.wallTime(), drivecomm::genericProfile().flashWear.operations));
+            const auto recovery = c.compensator.recovery(*entry);
+            VERIFY_RESULT(recovery);
+            QVERIFY(recovery->undoObstacle && recovery->undoObstacle->code == ErrorCode::FlashWear);
+            VERIFY_ERROR(c.compensator.undoUnfinished(*entry), ErrorCode::FlashWear);
+            ++refused;
+            break;
+        }
+        QCOMPARE(refused, 1);
+    }
+
     void anActiveCompensationIsLeftAlone()
     {
         Interrupted c;
