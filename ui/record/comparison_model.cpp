@@ -26,7 +26,8 @@ ComparisonRequest requestOf(const Sides& sides)
     ComparisonRequest request;
     if (sides.calibration)
         request = comparisonRequest(*sides.calibration);
-    request.isTableStated = sides.after.record.isTableStated;
+    const auto& stated = sides.after.record.statedTable;
+    request.isTableStated = stated && stated == request.tableCrc;
     request.tolerances = sides.tolerances;
     request.uncertainty = sides.uncertainty;
     return request;

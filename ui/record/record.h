@@ -9,6 +9,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -61,8 +62,9 @@ struct Record {
     /// Of the joined measurement, as it is shown: after the directions were exchanged.
     std::vector<Exclusion> exclusions;
     CorrectionsBefore corrections; ///< before judging
-    /// Of a measurement with the table active: a person says that it was, where its files do not.
-    bool isTableStated = false;
+    /// Of a second measurement, where its files do not say it: the checksum of the table that was
+    /// active, as a person says. It holds for that table alone.
+    std::optional<std::uint32_t> statedTable;
     OutlierRule outlierRule = OutlierRule::PooledMad;
     bool areLimitsAngles = false; ///< tolerances and uncertainty are in deg, else in mm
     std::vector<Tolerance> tolerances; ///< in mm or deg

@@ -115,8 +115,9 @@ void putBefore(std::optional<RecordedMeasurement> before, bool isTableUsed, Reco
     made.before = std::move(before);
 }
 
-void putAfter(std::optional<RecordedMeasurement> after, bool isTableStated, RecordedDraft& draft,
-    const CalibrationRecord& made)
+/// stated: the table that a person says was active.
+void putAfter(std::optional<RecordedMeasurement> after, std::optional<std::uint32_t> stated,
+    RecordedDraft& draft, const CalibrationRecord& made)
 {
     if (after)
         keepMembers(draft.after, *after);
@@ -128,7 +129,8 @@ void putAfter(std::optional<RecordedMeasurement> after, bool isTableStated, Reco
     if (!after || isKept)
         return;
     draft.after = std::move(after);
-    draft.isTableStated = isTableStated;
+    // The file says it of its own table: said of another one, it is not said of that.
+    draft.isTableStated = stated && stated == comparisonRequest(made).tableCrc;
 }
 
 /// The verdict is one of the last measurement, by the tolerances that it was given.
@@ -193,11 +195,13 @@ OpenedRecord opened(const std::shared_ptr<const CalibrationRecord>& calibration)
     result.record.fit.areLengthsAngles = areLimitsAngles(*calibration);
     if (work && work->after) {
         openMeasurement(calibration, *work->after, result.after);
-        result.after.isTableStated = work->isTableStated;
+        if (work->isTableStated)
+            result.after.statedTable = comparisonRequest(*calibration).tableCrc;
     } else if (const RecordedAfter* const last = lastAfter(*calibration)) {
         openMeasurement(calibration, last->measurement, result.after);
         // It would not be among those otherwise.
-        result.after.isTableStated = true;
+        result.after.statedTable =
+            last->tableCrc ? last->tableCrc : comparisonRequest(*calibration).tableCrc;
     }
     return result;
 }
@@ -244,7 +248,7 @@ Result<CalibrationRecord> assembled(const RecordParts& parts)
     AXISCOMP_TRY(auto after, measurementOf(parts.after, parts.leavesOutUnusable));
     RecordedDraft draft = made.draft.value_or(RecordedDraft{});
     putBefore(std::move(before), calibration != nullptr, draft, made);
-    putAfter(std::move(after), parts.after.record.isTableStated, draft, made);
+    putAfter(std::move(after), parts.after.record.statedTable, draft, made);
     const bool isNeeded = draft.before || draft.after || !draft.others.empty();
     made.draft = isNeeded ? std::optional(std::move(draft)) : std::nullopt;
     AXISCOMP_CHECK(putJudging(parts.record.record, made));

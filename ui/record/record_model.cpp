@@ -42,7 +42,7 @@ void forgetWhatIsOfTheFiles(Record& record)
 {
     record.exclusions.clear();
     record.corrections = {};
-    record.isTableStated = false;
+    record.statedTable.reset();
     record.fit.measuredWith = FitChoices::MeasuredWith::NotSaid;
     record.fit.measuredWithFile.clear();
 }
@@ -250,7 +250,7 @@ void RecordModel::setChoices(std::size_t index, const MeasurementChoices& choice
         return;
     file.choices = choices;
     next.exclusions.clear();
-    next.isTableStated = false;
+    next.statedTable.reset();
     change(std::move(next), StepKind::ReadOtherwise, namesOf({file.path}));
 }
 
@@ -385,10 +385,10 @@ void RecordModel::setCalibration(std::shared_ptr<const CalibrationRecord> calibr
     change(std::move(next), StepKind::Calibration);
 }
 
-void RecordModel::setTableStated(bool isStated)
+void RecordModel::setStatedTable(std::optional<std::uint32_t> crc)
 {
     Record next = m_record;
-    next.isTableStated = isStated;
+    next.statedTable = crc;
     change(std::move(next), StepKind::StateTable);
 }
 

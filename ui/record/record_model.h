@@ -8,7 +8,9 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace axiscomp::ui {
 
@@ -71,7 +73,8 @@ public:
     /// name: of what is changed, translated; for the history.
     void setFit(const FitChoices& choices, const QString& name);
     void setCalibration(std::shared_ptr<const CalibrationRecord> calibration);
-    void setTableStated(bool isStated);
+    /// The table that was active, where the files do not say it; none: nothing is said.
+    void setStatedTable(std::optional<std::uint32_t> crc);
     /// The one in use, and those that undoing and doing again would bring back; each once.
     [[nodiscard]] std::vector<std::shared_ptr<const CalibrationRecord>> calibrations() const;
     /// Something has happened to a table that is in use, or was before steps were undone: no step,

@@ -184,7 +184,10 @@ void ProvePage::connectParts()
     connect(m_views, &FileViews::mappingChosen, m_files, &MeasurementFiles::mapColumns);
     connect(m_files, &MeasurementFiles::currentChanged, this,
         [this] { m_views->show(m_files->currentFile(), m_files->currentReading()); });
-    connect(m_stated, &QCheckBox::clicked, &m_after, &RecordModel::setTableStated);
+    connect(m_stated, &QCheckBox::clicked, this, [this](bool isStated) {
+        // Of the table that the box names, whichever is in use by now.
+        m_after.setStatedTable(isStated ? m_comparison.state().tableCrc : std::nullopt);
+    });
     connect(m_keep, &QPushButton::clicked, &m_comparison, &ComparisonModel::keep);
     connect(&m_comparison, &ComparisonModel::changed, this, &ProvePage::follow);
     for (const RecordModel* model : {&m_record, &m_after})
@@ -212,12 +215,18 @@ void ProvePage::retranslate()
     follow();
 }
 
+bool ProvePage::isStated() const
+{
+    const auto& crc = m_comparison.state().tableCrc;
+    return crc && m_after.record().statedTable == crc;
+}
+
 void ProvePage::follow()
 {
     const ComparisonState& state = m_comparison.state();
     const bool isThere = state.comparison != nullptr;
     m_stated->setVisible(state.needsStatement);
-    m_stated->setChecked(m_after.record().isTableStated);
+    m_stated->setChecked(isStated());
     if (state.tableCrc)
         m_stated->setText(tr("The tabl&e %1 was active").arg(qString(crcText(*state.tableCrc))));
     m_keep->setEnabled(m_comparison.mayKeep());
@@ -299,7 +308,7 @@ std::pair<Tone, QString> ProvePage::nextStep() const
         return {Tone::Error, errorText(*refused->refusal)};
     if (after.refusal)
         return {Tone::Error, errorText(*after.refusal)};
-    if (state.needsStatement && !m_after.record().isTableStated)
+    if (state.needsStatement && !isStated())
         return {Tone::Warning,
             tr("The second measurement does not say which table was active. If it was the table "
                "%1, say so above; otherwise measure again with it.")

@@ -47,6 +47,7 @@ private:
     [[nodiscard]] QTableView* table(const char* name, QAbstractItemModel* model) const;
     void connectParts();
     void follow();
+    [[nodiscard]] bool isStated() const; ///< that the table that is compared was active
     void sayPromise();
     void sayNextStep();
     [[nodiscard]] std::pair<Tone, QString> nextStep() const;

@@ -4,6 +4,7 @@
 #include "tests/ui/support/record_files.h"
 #include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/record/comparison_model.h"
 #include "ui/record/record_file.h"
 #include "ui/record/record_model.h"
 #include "ui/record/record_recovery.h"
@@ -121,6 +122,13 @@ void measureAnAngleInstead(Bench& bench)
         "target [deg],direction,run,deviation [arcsec]\n0,+,1,1\n90,+,1,2\n0,-,1,2\n90,-,1,2\n");
     bench.record.removeFile(0);
     bench.record.addFiles({angle});
+}
+
+/// Until the comparison is that of the records as they are.
+bool compared(Bench& bench, const ComparisonModel& comparison)
+{
+    return bench.settled()
+        && QTest::qWaitFor([&] { return !comparison.isComparing(); }, test::patienceMs);
 }
 
 /// Of files that were kept; locks are not counted.
@@ -305,18 +313,49 @@ private Q_SLOTS:
         const QString after = bench.path(QStringLiteral("after.csv"));
         put(after, test::goodAfterMeasurement({}));
         bench.after.addFiles({after});
-        bench.after.setTableStated(true);
+        const std::uint32_t crc = bench.record.record().calibration->tables.front().crc;
+        bench.after.setStatedTable(crc);
         QVERIFY(bench.file.isModified());
         QVERIFY(bench.save(path));
         QVERIFY(loaded(path).after.empty());
         Bench again;
         QVERIFY(again.open(path));
         QCOMPARE(again.after.record().files.size(), std::size_t{1});
-        QVERIFY(again.after.record().isTableStated);
+        QCOMPARE(again.after.record().statedTable, std::optional(crc));
         QCOMPARE(again.after.state().upRuns, 2);
         // Of another file it is to be said anew.
         again.after.addFiles({publicMeasurement("b02_x")});
-        QVERIFY(!again.after.record().isTableStated);
+        QVERIFY(!again.after.record().statedTable);
+    }
+
+    /// Otherwise a table that was never written would be within the tolerances.
+    void whatIsSaidOfATableIsNotSaidOfAnother()
+    {
+        Bench bench;
+        const CalibrationRecord record = test::recordOfFit();
+        QVERIFY(bench.open(bench.saved(QStringLiteral("x.axcal"), record)));
+        const QString after = bench.path(QStringLiteral("after.csv"));
+        put(after, test::goodAfterMeasurement({}));
+        ComparisonModel comparison(bench.record, bench.after);
+        bench.after.addFiles({after});
+        bench.after.setStatedTable(record.tables.front().crc);
+        QVERIFY(compared(bench, comparison));
+        QVERIFY(comparison.state().comparison);
+        const auto other = std::make_shared<const CalibrationRecord>(test::recordOfFit("b02_y"));
+        QVERIFY(other->tables.front().crc != record.tables.front().crc);
+        bench.record.setCalibration(other);
+        QVERIFY(compared(bench, comparison));
+        QVERIFY(!comparison.state().comparison && comparison.state().needsStatement);
+        QVERIFY(comparison.state().refusal);
+        QCOMPARE(comparison.state().refusal->code, ErrorCode::MeasurementState);
+        const QString path = bench.path(QStringLiteral("y.axcal"));
+        QVERIFY(bench.save(path));
+        QVERIFY(loaded(path).draft && loaded(path).draft->after);
+        QVERIFY(!loaded(path).draft->isTableStated);
+        // It was said of the first one, and holds for that.
+        bench.record.undo();
+        QVERIFY(compared(bench, comparison));
+        QVERIFY(comparison.state().comparison);
     }
 
     void membersOfLaterVersionsAreKept()
