@@ -116,7 +116,6 @@ struct CompensationWizard::Private {
     void openAs(FileKind kind, const QString& path);
     void whenPossible(Action action, const QString& path, std::function<void()> open);
     void openWaiting();
-    void saveMeasurement();
     void showMarkOfMeasure();
     void connectFit();
     void tellDrive();
@@ -239,7 +238,8 @@ void CompensationWizard::Private::connectParts()
     connect(measure, &MeasurePage::addRequested, &q, [this] { files.askForMeasurements(); });
     connect(judge, &JudgePage::deadPathRequested, &files, &FileActions::askForDeadPath);
     connect(&files, &FileActions::deadPathChosen, judge, &JudgePage::readDeadPath);
-    connect(measure, &MeasurePage::saveRequested, &q, [this] { saveMeasurement(); });
+    connect(measure, &MeasurePage::saveRequested, &q,
+        [this] { files.saveMeasurement(record.state()); });
     connect(&files, &FileActions::measurementSaved, measure, &MeasurePage::showSaved);
     connect(&files, &FileActions::measurementsChosen, &q,
         [this](const QStringList& paths) { measurementShown().addFiles(paths); });
@@ -719,14 +719,6 @@ void CompensationWizard::Private::openWaiting()
     waiting->isSaid = true;
     if (page->messages->text(waitingId) != message.text)
         page->messages->show(message);
-}
-
-void CompensationWizard::Private::saveMeasurement()
-{
-    QStringList sources;
-    for (const MeasurementFile& file : record.record().files)
-        sources += file.path;
-    files.saveMeasurement(record.state().measurement, sources);
 }
 
 void CompensationWizard::Private::showMarkOfMeasure()

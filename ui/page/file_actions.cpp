@@ -20,6 +20,7 @@
 #include "ui/fields/data_file_field.h"
 #include "ui/history/restore_drive_dialog.h"
 #include "ui/record/fit_outcome.h"
+#include "ui/record/record_state.h"
 #include "ui/text/message_text.h"
 
 #include <QDateTime>
@@ -174,39 +175,46 @@ void FileActions::askWhereToSaveFitted(const std::shared_ptr<const FitOutcome>& 
     });
 }
 
-void FileActions::saveMeasurement(
-    const std::shared_ptr<const Measurement>& measurement, const QStringList& sources)
+/// What goes into a file of runs.
+struct FileActions::RunsToSave {
+    Record record;
+    std::vector<ReadMeasurement> files;
+    std::shared_ptr<const Measurement> measurement; ///< as it is shown
+};
+
+void FileActions::saveMeasurement(const RecordState& state)
 {
+    const RunsToSave runs{state.record, state.files, state.measurement};
     FileQuestion question;
     question.purpose = FileQuestion::Purpose::SaveMeasurement;
     question.title = tr("Save as Runs");
     question.filter = tr("Runs (*.csv)");
-    const QString name = QFileInfo(sources.value(0)).completeBaseName();
+    const QString name = QFileInfo(runs.files.front().file.path).completeBaseName();
     const QString folder =
         m_measurementFolder.isEmpty() ? m_settings.folder() : m_measurementFolder;
     question.start = QDir(folder).filePath(name + QStringLiteral("-runs.csv"));
-    m_picker(m_window, question, [this, measurement, sources](const QString& path) {
+    m_picker(m_window, question, [this, runs](const QString& path) {
         if (!path.isEmpty())
-            writeMeasurement(path, measurement, sources);
+            writeMeasurement(path, runs);
     });
 }
 
-void FileActions::writeMeasurement(const QString& path,
-    const std::shared_ptr<const Measurement>& measurement, const QStringList& sources)
+void FileActions::writeMeasurement(const QString& path, const RunsToSave& runs)
 {
-    const auto saved = inBackground<Result<void>>([path, measurement, sources]() -> Result<void> {
+    const auto saved = inBackground<Result<void>>([path, runs]() -> Result<void> {
         const QFileInfo file(path);
-        const bool isSource = std::ranges::any_of(
-            sources, [&](const QString& source) { return QFileInfo(source) == file; });
+        const bool isSource = std::ranges::any_of(runs.record.files,
+            [&](const MeasurementFile& source) { return QFileInfo(source.path) == file; });
         if (isSource)
             return fail(ErrorCode::FileNotWritable,
                 {{"file", file.fileName().toStdString()},
                     {"reason",
                         AXISCOMP_TEXT("Error",
                             "it is one of the files of this measurement; choose another name")}});
-        return saveFile(file.filesystemAbsoluteFilePath(), bytesOf(writeRunsCsv(*measurement)));
+        AXISCOMP_TRY(const auto measurement, uncorrected(runs.record, runs.files));
+        return saveFile(file.filesystemAbsoluteFilePath(), bytesOf(writeRunsCsv(measurement)));
     });
-    whenDone(saved, this, [this, path, measurement](const Result<void>& result) {
+    whenDone(saved, this, [this, path, measurement = runs.measurement](const Result<void>& result) {
         if (result)
             Q_EMIT measurementSaved(path, measurement);
         else

@@ -26,6 +26,7 @@ class ImportDialog;
 class WizardController;
 class WizardSettings;
 struct FitOutcome;
+struct RecordState;
 
 /// Everything of the page that asks for a file: opening data and how it is to be understood,
 /// exporting a table, parameters from and for a TAM configuration, saving an example, saving the
@@ -47,9 +48,9 @@ public:
     /// The file with the dead path of an interferometer; deadPathChosen() follows.
     void askForDeadPath();
     /// Asks for a file, which gets a measurement with targets as runs; measurementSaved() follows.
-    /// sources: the files that it was read from, which are not written over.
-    void saveMeasurement(
-        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
+    /// Its values are those of the files: a file does not say that it is corrected for the dead
+    /// path, and would be once more. The files themselves are not written over.
+    void saveMeasurement(const RecordState& state);
     /// The file of a table that was active during a measurement; activeTableChosen() follows.
     void askForActiveTable(bool isOnto);
     /// A fitted table as a file of any format.
@@ -76,6 +77,7 @@ Q_SIGNALS:
     void measurementsChosen(const QStringList& paths);
     void deadPathChosen(const QString& path);
     void activeTableChosen(const QString& path, bool isOnto);
+    /// measurement: that of the state that was saved
     void measurementSaved(
         const QString& path, const std::shared_ptr<const Measurement>& measurement);
 
@@ -92,8 +94,8 @@ private:
         const std::shared_ptr<const TamConfiguration>& from, const std::string& text);
     void askWhereToSaveFitted(const std::shared_ptr<const FitOutcome>& outcome, std::size_t table,
         const ImportChoices& choices);
-    void writeMeasurement(const QString& path,
-        const std::shared_ptr<const Measurement>& measurement, const QStringList& sources);
+    struct RunsToSave;
+    void writeMeasurement(const QString& path, const RunsToSave& runs);
     void save(const QString& path, std::string text);
     void report(const QFuture<Result<void>>& saved);
 

@@ -89,10 +89,7 @@ ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
 Result<CorrectedMeasurement> wholeOf(
     const Record& record, const std::vector<ReadMeasurement>& files)
 {
-    std::vector<Measurement> measurements;
-    for (const ReadMeasurement& file : files)
-        measurements.push_back(*file.measurement());
-    AXISCOMP_TRY(auto whole, selected(measurements, record.swapsDirections, record.exclusions));
+    AXISCOMP_TRY(auto whole, uncorrected(record, files));
     return corrected(std::move(whole), record.corrections);
 }
 
@@ -148,6 +145,14 @@ void judgeInto(RecordState& state)
 }
 
 } // namespace
+
+Result<Measurement> uncorrected(const Record& record, const std::vector<ReadMeasurement>& files)
+{
+    std::vector<Measurement> measurements;
+    for (const ReadMeasurement& file : files)
+        measurements.push_back(*file.measurement());
+    return selected(measurements, record.swapsDirections, record.exclusions);
+}
 
 RecordState evaluated(
     const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop)

@@ -71,4 +71,10 @@ struct RecordState {
 [[nodiscard]] RecordState evaluated(
     const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop);
 
+/// The files as one measurement, with what was left out marked and without the corrections of the
+/// record. All files can be used. Copies all values: not for the window's thread. Errors: why they
+/// are no measurement together.
+[[nodiscard]] Result<Measurement> uncorrected(
+    const Record& record, const std::vector<ReadMeasurement>& files);
+
 } // namespace axiscomp::ui

@@ -200,8 +200,11 @@ void MeasurePage::sayNextStep()
         m_nextStep->say(Tone::Error, errorText(*state.refusal));
     else if (m_saved && m_saved == state.measurement && !m_record.isEvaluating())
         m_nextStep->say(Tone::Success,
-            tr("Saved as %1. Judge says what it is worth, and Fit makes a table of it.")
-                .arg(m_savedName));
+            state.record.corrections == CorrectionsBefore{}
+                ? tr("Saved as %1. Judge says what it is worth, and Fit makes a table of it.")
+                      .arg(m_savedName)
+                : tr("Saved as %1 with the values of the files: the corrections are not in it.")
+                      .arg(m_savedName));
     else if (!state.measurement->hasTargets())
         m_nextStep->say(Tone::Information,
             tr("Without targets there are no figures of ISO 230-2; Fit makes a table of it."));

@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFile>
 #include <QGroupBox>
 #include <QTabWidget>
 #include <QTableView>
@@ -65,6 +66,23 @@ QString readout(PageFixture& bench)
         return false;
     tabsOf(bench).setCurrentIndex(PageTabs::Judge);
     return bench.user.sees("judgePage");
+}
+
+/// A file of runs does not say that it is corrected for the dead path, and would be once more.
+void verifyRunsAreSavedUncorrected(PageFixture& bench)
+{
+    tabsOf(bench).setCurrentIndex(PageTabs::Measure);
+    bench.picked = bench.path(QStringLiteral("saved.csv"));
+    QVERIFY(bench.user.click("saveMeasurement"));
+    QTRY_COMPARE(bench.user.the<QLabel>("measureHint").text(),
+        QStringLiteral("Saved as saved.csv with the values of the files: the corrections are not "
+                       "in it."));
+    QFile saved(bench.picked);
+    QVERIFY(saved.open(QIODevice::ReadOnly));
+    QCOMPARE(saved.readAll(),
+        QByteArray("// axiscomp runs: 1\n"
+                   "target [mm],direction,run,deviation [mm],use\n"
+                   "0,+,1,0,1\n500,+,1,0,1\n"));
 }
 
 /// The tab Judge with a public measurement that has been judged.
@@ -341,6 +359,7 @@ private Q_SLOTS:
             bench.user.the<QLabel>("correctionsText")
                 .text()
                 .startsWith(QStringLiteral("Dead path of 300 mm: values changed by up to ")));
+        verifyRunsAreSavedUncorrected(bench);
     }
 
     void aTrackHasNoFiguresAndIsToldWhatToDo()
