@@ -359,6 +359,9 @@ void CompensationWizard::Private::useTable(
     using Calibration = std::shared_ptr<const CalibrationRecord>;
     const auto begun = inBackground<Calibration>([outcome] { return calibrationOf(*outcome); });
     whenDone(begun, &q, [this, outcome, table](const Calibration& calibration) {
+        // Another record may be there by now: the table is of none of its files.
+        if (outcome->request.record.files != record.record().files)
+            return;
         if (!calibration || !controller.useTables(madeTables(*outcome, table)))
             return;
         record.setCalibration(calibration);

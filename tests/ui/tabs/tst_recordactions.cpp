@@ -12,8 +12,10 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QPushButton>
 #include <QTableView>
 #include <QTest>
+#include <QThreadPool>
 
 namespace tst_recordactions {
 
@@ -414,6 +416,25 @@ private Q_SLOTS:
         QVERIFY2(heart.longest() < std::chrono::milliseconds(100),
             qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
         QCOMPARE(savedRecord(bench).after.size(), std::size_t{1});
+    }
+
+    void aTableIsNotPutIntoARecordThatWasBegunMeanwhile()
+    {
+        PageFixture bench;
+        QVERIFY(test::page_states::fitCurve(bench));
+        bench.picked = bench.path(QStringLiteral("first.axcal"));
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "first.axcal"));
+        QTRY_VERIFY(bench.user.the("useAsTable").isEnabled());
+        // Its record is made on another thread, and handed over in the event loop.
+        bench.user.the<QPushButton>("useAsTable").click();
+        bench.user.the<QAction>("newRecordAction").trigger();
+        QVERIFY(isNamed(bench, "none"));
+        QVERIFY(QThreadPool::globalInstance()->waitForDone(test::patienceMs));
+        QCoreApplication::processEvents();
+        QCOMPARE(recordName(bench), QStringLiteral("none"));
+        QVERIFY(!bench.controller().setup().edited().table.fileTable);
+        QVERIFY(!bench.window.isWindowModified());
     }
 
     void aNewRecordBeginsEmpty()
