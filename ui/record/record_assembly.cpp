@@ -225,6 +225,25 @@ Result<RecordedMeasurement> recordedMeasurement(const RecordState& state)
     return recorded;
 }
 
+FileDigests fileDigests(const RecordState& record, const RecordState& after)
+{
+    FileDigests digests;
+    for (const ReadMeasurement& file : record.files)
+        digests[0].push_back(file.sha256);
+    for (const ReadMeasurement& file : after.files)
+        digests[1].push_back(file.sha256);
+    return digests;
+}
+
+bool haveChanged(const FileDigests& now, const FileDigests& known)
+{
+    const auto isSame = [](const std::string& one, const std::string& before) {
+        return one.empty() || one == before;
+    };
+    return !std::ranges::equal(now[0], known[0], isSame)
+        || !std::ranges::equal(now[1], known[1], isSame);
+}
+
 bool isSameMeasurement(const RecordedMeasurement& a, const RecordedMeasurement& b)
 {
     const auto isSameFile = [](const RecordedFile& one, const RecordedFile& other) {

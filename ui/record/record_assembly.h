@@ -4,7 +4,10 @@
 #include "core/base/result.h"
 #include "ui/record/record_state.h"
 
+#include <array>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -28,6 +31,13 @@ struct OpenedRecord {
 /// Whether two are the same but for members that this version does not know, and for the drift that
 /// was taken out for a table.
 [[nodiscard]] bool isSameMeasurement(const RecordedMeasurement& a, const RecordedMeasurement& b);
+
+/// SHA-256 of the files of a measurement and its second one, as they were read; empty: of one that
+/// cannot be read.
+using FileDigests = std::array<std::vector<std::string>, 2>;
+[[nodiscard]] FileDigests fileDigests(const RecordState& record, const RecordState& after);
+/// Whether a file was read that is another one by now; one that cannot be read is none.
+[[nodiscard]] bool haveChanged(const FileDigests& now, const FileDigests& known);
 
 /// Everything that a record in the window comes to.
 struct RecordParts {

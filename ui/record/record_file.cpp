@@ -29,6 +29,17 @@ bool isSameFile(const QString& a, const QString& b)
     return a == b || (QFileInfo::exists(a) && QFileInfo::exists(b) && QFileInfo(a) == QFileInfo(b));
 }
 
+/// All files of a record that is opened are in it.
+FileDigests recordedDigests(const OpenedRecord& opened)
+{
+    FileDigests digests;
+    for (const MeasurementFile& file : opened.record.files)
+        digests[0].push_back(file.recorded->sha256);
+    for (const MeasurementFile& file : opened.after.files)
+        digests[1].push_back(file.recorded->sha256);
+    return digests;
+}
+
 /// Whether a file has a history of a table that would be lost.
 bool losesTable(const CalibrationRecord& there, const CalibrationRecord& made)
 {
@@ -61,7 +72,7 @@ OpenedRecord RecordFile::current() const
 
 RecordParts RecordFile::parts() const
 {
-    RecordParts parts{m_record.state(), m_after.state(), m_content.record, current() == m_known};
+    RecordParts parts{m_record.state(), m_after.state(), m_content.record, isKnown()};
     parts.record.record = m_record.record();
     parts.after.record = m_after.record();
     return parts;
@@ -72,9 +83,19 @@ QString RecordFile::name() const
     return m_path.isEmpty() ? tr("not saved yet") : QFileInfo(m_path).fileName();
 }
 
+bool RecordFile::isKnown() const
+{
+    if (!(current() == m_known))
+        return false;
+    for (const RecordModel* model : {&m_record, &m_after})
+        if (model->state().record.files != model->record().files)
+            return true; // they are being read for the first time
+    return !haveChanged(fileDigests(m_record.state(), m_after.state()), m_knownFiles);
+}
+
 bool RecordFile::isModified() const
 {
-    return m_isRecovered || !(current() == m_known);
+    return m_isRecovered || !isKnown();
 }
 
 bool RecordFile::isEmpty() const
@@ -111,6 +132,7 @@ void RecordFile::show(const QString& path, const Content& content)
     m_waiting.clear(); // it was about the record before
     const OpenedRecord next = ui::opened(content.record);
     m_known = next;
+    m_knownFiles = recordedDigests(next);
     m_record.open(next.record);
     m_after.open(next.after);
     Q_EMIT changed();
@@ -149,6 +171,7 @@ void RecordFile::whenRead(std::function<void(const RecordParts&)> use)
 
 void RecordFile::follow()
 {
+    Q_EMIT changed(); // a file may be another one than the one that was saved
     if (m_waiting.empty() || m_record.isEvaluating() || m_after.isEvaluating())
         return;
     const auto waiting = std::exchange(m_waiting, {});
@@ -199,27 +222,30 @@ void RecordFile::saveNow(const QString& path, bool overwrites)
     const Target target{
         info.filesystemAbsoluteFilePath(), isOwn, m_content.sha256, overwrites, m_store};
     const OpenedRecord known = current();
+    const FileDigests knownFiles = fileDigests(m_record.state(), m_after.state());
     const auto saving =
         inBackground<Result<Saving>>([parts = parts(), target] { return write(parts, target); });
-    whenDone(saving, this, [this, absolute, known, shown = m_shown](const Result<Saving>& result) {
-        setBusy(false);
-        if (shown != m_shown)
-            return; // the record was given up meanwhile, and another one has no file by this
-        if (!result) {
-            Q_EMIT saveFailed(result.error());
-            return;
-        }
-        if (result->obstacle) {
-            Q_EMIT obstructed(absolute, *result->obstacle);
-            return;
-        }
-        m_path = absolute;
-        m_content = result->content;
-        m_known = known;
-        m_isRecovered = false;
-        Q_EMIT changed();
-        Q_EMIT saved();
-    });
+    whenDone(saving, this,
+        [this, absolute, known, knownFiles, shown = m_shown](const Result<Saving>& result) {
+            setBusy(false);
+            if (shown != m_shown)
+                return; // the record was given up meanwhile, and another one has no file by this
+            if (!result) {
+                Q_EMIT saveFailed(result.error());
+                return;
+            }
+            if (result->obstacle) {
+                Q_EMIT obstructed(absolute, *result->obstacle);
+                return;
+            }
+            m_path = absolute;
+            m_content = result->content;
+            m_known = known;
+            m_knownFiles = knownFiles;
+            m_isRecovered = false;
+            Q_EMIT changed();
+            Q_EMIT saved();
+        });
 }
 
 } // namespace axiscomp::ui

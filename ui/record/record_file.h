@@ -88,6 +88,8 @@ private:
     [[nodiscard]] static Result<Saving> write(const RecordParts& parts, const Target& target);
     [[nodiscard]] OpenedRecord current() const;
     [[nodiscard]] RecordParts parts() const;
+    /// Whether the file has what there is.
+    [[nodiscard]] bool isKnown() const;
     void show(const QString& path, const Content& content);
     void saveNow(const QString& path, bool overwrites);
     void follow();
@@ -99,6 +101,7 @@ private:
     std::filesystem::path m_store;
     Content m_content; ///< of the file, or what was begun
     OpenedRecord m_known; ///< of which the file is
+    FileDigests m_knownFiles; ///< likewise: they may have been read again since
     bool m_isRecovered = false; ///< no file has what was kept
     int m_jobs = 0; ///< that read or write
     int m_shown = 0; ///< records that were begun or opened so far

@@ -173,8 +173,24 @@ void RecordModel::take(const RecordState& state)
     m_state.fit = before.fit;
     letGo(std::move(before));
     m_isEvaluating = false;
+    forgetWhatHasChanged();
+    if (m_isEvaluating)
+        return; // nobody is to see or save other values left out than those that were
     fit();
     Q_EMIT stateChanged();
+}
+
+void RecordModel::forgetWhatHasChanged()
+{
+    const QStringList files = std::exchange(m_state.changedFiles, {});
+    if (files.isEmpty())
+        return;
+    Record next = m_record;
+    forgetWhatIsOfTheFiles(next);
+    if (next == m_record)
+        return;
+    change(std::move(next), StepKind::FileChanged, namesOf(files));
+    Q_EMIT filesChanged(namesOf(files));
 }
 
 /// Of the measurement that is there; of one that is being read when it has been.
@@ -427,6 +443,8 @@ QString RecordModel::textOf(int index) const
     switch (step->kind) {
     case StepKind::AddFiles:
         return tr("Add %1").arg(step->subject);
+    case StepKind::FileChanged:
+        return tr("%1 changed on disk").arg(step->subject);
     case StepKind::RemoveFile:
         return tr("Remove %1").arg(step->subject);
     case StepKind::ReadOtherwise:

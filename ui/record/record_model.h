@@ -82,7 +82,8 @@ public:
     using Noting = std::function<std::shared_ptr<const CalibrationRecord>(
         const std::shared_ptr<const CalibrationRecord>&)>;
     void note(const Noting& noted);
-    /// Reads files again that have changed on disk.
+    /// Reads files again that have changed on disk. What was said of them is lost then as in
+    /// addFiles(), by a step, but not where they have only grown.
     void readAgain();
 
     /// What undo() and redo() would do, a translated phrase; empty: there is nothing.
@@ -95,12 +96,14 @@ Q_SIGNALS:
     void opened(); ///< before changed(): what is typed and not taken was for the record before
     void changed(); ///< record()
     void stateChanged(); ///< state() but for its fit, isEvaluating()
+    void filesChanged(const QString& names); ///< on disk, and what was said of them is lost
     void fitChanged(); ///< state().fit, isFitting(), drive()
     void historyChanged(); ///< undoText(), redoText()
 
 private:
     enum class StepKind {
         AddFiles,
+        FileChanged,
         RemoveFile,
         ReadOtherwise,
         SwapDirections,
@@ -122,6 +125,7 @@ private:
     void take(const RecordState& state);
     [[nodiscard]] Record withLimitsOfTheMeasurement() const;
     void fit();
+    void forgetWhatHasChanged();
     void takeFit(std::shared_ptr<const FitOutcome> outcome);
     [[nodiscard]] QString textOf(int step) const;
 

@@ -137,7 +137,7 @@ void RecordRecovery::keep()
     m_file.whenRead([this, context = QPointer(this)](const RecordParts& now) {
         if (!context)
             return;
-        OpenedRecord current{now.record.record, now.after.record};
+        Kept current{{now.record.record, now.after.record}, fileDigests(now.record, now.after)};
         if (!isKept() || m_kept == current)
             return;
         m_kept = std::move(current);

@@ -63,7 +63,14 @@ private:
     std::filesystem::path m_folder;
     QTimer m_timer;
     std::shared_ptr<Shelf> m_shelf; ///< where this one's record is kept
-    std::optional<OpenedRecord> m_kept; ///< what is on it
+    /// What is on it.
+    struct Kept {
+        OpenedRecord record;
+        FileDigests files;
+
+        friend bool operator==(const Kept&, const Kept&) = default;
+    };
+    std::optional<Kept> m_kept;
     bool m_isUsed = false; ///< something may be on it
     bool m_isEnded = false;
     std::optional<Found> m_found;

@@ -83,7 +83,60 @@ ReadMeasurement readAgainOrKnown(const MeasurementFile& file,
         takeRecorded(read);
     else if (const auto done = readInto(read, stop); !done)
         read.refusal = done.error();
+    const auto before = std::ranges::find(known, file, &ReadMeasurement::file);
+    if (!read.measurement() && before != known.end())
+        read.lastUsable = before->measurement() ? std::make_shared<const ReadMeasurement>(*before)
+                                                : before->lastUsable;
     return read;
+}
+
+/// Whether a measurement has every value of an earlier one at its place.
+bool hasAllOf(const Measurement& now, const Measurement& before)
+{
+    if (!before.hasTargets())
+        return now == before;
+    if (now.kind != before.kind || now.isAngular != before.isAngular || now.header != before.header
+        || now.targets.size() < before.targets.size()
+        || !std::equal(before.targets.begin(), before.targets.end(), now.targets.begin()))
+        return false;
+    auto at = now.values.begin(); // both stand in the same order
+    for (RunValue value : before.values) {
+        at = std::find_if(at, now.values.end(), [&](const RunValue& one) {
+            return one.direction == value.direction && one.target == value.target
+                && one.run == value.run;
+        });
+        if (at == now.values.end())
+            return false;
+        value.line = at->line;
+        if (value != *at)
+            return false;
+    }
+    return true;
+}
+
+/// See RecordState. All files can be used.
+QStringList changedFiles(const Record& record, const std::vector<ReadMeasurement>& known,
+    const std::vector<ReadMeasurement>& files)
+{
+    QStringList changed;
+    std::vector<ReadMeasurement> before;
+    for (const ReadMeasurement& file : files) {
+        const auto found = std::ranges::find(known, file.file, &ReadMeasurement::file);
+        if (found == known.end())
+            return {}; // what was said of other files went with them
+        before.push_back(found->lastUsable ? *found->lastUsable : *found);
+        if (before.back().sha256 != file.sha256)
+            changed += file.file.path;
+    }
+    const bool isKnown = std::ranges::all_of(
+        before, [](const ReadMeasurement& file) { return file.measurement() != nullptr; });
+    if (changed.isEmpty() || !isKnown)
+        return changed;
+    Record plain;
+    plain.swapsDirections = record.swapsDirections;
+    const auto then = uncorrected(plain, before);
+    const auto now = uncorrected(plain, files);
+    return then && now && hasAllOf(*now, *then) ? QStringList() : changed;
 }
 
 Result<CorrectedMeasurement> wholeOf(
@@ -168,6 +221,7 @@ RecordState evaluated(
         state.files, [](const ReadMeasurement& file) { return file.measurement() != nullptr; });
     if (!areUsable || state.files.empty() || stop.stop_requested())
         return state;
+    state.changedFiles = changedFiles(record, known, state.files);
     auto whole = wholeOf(record, state.files);
     if (!whole) {
         state.refusal = whole.error();

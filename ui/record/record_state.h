@@ -8,6 +8,8 @@
 #include "ui/record/deviation_series.h"
 #include "ui/record/record.h"
 
+#include <QStringList>
+
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -24,6 +26,8 @@ struct ReadMeasurement {
     std::shared_ptr<const MeasurementReading> reading; ///< null: likewise
     std::optional<Error> refusal; ///< why there is no measurement
     std::string sha256; ///< of the bytes that were read, in hexadecimal digits
+    /// What it was when it could be used last, of one that cannot be used now.
+    std::shared_ptr<const ReadMeasurement> lastUsable = {};
     // Counted once: of a million values that takes longer than a picture may be late.
     int upRuns = 0;
     int downRuns = 0;
@@ -46,6 +50,10 @@ struct FitOutcome;
 struct RecordState {
     Record record; ///< of which it is
     std::vector<ReadMeasurement> files; ///< one for each of the record
+    /// Paths of those that have changed on disk, where a value that was there before is no longer
+    /// at its place: what was left out and corrected would be other values. Empty where a file has
+    /// only grown.
+    QStringList changedFiles;
     /// All files as one, without what was left out; null when one of them cannot be used.
     std::shared_ptr<const Measurement> measurement;
     std::shared_ptr<const Judgement> judgement; ///< of a measurement with targets

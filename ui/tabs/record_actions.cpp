@@ -39,6 +39,11 @@ QString offerId()
     return QStringLiteral("recoveryOffer");
 }
 
+QString changedId()
+{
+    return QStringLiteral("changedMeasurement");
+}
+
 QString reportId()
 {
     return QStringLiteral("reportMessage");
@@ -124,7 +129,10 @@ void RecordActions::attach(const Page& page)
         m_afterSave = nullptr;
         forgetQuestion();
         m_page->messages.remove(reportId());
+        m_page->messages.remove(changedId());
     });
+    for (const RecordModel* model : {&std::as_const(m_record), &std::as_const(m_after)})
+        connect(model, &RecordModel::filesChanged, this, &RecordActions::tellChanged);
     retranslate();
 }
 
@@ -337,6 +345,17 @@ void RecordActions::tellObstacle(const QString& path, RecordFile::Obstacle obsta
     };
     question.isClosable = false;
     m_page->messages.show(question);
+}
+
+void RecordActions::tellChanged(const QString& names)
+{
+    Message message;
+    message.id = changedId();
+    message.tone = Tone::Warning;
+    message.text = tr("%1 has changed on disk. What was left out is used again; corrections, and "
+                      "which table was active, are to be said anew. Ctrl+Z takes that back.")
+                       .arg(names);
+    m_page->messages.show(message);
 }
 
 void RecordActions::offerUnsaved()

@@ -88,6 +88,7 @@ private:
     void askWhereToSave();
     void ask(FileQuestion::Purpose purpose, const std::function<void(const QString&)>& answer);
     void tellObstacle(const QString& path, RecordFile::Obstacle obstacle);
+    void tellChanged(const QString& names);
     void offerUnsaved();
     void writeReport(const QString& path);
     void noteWrite();

@@ -284,6 +284,32 @@ private Q_SLOTS:
         QVERIFY(!again.record.record().calibration);
     }
 
+    void aMeasurementThatWasReadAgainIsNotTheOneThatWasSaved()
+    {
+        Bench bench;
+        const QString runs = bench.path(QStringLiteral("runs.csv"));
+        put(runs, "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
+        bench.record.addFiles({runs});
+        const QString path = bench.path(QStringLiteral("x.axcal"));
+        QVERIFY(bench.save(path));
+        QVERIFY(!bench.file.isModified());
+        put(runs, "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,25\n");
+        QSignalSpy changed(&bench.file, &RecordFile::changed);
+        bench.record.readAgain();
+        QVERIFY(bench.settled());
+        QVERIFY(bench.file.isModified() && !changed.isEmpty());
+        QVERIFY(bench.save(path));
+        QVERIFY(!bench.file.isModified());
+        const auto used = usedMeasurement(*loaded(path).before);
+        VERIFY_RESULT(used);
+        QCOMPARE(used->values.back().deviation, 0.025);
+        // A file that is gone is no other measurement.
+        QVERIFY(QFile::remove(runs));
+        bench.record.readAgain();
+        QVERIFY(bench.settled());
+        QVERIFY(!bench.file.isModified());
+    }
+
     void whatTheTableWasMadeOfStaysWhenTheMeasurementIsChosenOtherwise()
     {
         Bench bench;

@@ -268,6 +268,48 @@ private Q_SLOTS:
         QVERIFY(settled(model));
         QVERIFY(model.state().files[0].reading != first);
     }
+
+    /// A target and a run would name other values, and nobody would see it.
+    void whatWasLeftOutIsUsedAgainWhenItsFileHasChanged_data()
+    {
+        QTest::addColumn<QByteArray>("now");
+        QTest::addColumn<bool>("isLost");
+        QTest::newRow("another value") << QByteArray("0,+,1,1\n10,+,1,25\n") << true;
+        QTest::newRow("a target before it") << QByteArray("-5,+,1,1\n0,+,1,1\n10,+,1,2\n") << true;
+        QTest::newRow("at another target") << QByteArray("0,+,1,1\n20,+,1,2\n") << true;
+        QTest::newRow("it has grown, as while values are captured")
+            << QByteArray("0,+,1,1\n10,+,1,2\n0,-,1,3\n20,+,1,4\n") << false;
+    }
+    void whatWasLeftOutIsUsedAgainWhenItsFileHasChanged()
+    {
+        QFETCH(QByteArray, now);
+        QFETCH(bool, isLost);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("runs.csv"));
+        const auto put = [&path](const QByteArray& lines) {
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly)
+                && file.write("target [mm],direction,run,deviation [um]\n" + lines) > 0;
+        };
+        QVERIFY(put("0,+,1,1\n10,+,1,2\n"));
+        RecordModel model;
+        model.addFiles({path});
+        model.exclude({{Approach::Up, 2, 1}});
+        QVERIFY(settled(model));
+        QCOMPARE(model.state().excludedCount, std::size_t{1});
+        QSignalSpy told(&model, &RecordModel::filesChanged);
+        QVERIFY(put(now));
+        model.readAgain();
+        QVERIFY(settled(model));
+        QCOMPARE(model.record().exclusions.empty(), isLost);
+        QCOMPARE(told.size(), isLost ? 1 : 0);
+        QCOMPARE(model.state().excludedCount, isLost ? std::size_t{0} : std::size_t{1});
+        if (!isLost)
+            return;
+        QCOMPARE(model.undoText(), QStringLiteral("runs.csv changed on disk"));
+        model.undo();
+        QCOMPARE(model.record().exclusions.size(), std::size_t{1});
+    }
 };
 
 AXISCOMP_WINDOW_TEST(TestRecordModel)
