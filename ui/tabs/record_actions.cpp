@@ -93,7 +93,10 @@ RecordActions::RecordActions(RecordModel& record, WizardController& controller,
     connect(m_bar, &RecordBar::saveRequested, this, &RecordActions::save);
     connect(m_bar, &RecordBar::reportRequested, this, &RecordActions::report);
     const auto tell = [this](const Error& error) { Q_EMIT failed(errorText(error)); };
-    connect(&m_file, &RecordFile::openFailed, this, tell);
+    connect(&m_file, &RecordFile::openFailed, this, [this, tell](const Error& error) {
+        tell(error);
+        goOnAfterSave(); // the record that is there was to be saved
+    });
     connect(&m_file, &RecordFile::saveFailed, this, [this, tell](const Error& error) {
         m_afterSave = nullptr;
         tell(error);
@@ -101,8 +104,7 @@ RecordActions::RecordActions(RecordModel& record, WizardController& controller,
     connect(&m_file, &RecordFile::obstructed, this, &RecordActions::tellObstacle);
     connect(&m_file, &RecordFile::saved, this, [this] {
         forgetQuestion();
-        if (const auto action = std::exchange(m_afterSave, nullptr))
-            action();
+        goOnAfterSave();
     });
     connect(&m_recovery, &RecordRecovery::found, this, &RecordActions::offerUnsaved);
     connect(&controller, &WizardController::tableWritten, this, &RecordActions::noteWrite);
@@ -117,10 +119,7 @@ void RecordActions::attach(const Page& page)
     buildMenu();
     connect(&m_file, &RecordFile::changed, this, &RecordActions::showMenu);
     page.guard.watchRecord({
-        [this] {
-            const bool isUnsaved = m_notes > 0 || (m_file.isModified() && !m_file.isEmpty());
-            return isUnsaved ? unsavedText() : QString();
-        },
+        [this] { return isUnsaved() ? unsavedText() : QString(); },
         [this](std::function<void()> done) { saveThen(std::move(done)); },
         [this] { m_recovery.end(); },
     });
@@ -215,9 +214,11 @@ void RecordActions::ask(
         question.filter = tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("HTML (*.html *.htm)");
         question.start = QDir(folder).filePath(name + QStringLiteral(".pdf"));
     }
-    m_page->picker()(m_page->window, question, [answer](const QString& path) {
+    m_page->picker()(m_page->window, question, [this, purpose, answer](const QString& path) {
         if (!path.isEmpty())
             answer(path);
+        else if (purpose == FileQuestion::Purpose::SaveRecord)
+            m_afterSave = nullptr; // it is not saved: nothing may follow by itself later
     });
 }
 
@@ -241,7 +242,7 @@ void RecordActions::open(const QString& path)
 
 void RecordActions::loseRecord(Reason reason, std::function<void()> action)
 {
-    if (!m_file.isModified() || m_file.isEmpty()) {
+    if (!isUnsaved()) {
         action();
         return;
     }
@@ -276,14 +277,28 @@ QString RecordActions::unsavedText() const
                                    : tr("%1 has changes that are not saved.").arg(m_file.name());
 }
 
+bool RecordActions::isUnsaved() const
+{
+    return m_notes > 0 || (m_file.isModified() && !m_file.isEmpty());
+}
+
 void RecordActions::saveThen(std::function<void()> action)
 {
-    if (!m_file.isModified()) {
-        action();
+    m_afterSave = std::move(action);
+    goOnAfterSave();
+}
+
+/// Only when the file has everything: also what was changed while it was being saved, and what is
+/// still being noted of a write.
+void RecordActions::goOnAfterSave()
+{
+    if (!m_afterSave || m_notes > 0)
+        return;
+    if (isUnsaved()) {
+        saveNow();
         return;
     }
-    m_afterSave = std::move(action);
-    saveNow();
+    std::exchange(m_afterSave, nullptr)();
 }
 
 void RecordActions::save()
@@ -502,6 +517,7 @@ void RecordActions::showNote(Note note,
         Q_EMIT failed(tr("The drive has the table; only the record does not say so: %1")
                           .arg(errorText(*refusal)));
     noteInRecords(note); // of steps that were made meanwhile
+    goOnAfterSave();
 }
 
 } // namespace axiscomp::ui

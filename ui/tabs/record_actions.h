@@ -83,7 +83,9 @@ private:
     void loseRecord(Reason reason, std::function<void()> action);
     void forgetQuestion();
     [[nodiscard]] QString unsavedText() const;
+    [[nodiscard]] bool isUnsaved() const;
     void saveThen(std::function<void()> action);
+    void goOnAfterSave();
     void saveNow();
     void askWhereToSave();
     void ask(FileQuestion::Purpose purpose, const std::function<void(const QString&)>& answer);

@@ -7,6 +7,7 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/page/page_tabs.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QDir>
 #include <QDropEvent>
@@ -225,6 +226,21 @@ private Q_SLOTS:
         QVERIFY(bench.user.click("saveAndCloseButton"));
         QTRY_VERIFY(!bench.window.isVisible());
         QVERIFY(savedRecord(bench).draft->before->swapsDirections);
+    }
+
+    void closingAfterSavingLosesNothingThatIsChangedWhileItSaves()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && openRecord(bench, test::recordOfFit()));
+        QVERIFY(change(bench));
+        QTRY_VERIFY(bench.user.the("saveMeasurement").isEnabled()); // it has been read
+        // In one go: nothing is saved before the event loop.
+        bench.user.the<QAction>("saveRecordAction").trigger();
+        bench.user.the<QAbstractButton>("swapDirections").click();
+        QVERIFY(!bench.window.close());
+        bench.user.the<QAbstractButton>("saveAndCloseButton").click();
+        QTRY_VERIFY(!bench.window.isVisible());
+        QVERIFY(!savedRecord(bench).draft); // exchanged twice
     }
 
     void closingWithoutSavingKeepsNothing()
