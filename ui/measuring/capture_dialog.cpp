@@ -187,10 +187,11 @@ QWidget* CaptureDialog::withButton(QLineEdit* field, QPushButton* button)
 void CaptureDialog::show(const CaptureChoices& choices)
 {
     m_planPath = choices.planPath;
-    if (choices.plan)
-        m_plan = ReadPlan(choices.plan);
-    else if (!m_planPath.isEmpty())
+    // Under the name of a file stands what the file says, which may be another plan by now.
+    if (!m_planPath.isEmpty())
         readPlan(m_planPath);
+    else if (choices.plan)
+        m_plan = ReadPlan(choices.plan);
     m_kind->setCurrentIndex(
         std::max(0, m_kind->findData(static_cast<int>(choices.reference.kind))));
     offerSources();

@@ -33,12 +33,12 @@ const std::string straight =
 constexpr auto programStart = 500ms;
 const QString referenceRegister = QStringLiteral("Machine/Axes[0]/ReferencePosition");
 
-MeasuringPlan planOf(const std::string& axis = "X")
+MeasuringPlan planOf(const std::string& axis = "X", int count = 3)
 {
     MeasuringPlanRequest request;
     request.axis = axis;
     request.to = 30.0;
-    request.count = 3;
+    request.count = count;
     request.cycles = 1;
     request.overrun = 1.0;
     request.dwellSeconds = 2.5;
@@ -203,6 +203,21 @@ private Q_SLOTS:
         QCOMPARE(steps.model()->index(0, 3).data().toString(), QStringLiteral("0.00"));
         QCOMPARE(steps.model()->index(2, 3).data().toString(), QStringLiteral("0.36"));
         QVERIFY(bench.page.user.the("captureValues").isEnabled());
+    }
+
+    /// Under its name would stand another plan than the one that is measured by.
+    void aPlanThatHasChangedOnDiskIsReadAnew()
+    {
+        CaptureBench bench;
+        QVERIFY(bench.open() && bench.beginWithRegister());
+        QVERIFY(bench.says(QStringLiteral("Every step has its value")));
+        const std::string plan = measuringPlanCsv(planOf("X", 5));
+        static_cast<void>(bench.page.file(QStringLiteral("plan.csv"),
+            QByteArray(plan.data(), static_cast<qsizetype>(plan.size()))));
+        QVERIFY(bench.page.user.click("captureValues"));
+        const auto& field = bench.page.user.the<QLineEdit>("planField");
+        QTRY_VERIFY2(field.text().startsWith(QStringLiteral("plan.csv (Axis X: 5 targets")),
+            qPrintable(field.text()));
     }
 
     /// The measurement of one machine is not that of another.
