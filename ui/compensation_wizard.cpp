@@ -453,8 +453,11 @@ void CompensationWizard::Private::chooseDrive(const QString& endpoint)
 void CompensationWizard::Private::chooseAxis(int index)
 {
     messages.forgetUnreachable();
-    guard.loseChanges(
-        UnsavedChangesGuard::Reason::ChangeAxis, [this, index] { controller.selectAxis(index); });
+    // Until the question is answered another drive's axes may come before it.
+    guard.loseChanges(UnsavedChangesGuard::Reason::ChangeAxis,
+        [this, entry = controller.axes().at(static_cast<std::size_t>(index))] {
+            controller.selectAxis(entry);
+        });
 }
 
 void CompensationWizard::Private::showConnections()
@@ -506,20 +509,19 @@ void CompensationWizard::Private::showBackups()
 void CompensationWizard::Private::restore(const BackupChoice& choice)
 {
     const auto& axes = controller.axes();
-    const int current = controller.currentAxis();
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        const bool isMeant =
-            axes[i].axis.index == choice.axis && controller.isCurrentDrive(axes[i]);
-        if (!isMeant || static_cast<int>(i) == current)
-            continue;
-        guard.loseChanges(
-            UnsavedChangesGuard::Reason::ChangeAxis, [this, index = static_cast<int>(i), choice] {
-                controller.selectAxis(index);
-                writeFlow.restore(choice);
-            });
+    const auto found = std::ranges::find_if(axes, [&](const AxisEntry& entry) {
+        return entry.axis.index == choice.axis && controller.isCurrentDrive(entry);
+    });
+    if (found == axes.end())
+        return;
+    if (found - axes.begin() == controller.currentAxis()) {
+        writeFlow.restore(choice, *found);
         return;
     }
-    writeFlow.restore(choice);
+    guard.loseChanges(UnsavedChangesGuard::Reason::ChangeAxis, [this, entry = *found, choice] {
+        if (controller.selectAxis(entry))
+            writeFlow.restore(choice, entry);
+    });
 }
 
 void CompensationWizard::Private::begin(Action action)

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace axiscomp::ui {
 
@@ -268,6 +269,19 @@ void WizardController::selectAxis(int index)
         return;
     }
     m_parts->drives.select(index);
+}
+
+bool WizardController::selectAxis(const AxisEntry& entry)
+{
+    const auto place = [](const AxisEntry& one) {
+        return std::tuple(one.endpoint, one.serialNumber, one.axis.index);
+    };
+    const auto found = std::ranges::find(axes(), place(entry), place);
+    if (found == axes().end())
+        return false;
+    const int index = static_cast<int>(found - axes().begin());
+    selectAxis(index);
+    return currentAxis() == index;
 }
 
 void WizardController::refresh()

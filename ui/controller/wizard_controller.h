@@ -55,6 +55,9 @@ public:
     [[nodiscard]] bool isConnected() const;
     /// Drops unwritten changes; the page asks first when setup().isDirty().
     void selectAxis(int index);
+    /// The same for an entry that was taken earlier, wherever it is among axes() now. False: it is
+    /// not the current axis; it has gone, or something runs.
+    bool selectAxis(const AxisEntry& entry);
     void refresh();
     /// Asks one drive again, at once.
     void tryDrive(const QString& endpoint);

@@ -57,17 +57,19 @@ void WriteFlow::proceedToRestore()
     begin(Action::RestorePrevious);
 }
 
-void WriteFlow::restore(const BackupChoice& choice)
+void WriteFlow::restore(const BackupChoice& choice, const AxisEntry& target)
 {
     back();
     m_choice = choice;
+    m_target = target;
     restoreChosen();
 }
 
 void WriteFlow::restoreChosen()
 {
     const auto& status = m_controller.status();
-    if (!m_choice || !status || status->axis.index != m_choice->axis || m_controller.busy().isBusy)
+    if (!m_choice || !status || status->axis.index != m_choice->axis || m_controller.busy().isBusy
+        || !m_controller.isCurrentDrive(m_target))
         return;
     const BackupChoice choice = *std::exchange(m_choice, std::nullopt);
     m_action = Action::RestoreBackup;

@@ -3,6 +3,7 @@
 
 #include "core/compensator/axis_operations.h"
 #include "ui/controller/action_rules.h"
+#include "ui/session/axis_entry.h"
 
 #include <QObject>
 
@@ -29,7 +30,7 @@ public:
     /// The same for going back to the state before the last write.
     void proceedToRestore();
     /// The same for a backup that was chosen, as soon as its axis is the current one and read.
-    void restore(const BackupChoice& choice);
+    void restore(const BackupChoice& choice, const AxisEntry& target);
     void back();
     [[nodiscard]] bool isPreviewing() const;
 
@@ -48,6 +49,7 @@ private:
     PreviewPanel& m_panel;
     Action m_action = Action::Write; ///< what the plan is of
     std::optional<BackupChoice> m_choice; ///< waits for its axis
+    AxisEntry m_target; ///< which that is
     bool m_isPlanning = false;
     std::shared_ptr<const CompensationTable> m_table; ///< the file's, when the plan was asked for
 };

@@ -204,6 +204,44 @@ private Q_SLOTS:
         QVERIFY(user.message("unreachableMessage").isEmpty());
     }
 
+    /// The axes of a drive that answers late come before those of the drive that is shown.
+    void anAxisThatWasAskedAboutIsThatOneWhateverHasComeIntoTheList()
+    {
+        PageFixture bench;
+        test::ServedDrive second{stage()};
+        second.stop();
+        auto& user = bench.user;
+        auto& controller = bench.controller();
+        QVERIFY(bench.open());
+        controller.setEndpoints({second.url(), bench.served.url()});
+        QCOMPARE(controller.axes().size(), std::size_t(2));
+        QVERIFY(bench.choose2D());
+        QVERIFY(user.choose("axisField", QStringLiteral("Y · ")));
+        QTRY_VERIFY(user.sees("loseChangesButton"));
+        second.start();
+        QTRY_COMPARE(controller.axes().size(), std::size_t(4));
+        QCOMPARE(controller.axes()[1].axis.name, std::string("Y"));
+        QCOMPARE(controller.axes()[1].serialNumber, 1560);
+        QVERIFY(user.click("loseChangesButton"));
+        QTRY_COMPARE(controller.currentAxis(), 3);
+        QCOMPARE(controller.axes()[3].serialNumber, 1559);
+    }
+
+    void anAxisThatHasGoneIsNotReplacedByAnother()
+    {
+        TwoDrives drives;
+        auto& bench = drives.bench;
+        QVERIFY(drives.isThere());
+        auto& controller = bench.controller();
+        const AxisEntry gone = controller.axes()[3];
+        controller.setEndpoints({bench.served.url()});
+        QCOMPARE(controller.axes().size(), std::size_t(2));
+        QVERIFY(!controller.selectAxis(gone));
+        QCOMPARE(controller.currentAxis(), 0);
+        QVERIFY(controller.selectAxis(AxisEntry(controller.axes()[1])));
+        QCOMPARE(controller.currentAxis(), 1);
+    }
+
     /// A drive that is lost is told of every second: who is about to choose keeps the place.
     void aListOfDrivesThatIsOpenKeepsItsPlace()
     {
