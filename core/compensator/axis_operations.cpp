@@ -44,11 +44,21 @@ Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& 
                     .with("axis", choice.axis)}});
 }
 
-Result<Restoration> restoreBackup(AxisCompensator& compensator, const AxisBackup& backup,
-    const std::filesystem::path& file, bool force, const OperationOptions& options)
+Result<Restoration> restorePlanned(AxisCompensator& compensator, const PlannedRestoration& planned,
+    const OperationOptions& options)
 {
-    AXISCOMP_CHECK(compensator.restore({.axes = {backup}}, force, options));
-    return Restoration{backup.time, file};
+    AXISCOMP_TRY(const auto drive, compensator.identify(options));
+    if (drive.serialNumber != planned.plan.drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", planned.plan.drive.serialNumber}, {"found", drive.serialNumber}});
+    AXISCOMP_TRY(auto requests,
+        compensator.restoreRequests({.axes = {planned.backup}}, planned.acceptsOther, options));
+    WriteRequest& request = requests.front();
+    request.expected = planned.plan.before;
+    const auto report = compensator.write(planned.backup.axis, request, options);
+    if (!report && report.error().code != ErrorCode::NothingToWrite)
+        return fail(report.error());
+    return planned.state;
 }
 
 } // namespace
@@ -135,46 +145,32 @@ Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
     const OperationOptions& options)
 {
     AXISCOMP_TRY(const auto status, compensator.status(axis, options));
-    AXISCOMP_TRY(const auto previous, previousState(DriveStore(storeRoot), profile, status));
+    AXISCOMP_TRY(auto previous, previousState(DriveStore(storeRoot), profile, status));
     AXISCOMP_TRY(auto plan, compensator.planRestore(previous.backup, false, options));
-    return PlannedRestoration{{previous.backup.time, previous.file}, std::move(plan)};
+    return PlannedRestoration{
+        {previous.backup.time, previous.file}, std::move(previous.backup), false, std::move(plan)};
 }
 
 Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
     const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options)
 {
-    AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
+    AXISCOMP_TRY(auto backup, chosenBackup(choice, profile));
     AXISCOMP_TRY(auto plan, compensator.planRestore(backup, choice.acceptsOther, options));
     if (backup.drive.serialNumber != plan.drive.serialNumber)
         plan.warnings.push_back(AXISCOMP_TEXT(
             "Error", "The backup is of another drive, the one with the serial number {number}.")
                                     .with("number", backup.drive.serialNumber));
-    return PlannedRestoration{{backup.time, choice.file}, std::move(plan)};
+    return PlannedRestoration{
+        {backup.time, choice.file}, std::move(backup), choice.acceptsOther, std::move(plan)};
 }
 
-OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
-    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
-{
-    const auto restore = [&]() -> Result<Restoration> {
-        AXISCOMP_TRY(auto status, compensator.status(axis, options));
-        DriveStore store(storeRoot);
-        AXISCOMP_TRY(auto previous, previousState(store, profile, status));
-        return restoreBackup(compensator, previous.backup, previous.file, false, options);
-    };
-    auto outcome = restore();
-    return {std::move(outcome), readAxis(compensator, storeRoot, axis, quietly(options))};
-}
-
-OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator, const DriveProfile& profile,
-    const std::filesystem::path& storeRoot, const BackupChoice& choice,
+OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const PlannedRestoration& planned,
     const OperationOptions& options)
 {
-    const auto restore = [&]() -> Result<Restoration> {
-        AXISCOMP_TRY(const auto backup, chosenBackup(choice, profile));
-        return restoreBackup(compensator, backup, choice.file, choice.acceptsOther, options);
-    };
-    auto outcome = restore();
-    return {std::move(outcome), readAxis(compensator, storeRoot, choice.axis, quietly(options))};
+    auto outcome = restorePlanned(compensator, planned, options);
+    return {std::move(outcome),
+        readAxis(compensator, storeRoot, planned.backup.axis, quietly(options))};
 }
 
 OperationEnd<WriteReport> recoverAxis(AxisCompensator& compensator,

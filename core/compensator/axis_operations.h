@@ -74,11 +74,15 @@ struct Restoration {
     WallTime backupTime{};
     std::filesystem::path backup;
 };
-/// What restoreAxis would do now; changes nothing.
+/// What restoreAxis does, as a person has seen it; changes nothing.
 struct PlannedRestoration {
     Restoration state;
+    AxisBackup backup; ///< as it was read: the file may be another one later
+    bool acceptsOther = false; ///< as in BackupChoice
     WritePlan plan;
 };
+/// Of the newest backup that differs from what the axis has now. Errors: InvalidArgument when there
+/// is none, those of AxisCompensator::planRestore.
 [[nodiscard]] Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
     const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
     const OperationOptions& options);
@@ -89,19 +93,15 @@ struct BackupChoice {
     int axis = 0; ///< whose backup it is, and which gets it
     bool acceptsOther = false; ///< it may be of a drive with another serial number
 };
-/// The same for a backup that was chosen.
+/// The same for a backup that was chosen. Errors: InvalidBackup when it is not of that axis, those
+/// of AxisCompensator::planRestore.
 [[nodiscard]] Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
     const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options);
 
-/// The newest backup that differs from what the axis has now, written and verified as any other
-/// write. Errors: FileNotReadable when there is none, those of AxisCompensator::restore.
+/// The backup that was planned, written and verified as any other write. Errors: ChangedMeanwhile
+/// when the axis is not as it was then, OtherDrive, those of AxisCompensator::write.
 [[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
-    const DriveProfile& profile, const std::filesystem::path& storeRoot, int axis,
-    const OperationOptions& options);
-/// The same for a backup that was chosen. Errors: InvalidBackup when it is not of that axis, those
-/// of AxisCompensator::restore.
-[[nodiscard]] OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,
-    const DriveProfile& profile, const std::filesystem::path& storeRoot, const BackupChoice& choice,
+    const std::filesystem::path& storeRoot, const PlannedRestoration& planned,
     const OperationOptions& options);
 
 /// Finishes or undoes a write that did not end. Errors: those of AxisCompensator.

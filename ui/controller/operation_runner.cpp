@@ -152,7 +152,7 @@ void OperationRunner::planDeletion()
 
 void OperationRunner::planRestoration()
 {
-    m_choice.reset();
+    m_isBackupChosen = false;
     askForRestoration([axis = m_drives.currentAxis(), &profile = m_profile,
                           store = m_drives.connection()->session().storeRoot()](
                           AxisCompensator& compensator, const OperationOptions& options) {
@@ -162,7 +162,7 @@ void OperationRunner::planRestoration()
 
 void OperationRunner::planRestoration(const BackupChoice& choice)
 {
-    m_choice = choice;
+    m_isBackupChosen = true;
     askForRestoration([choice, &profile = m_profile](
                           AxisCompensator& compensator, const OperationOptions& options) {
         return axiscomp::planRestoration(compensator, profile, choice, options);
@@ -175,13 +175,20 @@ void OperationRunner::askForRestoration(DriveSession::Operation<PlannedRestorati
     m_plannedSetup = m_setup.edited();
     m_requestTable = {};
     m_fileTable.reset();
-    begin<PlannedRestoration>(
-        Task::Plan, std::move(question), [this](const Result<PlannedRestoration>& result) {
+    using Planned = std::shared_ptr<const PlannedRestoration>;
+    begin<Planned>(
+        Task::Plan,
+        [question = std::move(question)](
+            AxisCompensator& compensator, const OperationOptions& options) -> Result<Planned> {
+            AXISCOMP_TRY(auto answer, question(compensator, options));
+            return std::make_shared<const PlannedRestoration>(std::move(answer));
+        },
+        [this](const Result<Planned>& result) {
             m_restoration.reset();
             if (!result)
                 return planned(fail(result.error()));
-            m_restoration = result->state;
-            planned(result->plan);
+            m_restoration = *result;
+            planned(m_restoration->plan);
         });
 }
 
@@ -282,28 +289,13 @@ void OperationRunner::switchTo(Switch wanted)
         [wanted](const Result<Activation>& result) { return activationOutcome(wanted, result); });
 }
 
-void OperationRunner::restorePrevious()
-{
-    restore([axis = m_drives.currentAxis(), &profile = m_profile](
-                auto& compensator, const auto& store, const auto& options) {
-        return restoreAxis(compensator, profile, store, axis, options);
-    });
-}
-
-void OperationRunner::restoreChosen()
-{
-    restore([choice = *m_choice, &profile = m_profile](
-                auto& compensator, const auto& store, const auto& options) {
-        return restoreAxis(compensator, profile, store, choice, options);
-    });
-}
-
-void OperationRunner::restore(std::function<OperationEnd<Restoration>(
-        AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
-        operation)
+void OperationRunner::restore()
 {
     run<Restoration>(
-        Task::Restore, std::move(operation),
+        Task::Restore,
+        [planned = m_restoration](auto& compensator, const auto& store, const auto& options) {
+            return restoreAxis(compensator, store, *planned, options);
+        },
         [this](const OperationEnd<Restoration>& end) {
             m_plan.reset();
             if (end.outcome)

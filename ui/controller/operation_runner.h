@@ -10,6 +10,7 @@
 #include <QPointer>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -38,12 +39,12 @@ public:
     void planWrite();
     /// The same for the deletion of the axis's table.
     void planDeletion();
-    /// The same for restorePrevious().
+    /// The same for the state before the last write; restore() carries it out.
     void planRestoration();
-    /// The same for restoreChosen().
+    /// The same for a backup that was chosen.
     void planRestoration(const BackupChoice& choice);
-    /// The backup that plan() is about; none: it is about something else.
-    [[nodiscard]] const std::optional<Restoration>& plannedRestoration() const
+    /// What plan() is of; null: it is of something else.
+    [[nodiscard]] const std::shared_ptr<const PlannedRestoration>& plannedRestoration() const
     {
         return m_restoration;
     }
@@ -51,10 +52,10 @@ public:
     void write(bool acceptsLarge);
     /// Ends with the end-to-end proof, but for Deactivate.
     void switchTo(Switch wanted);
-    void restorePrevious();
-    /// The backup that plannedRestoration() was asked for by choice; none: the previous state.
-    [[nodiscard]] const std::optional<BackupChoice>& chosenBackup() const { return m_choice; }
-    void restoreChosen();
+    /// plannedRestoration() is of a backup that was chosen, not of the previous state.
+    [[nodiscard]] bool isBackupChosen() const { return m_isBackupChosen; }
+    /// Carries out plannedRestoration().
+    void restore();
     /// Finishes or undoes the write that did not end.
     void recover(bool finishes);
     /// Everything that can be changed on the drive of the current axis, to a file.
@@ -98,9 +99,6 @@ private:
     [[nodiscard]] QString busyText() const;
     void askForPlan();
     void askForRestoration(DriveSession::Operation<PlannedRestoration> question);
-    void restore(std::function<OperationEnd<Restoration>(
-            AxisCompensator&, const std::filesystem::path& store, const OperationOptions&)>
-            operation);
     void planned(const Result<WritePlan>& plan);
 
     const DriveProfile& m_profile;
@@ -122,8 +120,8 @@ private:
     WriteRequest m_request; ///< the same as a request, without its table
     LoadedTable m_requestTable; ///< in the units of the drive
     std::shared_ptr<const CompensationTable> m_fileTable; ///< the same as the file has it
-    std::optional<Restoration> m_restoration; ///< that m_plan is about
-    std::optional<BackupChoice> m_choice; ///< by which m_restoration was asked for
+    std::shared_ptr<const PlannedRestoration> m_restoration; ///< that m_plan is of
+    bool m_isBackupChosen = false; ///< m_restoration was asked for by choice
     std::optional<Proof> m_proof;
 };
 

@@ -540,13 +540,12 @@ void WizardController::planWrite()
 
 void WizardController::write(bool acceptsLarge)
 {
-    if (plan() && plannedRestoration() && m_parts->runner.chosenBackup()) {
-        if (m_parts->actions.mayStart(Action::RestoreBackup))
-            m_parts->runner.restoreChosen();
+    if (plan() && plannedRestoration()) {
+        const bool isChosen = m_parts->runner.isBackupChosen();
+        if (m_parts->actions.mayStart(isChosen ? Action::RestoreBackup : Action::RestorePrevious))
+            m_parts->runner.restore();
         return;
     }
-    if (plan() && plannedRestoration())
-        return restorePrevious();
     const bool deletes = plan() && !plan()->deletedSlot.empty();
     if (m_parts->actions.mayStart(deletes ? Action::DeleteTable : Action::Write))
         m_parts->runner.write(acceptsLarge);
@@ -567,7 +566,7 @@ void WizardController::planRestoration(const BackupChoice& choice)
 std::optional<WallTime> WizardController::plannedRestoration() const
 {
     const auto& restoration = m_parts->runner.plannedRestoration();
-    return restoration ? std::optional(restoration->backupTime) : std::nullopt;
+    return restoration ? std::optional(restoration->state.backupTime) : std::nullopt;
 }
 
 void WizardController::planDeletion()
@@ -592,12 +591,6 @@ void WizardController::deactivate()
 {
     if (m_parts->actions.mayStart(Action::Deactivate))
         m_parts->runner.switchTo(Switch::Deactivate);
-}
-
-void WizardController::restorePrevious()
-{
-    if (m_parts->actions.mayStart(Action::RestorePrevious))
-        m_parts->runner.restorePrevious();
 }
 
 QString WizardController::unfinishedWrite() const

@@ -132,10 +132,9 @@ public:
     void activate(); ///< ends with the end-to-end proof
     void evaluate();
     void deactivate();
-    void restorePrevious();
     /// Asks what deleting the axis's table would change; planReady() follows, as for planWrite.
     void planDeletion();
-    /// The same for restorePrevious.
+    /// The same for what the axis had before the last write.
     void planRestoration();
     /// The same for a backup of the current axis; write() brings it back.
     void planRestoration(const BackupChoice& choice);

@@ -34,14 +34,12 @@ private Q_SLOTS:
         QVERIFY(first != second);
         QVERIFY(bench->action(Action::RestorePrevious).isEnabled);
         bench->setup().setPersistency(Persistency::Persistent);
-        bench->restorePrevious();
-        QVERIFY(bench.idle());
+        QVERIFY(bench.restorePrevious());
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
         QCOMPARE(bench->setup().baseline().tableCrc, first);
         QVERIFY(!bench->setup().isDirty());
-        bench->restorePrevious();
-        QVERIFY(bench.idle());
+        QVERIFY(bench.restorePrevious());
         QCOMPARE(bench->setup().baseline().tableCrc, second);
     }
 
@@ -65,11 +63,50 @@ private Q_SLOTS:
         bench.drive().gate.set(DriveGate::Mode::Open);
         QVERIFY(bench.idle());
         QCOMPARE(bench.store().backups(4711, 0).size(), backups + 1);
-        bench->restorePrevious();
+        QVERIFY(bench.restorePrevious());
+        QVERIFY2(
+            bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
+        QCOMPARE(bench->setup().baseline().tableCrc, first);
+    }
+
+    void theBackupThatWasSeenComesBackWhateverHasBecomeOfItsFile()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D(1));
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t first = bench->setup().baseline().tableCrc;
+        QVERIFY(bench.prepare2D(2));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(bench.planRestoration());
+        // Another program's write: its backup is the newest, and pushes others out.
+        for (const std::filesystem::path& file : bench.store().backups(4711, 0))
+            QVERIFY(std::filesystem::remove(file));
+        bench->write();
         QVERIFY(bench.idle());
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
         QCOMPARE(bench->setup().baseline().tableCrc, first);
+    }
+
+    void aRestorationStopsWhenTheAxisIsNotAsThePreviewHadIt()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D(1));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY(bench.prepare2D(2));
+        QVERIFY(bench.planAndWrite());
+        const std::uint32_t second = bench->setup().baseline().tableCrc;
+        QVERIFY(bench.planRestoration());
+        bench.drive().set("Axes[0]/Parameters/Compensations/Axis/Dim1Source", std::uint32_t{0});
+        bench->write();
+        QVERIFY(bench.idle());
+        QVERIFY2(bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QVERIFY2(bench->outcome().endsWith(QStringLiteral("Nothing was written.")),
+            qPrintable(bench->outcome()));
+        QCOMPARE(bench->setup().baseline().tableCrc, second);
+        QVERIFY(!bench->setup().baseline().sources[0].isSet());
     }
 
     void theTableIsDeletedAsPlannedAndCanBeRestored()
@@ -95,8 +132,7 @@ private Q_SLOTS:
         QVERIFY(bench->setup().baseline().slot.empty());
         QVERIFY(!bench->setup().isDirty());
         QVERIFY(!bench->action(Action::DeleteTable).isEnabled);
-        bench->restorePrevious();
-        QVERIFY(bench.idle());
+        QVERIFY(bench.restorePrevious());
         QCOMPARE(bench->setup().baseline().tableCrc, first);
     }
 

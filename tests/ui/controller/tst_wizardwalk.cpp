@@ -140,7 +140,7 @@ private:
         case 33:
             return m_bench->deactivate();
         case 34:
-            return below(4) ? void() : m_bench->restorePrevious();
+            return below(4) ? void() : m_bench->planRestoration();
         case 35:
             return m_bench->refresh();
         default:

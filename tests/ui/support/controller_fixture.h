@@ -129,6 +129,19 @@ public:
         controller().write();
         return idle();
     }
+    /// What restoring the previous state would change is known.
+    [[nodiscard]] bool planRestoration()
+    {
+        controller().planRestoration();
+        return idle() && controller().plan() && controller().plannedRestoration();
+    }
+    [[nodiscard]] bool restorePrevious()
+    {
+        if (!planRestoration())
+            return false;
+        controller().write();
+        return idle();
+    }
     void chooseMasterSources(int dimensions = 2)
     {
         controller().setup().setDimensionality(dimensions);
