@@ -45,12 +45,12 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
                                    status.drive.serialNumber)));
 }
 
-Result<void> checkRecordSource(
-    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source)
+Result<void> checkRecordSources(const CalibrationRecord& record, const DriveProfile& profile,
+    int axis, std::span<const std::string> sources)
 {
     if (!record.fit || !record.fit->settings.lookupAt)
         return {};
-    return checkLookupSource(*record.fit->settings.lookupAt, profile, source);
+    return checkLookupSources(*record.fit->settings.lookupAt, profile, axis, sources);
 }
 
 Result<void> recordWrite(

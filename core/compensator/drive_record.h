@@ -9,6 +9,7 @@
 #include "core/metrology/record/calibration_record.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,10 +22,10 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
 
-/// Whether a source is on the side of the compensation for which the record's table was made
-/// (checkLookupSource). Errors: InvalidArgument, with the way out.
-[[nodiscard]] Result<void> checkRecordSource(
-    const CalibrationRecord& record, const DriveProfile& profile, const std::string& source);
+/// Whether the sources are on the side of the compensation for which the record's table was made
+/// (checkLookupSources). Errors: InvalidArgument, with the way out.
+[[nodiscard]] Result<void> checkRecordSources(const CalibrationRecord& record,
+    const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
 /// Notes that the axis holds the table. now: as read after the write. What was on record of an
 /// earlier write, and its proof, is replaced. Errors: as checkRecordAxis; NoTable.

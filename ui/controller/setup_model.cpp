@@ -3,6 +3,8 @@
 
 #include "core/drive/axis_target.h"
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -80,7 +82,7 @@ bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b)
 std::vector<std::string> sourcePaths(const EditedSetup& edited)
 {
     CompensationSetup chosen;
-    chosen.sources = edited.sources;
+    std::copy_n(edited.sources.begin(), edited.dimensionality, chosen.sources.begin());
     return axiscomp::sourcePaths(chosen);
 }
 

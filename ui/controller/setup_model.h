@@ -39,7 +39,7 @@ struct EditedSetup {
 
 [[nodiscard]] bool sameValue(Field field, const EditedSetup& a, const EditedSetup& b);
 
-/// The paths of the sources that are set.
+/// The paths of the sources that are set, of the chosen dimensions alone.
 [[nodiscard]] std::vector<std::string> sourcePaths(const EditedSetup& edited);
 
 /// As a request names it: by its path, by its address when it has none.

@@ -143,14 +143,11 @@ void WizardActions::lookAtTables(ActionSnapshot& now) const
     const DataFile& file = m_tables.file().file();
     now.fileTables = file.data ? static_cast<int>(file.data->tables.size()) : 0;
     now.isReadingFile = file.isReading;
-    const EditedSetup& edited = m_setup.edited();
     if (now.isNewTable)
         now.lookupProblem = file.lookupProblem;
     if (now.isNewTable && file.lookupAt && status && !now.lookupProblem) {
-        std::vector<std::string> sources = sourcePaths(edited);
-        sources.resize(std::min(sources.size(), static_cast<std::size_t>(edited.dimensionality)));
-        const auto checked =
-            checkLookupSources(*file.lookupAt, m_profile, status->axis.index, sources);
+        const auto checked = checkLookupSources(
+            *file.lookupAt, m_profile, status->axis.index, sourcePaths(m_setup.edited()));
         if (!checked)
             now.lookupProblem = checked.error();
     }

@@ -428,18 +428,14 @@ bool RecordActions::mayWrite()
 {
     const auto& calibration = m_record.record().calibration;
     const auto table = m_controller.selectedTable();
-    if (!calibration || !table || !hasTable(*calibration, tableCrc(*table)))
+    const auto& status = m_controller.status();
+    if (!calibration || !table || !status || !hasTable(*calibration, tableCrc(*table)))
         return true;
-    for (const DimSource& source : m_controller.setup().edited().sources) {
-        if (!source.isSet())
-            continue;
-        const auto fits = checkRecordSource(*calibration, m_profile, source.path);
-        if (fits)
-            continue;
+    const auto fits = checkRecordSources(*calibration, m_profile, status->axis.index,
+        sourcePaths(m_controller.setup().edited()));
+    if (!fits)
         Q_EMIT failed(errorText(fits.error()));
-        return false;
-    }
-    return true;
+    return fits.has_value();
 }
 
 void RecordActions::noteWrite()

@@ -64,6 +64,18 @@ class TestSetupModel : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    void aSourceCountsOnlyWithItsDimensionAndIsNotLostWithIt()
+    {
+        using Paths = std::vector<std::string>;
+        SetupModel model;
+        model.reset(twoDimensions());
+        QCOMPARE(sourcePaths(model.edited()), (Paths{x.path, y.path}));
+        model.setDimensionality(1);
+        QCOMPARE(sourcePaths(model.edited()), Paths{x.path});
+        model.setDimensionality(2);
+        QCOMPARE(sourcePaths(model.edited()), (Paths{x.path, y.path}));
+    }
+
     void withoutABaselineNothingIsChanged()
     {
         SetupModel model;

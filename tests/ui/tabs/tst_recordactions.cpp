@@ -362,6 +362,29 @@ private Q_SLOTS:
         QVERIFY(!bench.user.sees("confirmWriteButton"));
     }
 
+    void aSourceOfADimensionThatIsNotChosenKeepsNothingFromBeingWritten()
+    {
+        PageFixture bench;
+        const QString afterIt = QStringLiteral("Axes[1]/Signals/PathPlanner/Position");
+        CalibrationRecord record = test::recordOfFit();
+        record.fit->settings.lookupAt = LookupAt::Encoder;
+        QVERIFY(bench.open() && openRecord(bench, record));
+        bench.picked = tableFile(bench, record);
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D"))
+            && bench.user.enter("source1Field", QString::fromStdString(test::masterX))
+            && bench.user.enter("source2Field", afterIt));
+        QTRY_VERIFY(bench.controller().setup().edited().sources[1].isSet());
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("1D"))
+            && bench.user.click("openButton"));
+        QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
+        QVERIFY(bench.user.click("writeButton"));
+        QTRY_VERIFY(bench.user.sees("confirmWriteButton"));
+        QVERIFY(bench.user.message("failureMessage").isEmpty());
+        // It is there again with its dimension.
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
+        QCOMPARE(bench.controller().setup().edited().sources[1].path, afterIt.toStdString());
+    }
+
     void theReportIsHtmlOrPdfInTheLanguageOfTheWindow()
     {
         PageFixture bench(PageFixture::twoAxes(), QStringLiteral("de"));
