@@ -6,6 +6,7 @@
 #include "core/write/previous_state.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace axiscomp {
 
@@ -42,6 +43,16 @@ Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& 
             {"reason",
                 AXISCOMP_TEXT("Error", "it has nothing of axis {axis}")
                     .with("axis", choice.axis)}});
+}
+
+/// Whether this computer made the file for a write to the drive and axis of the plan.
+bool isKept(const DriveStore& store, const WritePlan& plan, const std::filesystem::path& file)
+{
+    return std::ranges::any_of(store.backups(plan.drive.serialNumber, plan.axis),
+        [&](const std::filesystem::path& kept) {
+            std::error_code ignored;
+            return std::filesystem::equivalent(kept, file, ignored);
+        });
 }
 
 Result<Restoration> restorePlanned(AxisCompensator& compensator, const PlannedRestoration& planned,
@@ -148,20 +159,27 @@ Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
     AXISCOMP_TRY(auto previous, previousState(DriveStore(storeRoot), profile, status));
     AXISCOMP_TRY(auto plan, compensator.planRestore(previous.backup, false, options));
     return PlannedRestoration{
-        {previous.backup.time, previous.file}, std::move(previous.backup), false, std::move(plan)};
+        {.backupTime = previous.backup.time, .backup = previous.file, .otherDrive = {}},
+        std::move(previous.backup), false, std::move(plan)};
 }
 
 Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
-    const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options)
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, const BackupChoice& choice,
+    const OperationOptions& options)
 {
     AXISCOMP_TRY(auto backup, chosenBackup(choice, profile));
     AXISCOMP_TRY(auto plan, compensator.planRestore(backup, choice.acceptsOther, options));
-    if (backup.drive.serialNumber != plan.drive.serialNumber)
+    Restoration state{.backupTime = backup.time, .backup = choice.file, .otherDrive = {}};
+    state.isBeforeWrite = isKept(DriveStore(storeRoot), plan, choice.file);
+    if (backup.drive.serialNumber != plan.drive.serialNumber) {
+        state.isBeforeWrite = false;
+        state.otherDrive = backup.drive.serialNumber;
         plan.warnings.push_back(AXISCOMP_TEXT(
             "Error", "The backup is of another drive, the one with the serial number {number}.")
                                     .with("number", backup.drive.serialNumber));
+    }
     return PlannedRestoration{
-        {backup.time, choice.file}, std::move(backup), choice.acceptsOther, std::move(plan)};
+        std::move(state), std::move(backup), choice.acceptsOther, std::move(plan)};
 }
 
 OperationEnd<Restoration> restoreAxis(AxisCompensator& compensator,

@@ -4,6 +4,7 @@
 #include "core/compensator/axis_compensator.h"
 #include "core/table/compensation_table.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -73,6 +74,10 @@ template <typename T> struct OperationEnd {
 struct Restoration {
     WallTime backupTime{};
     std::filesystem::path backup;
+    /// This computer made the backup for a write to this drive; otherwise it is a file that somebody
+    /// has kept.
+    bool isBeforeWrite = true;
+    std::optional<std::int32_t> otherDrive; ///< whose backup it is, by its serial number
 };
 /// What restoreAxis does, as a person has seen it; changes nothing.
 struct PlannedRestoration {
@@ -96,7 +101,8 @@ struct BackupChoice {
 /// The same for a backup that was chosen. Errors: InvalidBackup when it is not of that axis, those
 /// of AxisCompensator::planRestore.
 [[nodiscard]] Result<PlannedRestoration> planRestoration(AxisCompensator& compensator,
-    const DriveProfile& profile, const BackupChoice& choice, const OperationOptions& options);
+    const DriveProfile& profile, const std::filesystem::path& storeRoot, const BackupChoice& choice,
+    const OperationOptions& options);
 
 /// The backup that was planned, written and verified as any other write. Errors: ChangedMeanwhile
 /// when the axis is not as it was then, OtherDrive, those of AxisCompensator::write.

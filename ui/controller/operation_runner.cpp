@@ -163,9 +163,10 @@ void OperationRunner::planRestoration()
 void OperationRunner::planRestoration(const BackupChoice& choice)
 {
     m_isBackupChosen = true;
-    askForRestoration([choice, &profile = m_profile](
+    askForRestoration([choice, &profile = m_profile,
+                          store = m_drives.connection()->session().storeRoot()](
                           AxisCompensator& compensator, const OperationOptions& options) {
-        return axiscomp::planRestoration(compensator, profile, choice, options);
+        return axiscomp::planRestoration(compensator, profile, store, choice, options);
     });
 }
 

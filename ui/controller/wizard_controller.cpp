@@ -563,10 +563,10 @@ void WizardController::planRestoration(const BackupChoice& choice)
         m_parts->runner.planRestoration(choice);
 }
 
-std::optional<WallTime> WizardController::plannedRestoration() const
+std::optional<Restoration> WizardController::plannedRestoration() const
 {
     const auto& restoration = m_parts->runner.plannedRestoration();
-    return restoration ? std::optional(restoration->state.backupTime) : std::nullopt;
+    return restoration ? std::optional(restoration->state) : std::nullopt;
 }
 
 void WizardController::planDeletion()

@@ -138,8 +138,8 @@ public:
     void planRestoration();
     /// The same for a backup of the current axis; write() brings it back.
     void planRestoration(const BackupChoice& choice);
-    /// The time of the backup that plan() brings back; none: it is another plan.
-    [[nodiscard]] std::optional<WallTime> plannedRestoration() const;
+    /// The backup that plan() brings back; none: it is another plan.
+    [[nodiscard]] std::optional<Restoration> plannedRestoration() const;
     /// What an earlier write that did not end has left on the axis, a translated sentence; empty
     /// when there is none.
     [[nodiscard]] QString unfinishedWrite() const;

@@ -125,9 +125,17 @@ Outcome Outcomes::contradicted(const Error& error)
 
 Outcome Outcomes::restored(const Restoration& restoration)
 {
-    return {tr("Restored: the drive holds the state from before the write of %1.")
-                .arg(localTimeText(restoration.backupTime)),
-        false, QStringLiteral("backup: ") + QString::fromStdString(restoration.backup.string())};
+    const QString time = localTimeText(restoration.backupTime);
+    const QString text = restoration.isBeforeWrite
+        ? tr("Restored: the drive holds the state from before the write of %1.").arg(time)
+        : restoration.otherDrive
+        ? tr("Restored: the drive holds the state in the backup file of %1, made of the drive with "
+             "the serial number %2.")
+              .arg(time)
+              .arg(*restoration.otherDrive)
+        : tr("Restored: the drive holds the state in the backup file of %1.").arg(time);
+    return {text, false,
+        QStringLiteral("backup: ") + QString::fromStdString(restoration.backup.string())};
 }
 
 Outcome Outcomes::recovered(bool finishes, const Result<WriteReport>& report)

@@ -353,9 +353,12 @@ QString WritePreview::costText(const WritePlan& plan) const
 QStringList WritePreview::remarks(const WritePlan& plan) const
 {
     QStringList list;
-    if (const auto restored = m_controller.plannedRestoration())
-        list +=
-            tr("This is what the axis had before the write of %1.").arg(localTimeText(*restored));
+    if (const auto restored = m_controller.plannedRestoration()) {
+        const QString time = localTimeText(restored->backupTime);
+        list += restored->isBeforeWrite
+            ? tr("This is what the axis had before the write of %1.").arg(time)
+            : tr("This is the state in the backup file of %1.").arg(time); // warnings() say whose
+    }
     if (plan.slotReason == SlotReason::OwnPrevious)
         list += tr("%1 held an earlier table of this axis; the current one stays complete until "
                    "the axis has switched to the new one.")

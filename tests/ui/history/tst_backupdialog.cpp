@@ -89,6 +89,9 @@ private Q_SLOTS:
         QVERIFY(user.isThere());
         QTRY_VERIFY(user.sees("confirmWriteButton"));
         QVERIFY(user.the<QLabel>("previewTitle").text().contains(QStringLiteral("restored")));
+        QVERIFY(user.the<QLabel>("previewRemarks")
+                    .text()
+                    .startsWith(QStringLiteral("This is what the axis had before the write of ")));
         QVERIFY(bench.state() == third); // nothing has been written yet
         QVERIFY(user.click("confirmWriteButton"));
         QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
@@ -168,10 +171,36 @@ private Q_SLOTS:
         QCOMPARE(warnings.size(), 1);
         QVERIFY2(warnings.front()->text().contains(QStringLiteral("7007")),
             qPrintable(warnings.front()->text()));
+        // What this axis had before a write is something else.
+        QVERIFY(user.the<QLabel>("previewRemarks")
+                    .text()
+                    .startsWith(QStringLiteral("This is the state in the backup file of ")));
         QVERIFY(bench.state() == before);
         QVERIFY(user.click("confirmWriteButton"));
-        QVERIFY(bench.saysOutcome(QStringLiteral("Restored")));
+        QVERIFY(bench.saysOutcome(QStringLiteral("made of the drive with the serial number 7007")));
         QVERIFY(!(bench.state() == before));
+    }
+
+    void aBackupFileOfThisDriveIsNotSaidToBeFromBeforeAWrite()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.openWritten());
+        const auto file = filesOf(bench, 0).front();
+        const QString kept = bench.path(QStringLiteral("kept.json"));
+        QVERIFY(QFile::copy(QString::fromStdString(file.string()), kept));
+        QVERIFY(openList(bench));
+        bench.picked = kept;
+        QVERIFY(user.click("openBackupButton"));
+        QTRY_COMPARE(user.the<QTreeWidget>("backups").topLevelItemCount(), 2);
+        QVERIFY(user.click("restoreBackupButton"));
+        QVERIFY(user.isThere());
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QVERIFY(user.the<QLabel>("previewRemarks")
+                    .text()
+                    .startsWith(QStringLiteral("This is the state in the backup file of ")));
+        QVERIFY(user.click("confirmWriteButton"));
+        QVERIFY(bench.saysOutcome(QStringLiteral("the state in the backup file of ")));
     }
 };
 
