@@ -48,8 +48,8 @@ Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& 
 /// Whether this computer made the file for a write to the drive and axis of the plan.
 bool isKept(const DriveStore& store, const WritePlan& plan, const std::filesystem::path& file)
 {
-    return std::ranges::any_of(store.backups(plan.drive.serialNumber, plan.axis),
-        [&](const std::filesystem::path& kept) {
+    return std::ranges::any_of(
+        store.backups(plan.drive.serialNumber, plan.axis), [&](const std::filesystem::path& kept) {
             std::error_code ignored;
             return std::filesystem::equivalent(kept, file, ignored);
         });

@@ -74,8 +74,8 @@ template <typename T> struct OperationEnd {
 struct Restoration {
     WallTime backupTime{};
     std::filesystem::path backup;
-    /// This computer made the backup for a write to this drive; otherwise it is a file that somebody
-    /// has kept.
+    /// This computer made the backup for a write to this drive; otherwise it is a file that
+    /// somebody has kept.
     bool isBeforeWrite = true;
     std::optional<std::int32_t> otherDrive; ///< whose backup it is, by its serial number
 };

@@ -163,11 +163,11 @@ void OperationRunner::planRestoration()
 void OperationRunner::planRestoration(const BackupChoice& choice)
 {
     m_isBackupChosen = true;
-    askForRestoration([choice, &profile = m_profile,
-                          store = m_drives.connection()->session().storeRoot()](
-                          AxisCompensator& compensator, const OperationOptions& options) {
-        return axiscomp::planRestoration(compensator, profile, store, choice, options);
-    });
+    askForRestoration(
+        [choice, &profile = m_profile, store = m_drives.connection()->session().storeRoot()](
+            AxisCompensator& compensator, const OperationOptions& options) {
+            return axiscomp::planRestoration(compensator, profile, store, choice, options);
+        });
 }
 
 void OperationRunner::askForRestoration(DriveSession::Operation<PlannedRestoration> question)

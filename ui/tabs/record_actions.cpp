@@ -431,8 +431,8 @@ bool RecordActions::mayWrite()
     const auto& status = m_controller.status();
     if (!calibration || !table || !status || !hasTable(*calibration, tableCrc(*table)))
         return true;
-    const auto fits = checkRecordSources(*calibration, m_profile, status->axis.index,
-        sourcePaths(m_controller.setup().edited()));
+    const auto fits = checkRecordSources(
+        *calibration, m_profile, status->axis.index, sourcePaths(m_controller.setup().edited()));
     if (!fits)
         Q_EMIT failed(errorText(fits.error()));
     return fits.has_value();
