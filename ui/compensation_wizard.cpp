@@ -195,7 +195,7 @@ void CompensationWizard::Private::connectParts()
     connect(&messages, &MessagePresenter::connectionsRequested, &q, [this] { showConnections(); });
     connect(&messages, &MessagePresenter::certificateRequested, &q,
         [this](const RejectedCertificate& certificate) { askAboutCertificate(certificate); });
-    connect(&messages, &MessagePresenter::driveAnswered, &q,
+    connect(&messages, &MessagePresenter::driveChosen, &q,
         [this](const QString& endpoint) { chooseDrive(endpoint); });
     connect(page->setup, &SetupPanel::axisChosen, &q, [this](int index) { chooseAxis(index); });
     connect(page->actions, &ActionPanel::writeRequested, &q, [this] { proceedToWrite(); });

@@ -47,7 +47,8 @@ MessagePresenter::MessagePresenter(
     connect(&controller, &WizardController::drivesChanged, this, &MessagePresenter::showConnection);
     connect(&controller, &WizardController::currentAxisChanged, this,
         &MessagePresenter::showConnection);
-    for (const auto changed : {&WizardController::drivesChanged, &WizardController::axesChanged})
+    for (const auto changed : {&WizardController::drivesChanged, &WizardController::axesChanged,
+             &WizardController::currentAxisChanged})
         connect(&controller, changed, this, &MessagePresenter::followUnreachable);
     for (const auto changed : {&WizardController::statusChanged, &WizardController::actionsChanged,
              &WizardController::busyChanged, &WizardController::currentAxisChanged})
@@ -130,14 +131,33 @@ void MessagePresenter::followUnreachable()
         m_unreachable.clear();
     if (m_unreachable.isEmpty())
         return;
-    const QString endpoint = m_unreachable;
-    const auto drive = std::ranges::find(m_controller.drives(), endpoint, &DriveState::endpoint);
-    const bool isUsable = m_controller.usableAxisOf(endpoint) >= 0;
-    if (!isUsable && drive != m_controller.drives().end())
-        return sayUnreachable(*drive);
-    forgetUnreachable();
-    if (isUsable)
-        Q_EMIT driveAnswered(endpoint);
+    const auto drive =
+        std::ranges::find(m_controller.drives(), m_unreachable, &DriveState::endpoint);
+    const int current = m_controller.currentAxis();
+    const bool isShown = current >= 0
+        && m_controller.axes().at(static_cast<std::size_t>(current)).endpoint == m_unreachable;
+    if (isShown || drive == m_controller.drives().end())
+        forgetUnreachable();
+    else if (m_controller.usableAxisOf(m_unreachable) >= 0)
+        sayAnswered(*drive);
+    else
+        sayUnreachable(*drive);
+}
+
+/// It may be minutes later: another axis would come under the pointer that is about to press.
+void MessagePresenter::sayAnswered(const DriveState& drive)
+{
+    Message message;
+    message.id = unreachableId;
+    message.tone = Tone::Information;
+    message.text = tr("%1 answers now.").arg(drive.name.isEmpty() ? drive.endpoint : drive.name);
+    message.buttons = {{QStringLiteral("displayDriveButton"), tr("Displa&y Drive"),
+        [this, endpoint = drive.endpoint] {
+            forgetUnreachable();
+            Q_EMIT driveChosen(endpoint);
+        }}};
+    if (m_messages.text(message.id) != message.text)
+        m_messages.show(message);
 }
 
 void MessagePresenter::sayUnreachable(const DriveState& drive)

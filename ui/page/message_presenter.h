@@ -25,12 +25,13 @@ public:
     void retranslate();
     /// The drive of the page cannot be reached: also after this was put away.
     void showConnection();
-    /// The user wants this drive, which cannot be used now: why, by its name, until it answers.
+    /// The user wants this drive, which cannot be used now: why, by its name, until it answers;
+    /// then that it can be gone to. The page goes nowhere by itself.
     void showUnreachable(const QString& endpoint);
     void forgetUnreachable();
 
 Q_SIGNALS:
-    void driveAnswered(const QString& endpoint); ///< that was not reachable
+    void driveChosen(const QString& endpoint); ///< that was not reachable, and is now
     void connectionsRequested();
     void certificateRequested(const axiscomp::ui::RejectedCertificate& certificate);
 
@@ -38,6 +39,7 @@ private:
     void showOutcome();
     void followUnreachable();
     void sayUnreachable(const DriveState& drive);
+    void sayAnswered(const DriveState& drive);
     void showFileChange();
     void showUnfinishedWrite();
     void putUnfinishedWriteAway();

@@ -199,7 +199,16 @@ private Q_SLOTS:
         QTRY_VERIFY(user.message("unreachableMessage")
                         .startsWith(QStringLiteral("Stage-8 does not answer.")));
         second.start();
-        // What the user wanted is done as soon as the drive is there.
+        // The page goes there when it is told to: who looks at an axis acts on that one.
+        QTRY_COMPARE(user.message("unreachableMessage"), QStringLiteral("Stage-8 answers now."));
+        QCOMPARE(bench.controller().currentAxis(), 0);
+        second.stop();
+        bench.controller().refresh();
+        QTRY_VERIFY(user.message("unreachableMessage")
+                        .startsWith(QStringLiteral("Stage-8 does not answer.")));
+        second.start();
+        QTRY_VERIFY(user.sees("displayDriveButton"));
+        QVERIFY(user.click("displayDriveButton"));
         QTRY_COMPARE(bench.controller().currentAxis(), 2);
         QVERIFY(user.message("unreachableMessage").isEmpty());
     }
