@@ -2442,10 +2442,6 @@
         <translation>die Achse {axis} ist zweimal genannt</translation>
     </message>
     <message>
-        <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>diese Schreibvorgänge kosten zusammen {cost} Flash-Operationen, möglich sind jetzt {left}; flüchtig schreiben oder weniger auf einmal</translation>
-    </message>
-    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder flüchtig schreiben</translation>
     </message>
@@ -8080,6 +8076,54 @@
     <message>
         <source>values that rise by {slope} with the position</source>
         <translation>Werte, die mit der Position um {slope} steigen</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for all of these changes, {together}, but not for putting everything back if one fails; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>die übrigen Flash-Vorgänge reichen für alle diese Änderungen, {together}, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten oder weniger auf einmal ändern</translation>
+    </message>
+    <message>
+        <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>diese Änderungen kosten zusammen {together} Flash-Vorgänge, mehr als jetzt möglich sind; {seconds} s warten oder weniger auf einmal ändern</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>Achse {axis} hieß {target}, als die Sicherung entstand, und heißt im Antrieb jetzt {name}; geben Sie den Achsen die Reihenfolge oder die Namen von damals oder schreiben Sie die Tabelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>the {what} of the table on the drive are in {unit}, and the new source is in {other}; write the table from its file, together with the source</source>
+        <translation>die {what} der Tabelle im Antrieb sind in {unit}, und die neue Quelle ist in {other}; schreiben Sie die Tabelle zusammen mit der Quelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>the {what} are in {unit} in the backup, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>die {what} sind in der Sicherung in {unit}, und der Antrieb hat sie jetzt in {other}, sodass dieselben Zahlen etwas anderes bedeuten würden; stellen Sie die Einheit im Antrieb wieder auf {unit} oder schreiben Sie die Tabelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values of axis {axis}</source>
+        <translation>Werte der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>positions of dimension {number} of axis {axis}</source>
+        <translation>Positionen der Dimension {number} der Achse {axis}</translation>
+    </message>
+    <message>
+        <source>Axis {axis} was called {before} when the backup was made, and is called {after} now: see that it is the same axis.</source>
+        <translation>Achse {axis} hieß {before}, als die Sicherung entstand, und heißt jetzt {after}: vergewissern Sie sich, dass es dieselbe Achse ist.</translation>
+    </message>
+    <message>
+        <source>The backup does not say in which unit axis {axis} was; its table is taken to be in {unit}.</source>
+        <translation>Die Sicherung sagt nicht, in welcher Einheit Achse {axis} war; ihre Tabelle wird in {unit} angenommen.</translation>
+    </message>
+    <message>
+        <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {axis}, which is written first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15249,6 +15293,10 @@
         <source>%1 was captured for the record that was open before, and is not added to this one.</source>
         <translation>%1 wurde für das vorher geöffnete Protokoll erfasst und wird diesem nicht hinzugefügt.</translation>
     </message>
+    <message>
+        <source>Saved as %1 with the values of the files: the corrections are not in it.</source>
+        <translation>Als %1 mit den Werten der Dateien gespeichert: die Korrekturen sind nicht darin.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MeasurementFiles</name>
@@ -15415,6 +15463,14 @@
     <message>
         <source>Tr&amp;y Again</source>
         <translation>Erneut &amp;versuchen</translation>
+    </message>
+    <message>
+        <source>%1 answers now.</source>
+        <translation>%1 antwortet jetzt.</translation>
+    </message>
+    <message>
+        <source>Displa&amp;y Drive</source>
+        <translation>Diesen Antrieb &amp;verwenden</translation>
     </message>
 </context>
 <context>
@@ -15763,6 +15819,14 @@
     <message>
         <source>The compensation is active, but the drive contradicts its table. Stop the axis and deactivate. %1</source>
         <translation>Die Kompensation ist aktiv, aber der Antrieb widerspricht seiner Tabelle. Halten Sie die Achse an und deaktivieren Sie. %1</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
+        <translation>Wiederhergestellt: der Antrieb hat den Stand in der Sicherungsdatei vom %1; sie ist von dem Antrieb mit der Seriennummer %2.</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1.</source>
+        <translation>Wiederhergestellt: der Antrieb hat den Stand in der Sicherungsdatei vom %1.</translation>
     </message>
 </context>
 <context>
@@ -16911,6 +16975,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>The drive has the table; only the record does not say so: %1</source>
         <translation>Der Antrieb hat die Tabelle; nur das Protokoll sagt es nicht: %1</translation>
     </message>
+    <message>
+        <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
+        <translation>%1 hat sich auf dem Datenträger geändert. Ausgeschlossenes wird wieder verwendet; Korrekturen und welche Tabelle aktiv war sind neu anzugeben. Strg+Z macht das rückgängig.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordBar</name>
@@ -17031,6 +17099,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Fit: %1</source>
         <translation>Anpassen: %1</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk</source>
+        <translation>%1 auf dem Datenträger geändert</translation>
     </message>
 </context>
 <context>
@@ -18487,6 +18559,10 @@ B - A: %3</translation>
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>This is the state in the backup file of %1.</source>
+        <translation>Das ist der Stand in der Sicherungsdatei vom %1.</translation>
     </message>
 </context>
 </TS>

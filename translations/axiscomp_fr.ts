@@ -2442,10 +2442,6 @@
         <translation>l&apos;axe {axis} est nommé deux fois</translation>
     </message>
     <message>
-        <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>ensemble, ces écritures nécessitent {cost} opérations flash, et {left} sont possibles actuellement&#xa0;; écrire en volatil ou moins à la fois</translation>
-    </message>
-    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>les opérations flash restantes suffiraient à la modification, mais pas à tout remettre en état en cas d&apos;échec&#xa0;; attendre {seconds} s ou écrire en volatil</translation>
     </message>
@@ -8080,6 +8076,54 @@
     <message>
         <source>values that rise by {slope} with the position</source>
         <translation>des valeurs qui croissent de {slope} avec la position</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for all of these changes, {together}, but not for putting everything back if one fails; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>les opérations flash restantes suffiraient à toutes ces modifications, {together}, mais pas à tout remettre en état en cas d&apos;échec de l&apos;une d&apos;elles ; attendre {seconds} s ou faire moins de modifications à la fois</translation>
+    </message>
+    <message>
+        <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>ces modifications coûtent ensemble {together} opérations flash, plus qu&apos;il n&apos;est possible maintenant ; attendre {seconds} s ou faire moins de modifications à la fois</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>l&apos;axe {axis} était {target} lors de la sauvegarde, et c&apos;est maintenant {name} sur le variateur ; redonner aux axes l&apos;ordre ou les noms qu&apos;ils avaient, ou écrire la table depuis son fichier</translation>
+    </message>
+    <message>
+        <source>the {what} of the table on the drive are in {unit}, and the new source is in {other}; write the table from its file, together with the source</source>
+        <translation>les {what} de la table du variateur sont en {unit}, et la nouvelle source est en {other} ; écrire la table depuis son fichier, avec la source</translation>
+    </message>
+    <message>
+        <source>the {what} are in {unit} in the backup, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>les {what} sont en {unit} dans la sauvegarde, et le variateur les a maintenant en {other} : les mêmes nombres auraient un autre sens ; remettre l&apos;unité du variateur à {unit} ou écrire la table depuis son fichier</translation>
+    </message>
+    <message>
+        <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values of axis {axis}</source>
+        <translation>valeurs de l&apos;axe {axis}</translation>
+    </message>
+    <message>
+        <source>positions of dimension {number} of axis {axis}</source>
+        <translation>positions de la dimension {number} de l&apos;axe {axis}</translation>
+    </message>
+    <message>
+        <source>Axis {axis} was called {before} when the backup was made, and is called {after} now: see that it is the same axis.</source>
+        <translation>L&apos;axe {axis} s&apos;appelait {before} lors de la sauvegarde et s&apos;appelle maintenant {after} : vérifier que c&apos;est le même axe.</translation>
+    </message>
+    <message>
+        <source>The backup does not say in which unit axis {axis} was; its table is taken to be in {unit}.</source>
+        <translation>La sauvegarde n&apos;indique pas l&apos;unité de l&apos;axe {axis} ; sa table est supposée être en {unit}.</translation>
+    </message>
+    <message>
+        <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {axis}, which is written first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15249,6 +15293,10 @@
         <source>%1 was captured for the record that was open before, and is not added to this one.</source>
         <translation>%1 a été acquis pour la fiche ouverte auparavant et n&apos;est pas ajouté à celle-ci.</translation>
     </message>
+    <message>
+        <source>Saved as %1 with the values of the files: the corrections are not in it.</source>
+        <translation>Enregistré sous %1 avec les valeurs des fichiers : les corrections n&apos;y sont pas.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MeasurementFiles</name>
@@ -15415,6 +15463,14 @@
     <message>
         <source>Tr&amp;y Again</source>
         <translation>Réessa&amp;yer</translation>
+    </message>
+    <message>
+        <source>%1 answers now.</source>
+        <translation>%1 répond maintenant.</translation>
+    </message>
+    <message>
+        <source>Displa&amp;y Drive</source>
+        <translation>&amp;Y aller</translation>
     </message>
 </context>
 <context>
@@ -15763,6 +15819,14 @@
     <message>
         <source>The compensation is active, but the drive contradicts its table. Stop the axis and deactivate. %1</source>
         <translation>La compensation est active, mais le variateur contredit sa table. Arrêter l&apos;axe et désactiver. %1</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
+        <translation>Restauré : le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1, celle du variateur de numéro de série %2.</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1.</source>
+        <translation>Restauré : le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1.</translation>
     </message>
 </context>
 <context>
@@ -16911,6 +16975,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>The drive has the table; only the record does not say so: %1</source>
         <translation>Le variateur a la table&#xa0;; seule la fiche ne l&apos;indique pas&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
+        <translation>%1 a été modifié sur le disque. Ce qui était exclu est de nouveau utilisé ; les corrections et la table qui était active sont à indiquer de nouveau. Ctrl+Z annule cela.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordBar</name>
@@ -17031,6 +17099,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Fit: %1</source>
         <translation>Ajustement&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk</source>
+        <translation>%1 modifié sur le disque</translation>
     </message>
 </context>
 <context>
@@ -18487,6 +18559,10 @@ B - A&#xa0;: %3</translation>
     <message>
         <source>Preview</source>
         <translation>Aperçu</translation>
+    </message>
+    <message>
+        <source>This is the state in the backup file of %1.</source>
+        <translation>C&apos;est l&apos;état que contient le fichier de sauvegarde du %1.</translation>
     </message>
 </context>
 </TS>

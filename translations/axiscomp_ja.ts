@@ -2442,10 +2442,6 @@
         <translation>軸 {axis} が 2 回指定されています</translation>
     </message>
     <message>
-        <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>これらの書き込みには合計 {cost} 回のフラッシュ操作が必要ですが、現在可能なのは {left} 回です。揮発で書き込むか、1 回に書き込む数を減らしてください</translation>
-    </message>
-    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>残りのフラッシュ操作は変更には足りますが、失敗時にすべてを元に戻すには足りません。{seconds} s 待つか、揮発で書き込んでください</translation>
     </message>
@@ -8039,6 +8035,54 @@
     <message>
         <source>values that rise by {slope} with the position</source>
         <translation>位置に対して傾き {slope} で増える値</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for all of these changes, {together}, but not for putting everything back if one fails; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>残りのフラッシュ操作はこれらすべての変更 ({together}) には足りますが、失敗時にすべてを元に戻すには足りません。{seconds} s 待つか、一度の変更を減らしてください</translation>
+    </message>
+    <message>
+        <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>これらの変更には合わせて {together} 回のフラッシュ操作が必要で、現在可能な回数を超えています。{seconds} s 待つか、一度の変更を減らしてください</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>バックアップの作成時に軸 {axis} は {target} でしたが、ドライブでは現在 {name} です。軸の順序または名前を元に戻すか、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>the {what} of the table on the drive are in {unit}, and the new source is in {other}; write the table from its file, together with the source</source>
+        <translation>ドライブのテーブルの{what}の単位は {unit} ですが、新しいソースの単位は {other} です。ソースと一緒に、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>the {what} are in {unit} in the backup, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>{what}の単位はバックアップでは {unit} ですが、ドライブでは現在 {other} なので、同じ数値が別の意味になります。ドライブの単位を {unit} に戻すか、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values of axis {axis}</source>
+        <translation>軸 {axis} の値</translation>
+    </message>
+    <message>
+        <source>positions of dimension {number} of axis {axis}</source>
+        <translation>軸 {axis} の次元 {number} の位置</translation>
+    </message>
+    <message>
+        <source>Axis {axis} was called {before} when the backup was made, and is called {after} now: see that it is the same axis.</source>
+        <translation>軸 {axis} の名前は、バックアップの作成時は {before} でしたが、現在は {after} です。同じ軸であることを確認してください。</translation>
+    </message>
+    <message>
+        <source>The backup does not say in which unit axis {axis} was; its table is taken to be in {unit}.</source>
+        <translation>バックアップには軸 {axis} の単位がありません。テーブルの単位は {unit} とみなされます。</translation>
+    </message>
+    <message>
+        <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {axis}, which is written first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15198,6 +15242,10 @@
         <source>%1 was captured for the record that was open before, and is not added to this one.</source>
         <translation>%1 は前に開いていた記録のために取り込んだもので、この記録には追加されません。</translation>
     </message>
+    <message>
+        <source>Saved as %1 with the values of the files: the corrections are not in it.</source>
+        <translation>%1 にファイルの値のまま保存しました。測定値の補正は含まれていません。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MeasurementFiles</name>
@@ -15364,6 +15412,14 @@
     <message>
         <source>Tr&amp;y Again</source>
         <translation>再試行(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>%1 answers now.</source>
+        <translation>%1 が応答しました。</translation>
+    </message>
+    <message>
+        <source>Displa&amp;y Drive</source>
+        <translation>ドライブを表示(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -15712,6 +15768,14 @@
     <message>
         <source>The compensation is active, but the drive contradicts its table. Stop the axis and deactivate. %1</source>
         <translation>補正は有効ですが、ドライブの動作がテーブルと一致しません。軸を停止し、無効化してください。%1</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
+        <translation>復元済み: ドライブは %1 のバックアップファイルの状態です。このファイルはシリアル番号 %2 のドライブのものです。</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1.</source>
+        <translation>復元済み: ドライブは %1 のバックアップファイルの状態です。</translation>
     </message>
 </context>
 <context>
@@ -16860,6 +16924,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <source>The drive has the table; only the record does not say so: %1</source>
         <translation>ドライブにはテーブルがありますが、記録に記載できませんでした: %1</translation>
     </message>
+    <message>
+        <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
+        <translation>%1 がディスク上で変更されました。除外した値は再び使用されます。測定値の補正と、どのテーブルが有効だったかを改めて指定してください。Ctrl+Z で元に戻せます。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordBar</name>
@@ -16980,6 +17048,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>Fit: %1</source>
         <translation>フィッティング: %1</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk</source>
+        <translation>%1 がディスク上で変更されました</translation>
     </message>
 </context>
 <context>
@@ -18436,6 +18508,10 @@ B - A: %3</translation>
     <message>
         <source>Preview</source>
         <translation>プレビュー</translation>
+    </message>
+    <message>
+        <source>This is the state in the backup file of %1.</source>
+        <translation>これは、%1 のバックアップファイルにある状態です。</translation>
     </message>
 </context>
 </TS>

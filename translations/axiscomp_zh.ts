@@ -2442,10 +2442,6 @@
         <translation>轴 {axis} 被指定两次</translation>
     </message>
     <message>
-        <source>together these writes cost {cost} flash operations, and {left} are possible now; write them volatile, or fewer at a time</source>
-        <translation>这些写入共需 {cost} 次闪存操作，目前可用 {left} 次；请以易失方式写入，或分批写入</translation>
-    </message>
-    <message>
         <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s, or write volatile</source>
         <translation>剩余的闪存操作足以完成更改，但失败时不足以全部恢复；等待 {seconds} s，或以易失方式写入</translation>
     </message>
@@ -8039,6 +8035,54 @@
     <message>
         <source>values that rise by {slope} with the position</source>
         <translation>随位置以 {slope} 的斜率上升的值</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for all of these changes, {together}, but not for putting everything back if one fails; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>剩余的闪存操作足以完成所有这些更改（{together} 次），但其中一项失败时不足以全部恢复；等待 {seconds} s，或一次少做些更改</translation>
+    </message>
+    <message>
+        <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
+        <translation>这些更改共需 {together} 次闪存操作，超过目前可用的次数；等待 {seconds} s，或一次少做些更改</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>创建备份时轴 {axis} 是 {target}，而驱动器上现在是 {name}；请恢复各轴原来的顺序或名称，或从文件写入该表</translation>
+    </message>
+    <message>
+        <source>the {what} of the table on the drive are in {unit}, and the new source is in {other}; write the table from its file, together with the source</source>
+        <translation>驱动器上该表的{what}以 {unit} 为单位，而新的源以 {other} 为单位；请从文件写入该表，并同时设置源</translation>
+    </message>
+    <message>
+        <source>the {what} are in {unit} in the backup, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>{what}在备份中以 {unit} 为单位，而驱动器现在以 {other} 为单位，同样的数值含义会不同；请将驱动器的单位改回 {unit}，或从文件写入该表</translation>
+    </message>
+    <message>
+        <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>values of axis {axis}</source>
+        <translation>轴 {axis} 的值</translation>
+    </message>
+    <message>
+        <source>positions of dimension {number} of axis {axis}</source>
+        <translation>轴 {axis} 维度 {number} 的位置</translation>
+    </message>
+    <message>
+        <source>Axis {axis} was called {before} when the backup was made, and is called {after} now: see that it is the same axis.</source>
+        <translation>创建备份时轴 {axis} 名为 {before}，现在名为 {after}：请确认是同一根轴。</translation>
+    </message>
+    <message>
+        <source>The backup does not say in which unit axis {axis} was; its table is taken to be in {unit}.</source>
+        <translation>备份未注明轴 {axis} 的单位；其表按 {unit} 处理。</translation>
+    </message>
+    <message>
+        <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axis {axis}, which is written first</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -15198,6 +15242,10 @@
         <source>%1 was captured for the record that was open before, and is not added to this one.</source>
         <translation>%1 是为先前打开的档案采集的，不添加到当前档案。</translation>
     </message>
+    <message>
+        <source>Saved as %1 with the values of the files: the corrections are not in it.</source>
+        <translation>已按文件中的值保存为 %1，其中不含修正。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MeasurementFiles</name>
@@ -15364,6 +15412,14 @@
     <message>
         <source>Tr&amp;y Again</source>
         <translation>重试(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>%1 answers now.</source>
+        <translation>%1 现在有应答了。</translation>
+    </message>
+    <message>
+        <source>Displa&amp;y Drive</source>
+        <translation>显示驱动器(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -15712,6 +15768,14 @@
     <message>
         <source>The compensation is active, but the drive contradicts its table. Stop the axis and deactivate. %1</source>
         <translation>补偿已启用，但驱动器与其表矛盾。请停止该轴并停用补偿。%1</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
+        <translation>已还原：驱动器处于 %1 的备份文件中的状态，该文件来自序列号为 %2 的驱动器。</translation>
+    </message>
+    <message>
+        <source>Restored: the drive holds the state in the backup file of %1.</source>
+        <translation>已还原：驱动器处于 %1 的备份文件中的状态。</translation>
     </message>
 </context>
 <context>
@@ -16860,6 +16924,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source>The drive has the table; only the record does not say so: %1</source>
         <translation>驱动器已有该表，只是档案没有记载：%1</translation>
     </message>
+    <message>
+        <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
+        <translation>%1 在磁盘上已改变。已排除的值重新使用；修正以及当时激活的表需重新说明。按 Ctrl+Z 可撤销。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordBar</name>
@@ -16980,6 +17048,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>Fit: %1</source>
         <translation>拟合：%1</translation>
+    </message>
+    <message>
+        <source>%1 changed on disk</source>
+        <translation>%1 在磁盘上已改变</translation>
     </message>
 </context>
 <context>
@@ -18436,6 +18508,10 @@ B - A: %3</translation>
     <message>
         <source>Preview</source>
         <translation>预览</translation>
+    </message>
+    <message>
+        <source>This is the state in the backup file of %1.</source>
+        <translation>这是 %1 的备份文件中的状态。</translation>
     </message>
 </context>
 </TS>
