@@ -8099,7 +8099,7 @@
     </message>
     <message>
         <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle gibt für die Positionen der Dimension {number} keine Einheit an; angenommen wird {after}: {first} bis {last}.</translation>
     </message>
     <message>
         <source>values of axis {axis}</source>
@@ -8119,11 +8119,11 @@
     </message>
     <message>
         <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Positionen der Dimension {number} werden unverändert in {unit} geschrieben: das Profil nennt die Einheit von {source} nicht.</translation>
     </message>
     <message>
         <source>axis {axis}, which is written first</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse {axis}, die vorher geschrieben wird</translation>
     </message>
 </context>
 <context>

@@ -8099,7 +8099,7 @@
     </message>
     <message>
         <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La table n&apos;indique pas d&apos;unité pour les positions de la dimension {number} ; elles sont supposées être en {after} : {first} à {last}.</translation>
     </message>
     <message>
         <source>values of axis {axis}</source>
@@ -8119,11 +8119,11 @@
     </message>
     <message>
         <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les positions de la dimension {number} sont écrites telles quelles en {unit} : le profil n&apos;indique pas l&apos;unité de {source}.</translation>
     </message>
     <message>
         <source>axis {axis}, which is written first</source>
-        <translation type="unfinished"></translation>
+        <translation>axe {axis}, qui est écrit avant</translation>
     </message>
 </context>
 <context>

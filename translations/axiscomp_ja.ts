@@ -8058,7 +8058,7 @@
     </message>
     <message>
         <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>テーブルには次元 {number} の位置の単位がありません。{after} とみなします: {first} から {last}。</translation>
     </message>
     <message>
         <source>values of axis {axis}</source>
@@ -8078,11 +8078,11 @@
     </message>
     <message>
         <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
-        <translation type="unfinished"></translation>
+        <translation>次元 {number} の位置は {unit} のまま書き込まれます。{source} の単位はプロファイルに示されていません。</translation>
     </message>
     <message>
         <source>axis {axis}, which is written first</source>
-        <translation type="unfinished"></translation>
+        <translation>先に書き込まれる軸 {axis}</translation>
     </message>
 </context>
 <context>

@@ -8058,7 +8058,7 @@
     </message>
     <message>
         <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
-        <translation type="unfinished"></translation>
+        <translation>该表没有说明维度 {number} 的位置的单位；按 {after} 处理：{first} 至 {last}。</translation>
     </message>
     <message>
         <source>values of axis {axis}</source>
@@ -8078,11 +8078,11 @@
     </message>
     <message>
         <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
-        <translation type="unfinished"></translation>
+        <translation>维度 {number} 的位置按原样以 {unit} 写入：配置文件没有说明 {source} 的单位。</translation>
     </message>
     <message>
         <source>axis {axis}, which is written first</source>
-        <translation type="unfinished"></translation>
+        <translation>先写入的轴 {axis}</translation>
     </message>
 </context>
 <context>
