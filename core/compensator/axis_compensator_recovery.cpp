@@ -106,12 +106,11 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         return recovery;
     }
     AXISCOMP_TRY(recovery.undoFlashOperations,
-        WriteProcedure(
-            access, d->store, d->sources, d->clock, unfinished->prepared(drive), entry)
+        WriteProcedure(access, d->store, d->sources, d->clock, unfinished->prepared(drive), entry)
             .costOfRecovery(*unfinished));
     AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
-    if (auto fits = checkFlashBudget(wearGuard(d->profile.flashWear, history), d->clock(),
-            recovery.undoFlashOperations);
+    if (auto fits = checkFlashBudget(
+            wearGuard(d->profile.flashWear, history), d->clock(), recovery.undoFlashOperations);
         !fits)
         recovery.undoObstacle = std::move(fits).error();
     if (status.isOn())

@@ -98,9 +98,9 @@ std::optional<Text> valueRemark(const std::string& before, bool isStated, const 
 /// values says so once.
 bool statesUnits(const CompensationTable& table)
 {
-    return !table.unit.empty()
-        || std::ranges::any_of(
-            table.grid.axes, [](const GridAxis& axis) { return !axis.unit.empty(); });
+    return !table.unit.empty() || std::ranges::any_of(table.grid.axes, [](const GridAxis& axis) {
+        return !axis.unit.empty();
+    });
 }
 
 /// For positions without a unit beside others that have one: it may have been forgotten.

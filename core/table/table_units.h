@@ -51,10 +51,10 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 
 /// The same table in the units of the drive. Values without a unit are in that of the positions,
 /// where it can be, or of the drive; where nothing has a unit, numbers are taken to be in the
-/// drive's, which a remark says, as it does of positions without a unit in a table that states some.
-/// Positions of a source without a unit stay as they are. Values are
-/// exact to one unit in the last place of a float32. Errors: UnitMismatch for a length on an angle,
-/// and for units that are not known.
+/// drive's, which a remark says, as it does of positions without a unit in a table that states
+/// some. Positions of a source without a unit stay as they are. Values are exact to one unit in the
+/// last place of a float32. Errors: UnitMismatch for a length on an angle, and for units that are
+/// not known.
 [[nodiscard]] Result<TableInUnits> inDriveUnits(const CompensationTable& table,
     const TableUnits& units, UnstatedUnit unstated = UnstatedUnit::OfPositions);
 

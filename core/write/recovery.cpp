@@ -62,8 +62,8 @@ Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfin
     // axis switched off.
     AXISCOMP_TRY(const int operations, costOfUndo());
     AXISCOMP_TRY(auto history, m_store.flashHistory(m_write.plan.drive.serialNumber));
-    AXISCOMP_CHECK(checkFlashBudget(
-        wearGuard(m_access.profile().flashWear, history), m_clock(), operations));
+    AXISCOMP_CHECK(
+        checkFlashBudget(wearGuard(m_access.profile().flashWear, history), m_clock(), operations));
     AXISCOMP_TRY(auto status, inspectBeforeRecovery(unfinished));
 
     // Half of the way back is no better than half of the way there: it cannot be stopped.

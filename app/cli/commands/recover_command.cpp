@@ -37,8 +37,8 @@ std::string recoveryText(const Recovery& recovery)
     const auto cost = [](const char* costs, int operations) {
         return operations == 0 ? std::string("; it needs no flash")
                                : costs
-                + plural(static_cast<std::uint64_t>(operations), "flash operation",
-                    "flash operations");
+                + plural(
+                    static_cast<std::uint64_t>(operations), "flash operation", "flash operations");
     };
     return "What can be done:\n"
         + possibilityText("Finish: ", "--finish",

@@ -66,8 +66,7 @@ std::string tableWords(const WritePlan& plan, const CompensationTable& table, st
 
 } // namespace
 
-std::string signSentence(
-    const CompensationTable& table, std::string_view unit, const SignPlace& at)
+std::string signSentence(const CompensationTable& table, std::string_view unit, const SignPlace& at)
 {
     const auto largest =
         std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
@@ -91,9 +90,8 @@ std::string signSentence(
     for (std::size_t n = 0; n < position.size(); ++n)
         place += (n == 0 ? "" : n + 1 == position.size() ? " and " : ", ") + shortText(position[n]);
     return (position.size() == 1 ? "where the source reads " : "where the sources read ") + place
-        + " the reference is "
-        + withUnit(floatText(std::abs(value)), unit) + (value > 0 ? " above" : " below")
-        + " the encoder: the drive will add " + added;
+        + " the reference is " + withUnit(floatText(std::abs(value)), unit)
+        + (value > 0 ? " above" : " below") + " the encoder: the drive will add " + added;
 }
 
 std::string planText(const WritePlan& plan, const AxisInfo& axis)
@@ -114,7 +112,8 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
     if (plan.table) {
         const std::string unit = unitSymbol(axis.unit);
         lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
-        lines.emplace_back("Sign", signSentence(*plan.table, unit, {plan.lookupAt, plan.ownDimension.has_value()}));
+        lines.emplace_back("Sign",
+            signSentence(*plan.table, unit, {plan.lookupAt, plan.ownDimension.has_value()}));
     }
     lines.emplace_back("Flash", flashWords(plan.flashOperations, plan.flashBudget));
     return text + "\n" + labelled(lines, "  ");

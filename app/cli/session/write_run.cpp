@@ -186,8 +186,8 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
             request.takenSlots = taken;
         auto outcome = writeAndReport(environment, session, writes[n].axis, request, isDryRun);
         if (!outcome)
-            return fail(isDryRun ? outcome.error()
-                                 : ofSeveral(environment, outcome.error(), names, n));
+            return fail(
+                isDryRun ? outcome.error() : ofSeveral(environment, outcome.error(), names, n));
         if (plans[n].slotReason != SlotReason::KeepTable)
             taken.emplace(plans[n].after.slot, writes[n].axis);
         documents.push_back(std::move(outcome->document));

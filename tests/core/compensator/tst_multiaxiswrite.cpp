@@ -59,8 +59,8 @@ private Q_SLOTS:
     void withOneSlotForTwoAxesNoneIsWritten()
     {
         CompensatorFixture fixture;
-        const auto file = encodeTamTable(
-            exampleTable(1, 9), false, drivecomm::genericProfile().layout);
+        const auto file =
+            encodeTamTable(exampleTable(1, 9), false, drivecomm::genericProfile().layout);
         VERIFY_RESULT(file);
         const auto& slots = drivecomm::genericProfile().tableSlots;
         for (std::size_t n = 1; n < slots.size(); ++n)
@@ -70,7 +70,8 @@ private Q_SLOTS:
         const auto plans = planMultiAxis(fixture.compensator, writes);
         VERIFY_ERROR(plans, ErrorCode::NoFreeSlot);
         QCOMPARE(plans.error().context.english("ofAxis"), std::string("1"));
-        QVERIFY2(sentence(plans.error()).find("axis 0, which is written first") != std::string::npos,
+        QVERIFY2(
+            sentence(plans.error()).find("axis 0, which is written first") != std::string::npos,
             sentence(plans.error()).c_str());
     }
 

@@ -283,8 +283,8 @@ private Q_SLOTS:
 
     void whatUndoingCostsIsSaidBeforehand()
     {
-        constexpr Scenario chosen{"replace", Persistency::Persistent, Persistency::Persistent, true,
-            true, false};
+        constexpr Scenario chosen{
+            "replace", Persistency::Persistent, Persistency::Persistent, true, true, false};
         Begun whole(chosen);
         const int begin = whole.link.exchanges();
         VERIFY_RESULT(whole.write());
@@ -311,8 +311,8 @@ private Q_SLOTS:
 
     void undoingThatFlashDoesNotAllowNowIsAnObstacle()
     {
-        constexpr Scenario chosen{"replace", Persistency::Persistent, Persistency::Persistent, true,
-            true, false};
+        constexpr Scenario chosen{
+            "replace", Persistency::Persistent, Persistency::Persistent, true, true, false};
         int refused = 0;
         for (int exchange = 1; exchange < 200; ++exchange) {
             Begun c(chosen);

@@ -88,8 +88,10 @@ private Q_SLOTS:
                                  << "" << false;
         QTest::newRow("a letter that counts columns") << "B"
                                                       << "" << false;
-        QTest::newRow("a symbol of values") << "V" << "" << false;
-        QTest::newRow("a letter with a word") << "V error" << "" << true;
+        QTest::newRow("a symbol of values") << "V"
+                                            << "" << false;
+        QTest::newRow("a letter with a word") << "V error"
+                                              << "" << true;
         QTest::newRow("no axis") << "Mean error"
                                  << "" << false;
     }
