@@ -139,6 +139,9 @@ Result<WriteReport> AxisCompensator::write(
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    if (request.expectedDrive && *request.expectedDrive != drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", *request.expectedDrive}, {"found", drive.serialNumber}});
     auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
@@ -174,6 +177,7 @@ Result<WriteReport> AxisCompensator::setPersistency(
     WriteRequest request;
     request.dimensionality = now.setup.dimensionality;
     request.persistency = persistency;
+    request.expectedDrive = now.drive.serialNumber;
     request.expected = now.setup; // a restart in between brings back another table
     return write(axis, request, options);
 }

@@ -60,6 +60,7 @@ Result<AxisWrite> writeOf(AxisCompensator& compensator, const DriveProfile& prof
     write.axis = axis.axis;
     WriteRequest& request = write.request;
     request.expected = status.setup;
+    request.expectedDrive = status.drive.serialNumber;
     request.sources = sourcesOf(axis);
     if (axis.slot.empty()) {
         request.withoutTable = true;

@@ -161,6 +161,7 @@ Result<void> DrivePlanner::planAxis(
             AXISCOMP_CHECK(keepTable(request, plan));
     }
     request.expected = plan.plan.before;
+    request.expectedDrive = plan.plan.drive.serialNumber;
     planActivation(axis, plan);
     findObstacle(plan);
     return {};

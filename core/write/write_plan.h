@@ -37,6 +37,8 @@ struct WriteRequest {
     UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
+    /// Serial number of the drive that was planned for; when set: another one is refused.
+    std::optional<std::int32_t> expectedDrive = {};
 };
 
 enum class SlotReason { Named, Empty, OwnPrevious, KeepTable, OverwriteOwn };

@@ -246,6 +246,7 @@ void OperationRunner::write(bool acceptsLarge)
         return;
     }
     m_request.acceptsLarge = acceptsLarge;
+    m_request.expectedDrive = m_plan->drive.serialNumber;
     const bool deletes = m_request.deletesTable;
     run<WriteReport>(
         deletes ? Task::Delete : Task::Write,

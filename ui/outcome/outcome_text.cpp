@@ -62,6 +62,7 @@ Outcome Outcomes::notWritten(const Error& error)
     case ErrorCode::OutcomeUnknown: // these two say themselves what the drive holds
     case ErrorCode::RollbackFailed:
         return outcome;
+    case ErrorCode::OtherDrive:
     case ErrorCode::ChangedMeanwhile: // by somebody else, or by a restart
         outcome.text += u' ' + tr("Nothing was written.");
         return outcome;

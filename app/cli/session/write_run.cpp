@@ -24,6 +24,7 @@ std::string_view driveHolds(ErrorCode code)
         return "old or new";
     case ErrorCode::RollbackFailed:
         return "neither";
+    case ErrorCode::OtherDrive:
     case ErrorCode::ChangedMeanwhile: // by somebody else, or by a restart
         return "other";
     default:
@@ -154,6 +155,7 @@ Result<WriteOutcome> writeAndReport(Environment& environment, CommandSession& se
 
     WriteRequest asPlanned = request;
     asPlanned.expected = plan->before;
+    asPlanned.expectedDrive = plan->drive.serialNumber;
     const auto report = carryOut(environment, session, axis, asPlanned);
     const bool nothingToDo = !report && report.error().code == ErrorCode::NothingToWrite;
     if (!report && !nothingToDo)

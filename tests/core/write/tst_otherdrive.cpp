@@ -184,6 +184,22 @@ private Q_SLOTS:
         QVERIFY(unknown > 3);
     }
 
+    void onlyTheDriveOfThePlanIsWritten()
+    {
+        Exchanged c;
+        WriteRequest request = Exchanged::wide(2);
+        const auto plan = c.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        request.expected = plan->before;
+        request.expectedDrive = plan->drive.serialNumber;
+        AxisCompensator there(*c.otherLink, drivecomm::genericProfile(), c.store);
+        const auto refused = there.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::OtherDrive);
+        QCOMPARE(refused.error().context.english("expected"), std::string("4711"));
+        QVERIFY(contentsOf(c.other) == c.old);
+        VERIFY_RESULT(c.compensator.write(0, request));
+    }
+
     void aSwitchNeitherGoesOnNorIsProvedInAnotherDrive()
     {
         int unknown = 0;
