@@ -152,6 +152,10 @@ public:
     [[nodiscard]] Result<std::filesystem::path> upload(
         const std::string& path, ByteView bytes, const OperationOptions& options = {});
 
+    /// What that costs; changes nothing. Errors: UnknownFile.
+    [[nodiscard]] Result<UploadPlan> planUpload(
+        const std::string& path, ByteView bytes, const OperationOptions& options = {});
+
     /// What deleting a table that no axis uses costs; changes nothing. The table of an axis is
     /// deleted by write() with deletionRequest(). Errors: SlotNotFound, NoTable when the slot is
     /// empty, SlotInUse, also by an axis after a reboot, FlashWear.

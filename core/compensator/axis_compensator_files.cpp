@@ -4,6 +4,7 @@
 #include "core/axis/verified_transfer.h"
 #include "core/compensator/axis_compensator_p.h"
 #include "core/compensator/multi_axis_write.h"
+#include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
 #include "core/write/restored_axis.h"
@@ -62,6 +63,22 @@ Result<std::filesystem::path> AxisCompensator::upload(
         return fail(ErrorCode::UnknownFile, {{"path", path}});
     return FileReplacement(access, d->store, drive, d->clock, *slot)
         .run(bytes, FileReplacement::Users::Allowed);
+}
+
+Result<UploadPlan> AxisCompensator::planUpload(
+    const std::string& path, ByteView bytes, const OperationOptions& options)
+{
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(auto drive, d->identify(access));
+    const TableSlot* slot = d->profile.slotOfFile(path);
+    if (!slot)
+        return fail(ErrorCode::UnknownFile, {{"path", path}});
+    AXISCOMP_TRY(const auto cost,
+        FileReplacement(access, d->store, drive, d->clock, *slot).planReplacement(bytes));
+    AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
+    const auto decoded = decodeTamTable(bytes, d->profile.layout);
+    return UploadPlan{decoded && decoded->persistent, cost.operations,
+        wearGuard(d->profile.flashWear, history).budget(d->clock())};
 }
 
 Result<SlotDeletion> AxisCompensator::planSlotDeletion(

@@ -94,6 +94,13 @@ struct SlotDeletion {
     FlashBudget flashBudget;
 };
 
+/// What storing a file as it is costs.
+struct UploadPlan {
+    bool persistent = false; ///< the file is a table for flash
+    int flashOperations = 0; ///< none where the drive holds exactly this file already
+    FlashBudget flashBudget; ///< before it
+};
+
 struct WriteReport {
     WritePlan plan;
     AxisStatus now; ///< read back after the write

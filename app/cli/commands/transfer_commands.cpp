@@ -2,6 +2,7 @@
 #include "app/cli/commands/command_line.h"
 #include "app/cli/output/drive_json.h"
 #include "app/cli/output/output_file.h"
+#include "app/cli/output/write_text.h"
 #include "app/cli/session/write_run.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
@@ -48,11 +49,19 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
     AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.file), maximumUpload));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
+            AXISCOMP_TRY(const auto plan,
+                session.compensator().planUpload(options.path, bytes, session.operation()));
+            if (plan.flashOperations > 0)
+                environment.print(
+                    "Flash: " + flashWords(plan.flashOperations, plan.flashBudget) + "\n");
+            static_cast<void>(environment.console().flush()); // before it is done
             const WriteInterruption interruption(environment);
             AXISCOMP_TRY(auto uploaded,
                 session.compensator().upload(options.path, bytes, session.operation()));
             environment.document({{"input", options.file}, {"path", options.path},
-                {"bytes", bytes.size()}, {"verified", true}, {"backup", uploaded.string()}});
+                {"bytes", bytes.size()}, {"persistent", plan.persistent},
+                {"flashOperations", plan.flashOperations}, {"verified", true},
+                {"backup", uploaded.string()}});
             if (uploaded.empty())
                 environment.print(
                     options.path + " holds exactly this already: nothing was sent.\n");

@@ -36,14 +36,6 @@ std::string slotWords(const WritePlan& plan)
     return slot;
 }
 
-std::string flashWords(int operations, const FlashBudget& budget)
-{
-    if (operations == 0)
-        return "not used";
-    return plural(static_cast<std::uint64_t>(operations), "operation", "operations") + "; "
-        + budgetWords(budget);
-}
-
 /// How what was deleted is had again.
 std::string deletedText(
     const std::filesystem::path& backup, const std::string& endpoint, bool isDemo)
@@ -65,6 +57,14 @@ std::string tableWords(const WritePlan& plan, const CompensationTable& table, st
 }
 
 } // namespace
+
+std::string flashWords(int operations, const FlashBudget& budget)
+{
+    if (operations == 0)
+        return "not used";
+    return plural(static_cast<std::uint64_t>(operations), "operation", "operations") + "; "
+        + budgetWords(budget);
+}
 
 std::string signSentence(const CompensationTable& table, std::string_view unit, const SignPlace& at)
 {

@@ -27,6 +27,9 @@ struct SignPlace {
 
 [[nodiscard]] std::string planText(const SlotDeletion& plan);
 
+/// "1 operation; 8 operations possible now"
+[[nodiscard]] std::string flashWords(int operations, const FlashBudget& budget);
+
 /// After a table that no axis uses was deleted.
 [[nodiscard]] std::string deletionText(const SlotDeletion& plan,
     const std::filesystem::path& backup, const std::string& endpoint, bool isDemo);

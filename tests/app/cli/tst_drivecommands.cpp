@@ -262,6 +262,29 @@ private Q_SLOTS:
         QCOMPARE(down.out, box.content("l.TAMtbl"));
     }
 
+    void whatAnUploadCostsInFlashIsSaid()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        box.file("line.csv", line1D);
+        VERIFY_CODE(box.run({"convert", "line.csv", "v.TAMtbl", "--dims", "1"}), 0);
+        VERIFY_CODE(box.run({"convert", "line.csv", "p.TAMtbl", "--dims", "1", "--persistent"}), 0);
+        const auto upload = [&](const QStringList& more) {
+            return box.run(
+                with(drive, QStringList{"upload", "--to", "tables/small1.TAMtbl"} + more));
+        };
+        const ProgramRun quiet = upload({"v.TAMtbl"});
+        VERIFY_CODE(quiet, 0);
+        QVERIFY2(!quiet.out.contains("Flash"), quiet.out.constData());
+        const ProgramRun said = upload({"p.TAMtbl"});
+        VERIFY_CODE(said, 0);
+        QVERIFY2(said.out.startsWith("Flash: 1 operation; 8 operations possible now\n"),
+            said.out.constData());
+        const QJsonObject again = upload({"p.TAMtbl", "--json"}).json();
+        QCOMPARE(again.value("persistent"), QJsonValue(true));
+        QCOMPARE(again.value("flashOperations").toInt(-1), 0);
+    }
+
     void transfersThatTheDriveRefusesAreNamed_data()
     {
         QTest::addColumn<QStringList>("arguments");
