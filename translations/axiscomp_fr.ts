@@ -8079,27 +8079,27 @@
     </message>
     <message>
         <source>the flash operations that are left would do for all of these changes, {together}, but not for putting everything back if one fails; wait {seconds} s, or make fewer changes at a time</source>
-        <translation>les opérations flash restantes suffiraient à toutes ces modifications, {together}, mais pas à tout remettre en état en cas d&apos;échec de l&apos;une d&apos;elles ; attendre {seconds} s ou faire moins de modifications à la fois</translation>
+        <translation>les opérations flash restantes suffiraient à toutes ces modifications, {together}, mais pas à tout remettre en état en cas d&apos;échec de l&apos;une d&apos;elles&#xa0;; attendre {seconds} s ou faire moins de modifications à la fois</translation>
     </message>
     <message>
         <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
-        <translation>ces modifications coûtent ensemble {together} opérations flash, plus qu&apos;il n&apos;est possible maintenant ; attendre {seconds} s ou faire moins de modifications à la fois</translation>
+        <translation>ces modifications coûtent ensemble {together} opérations flash, plus qu&apos;il n&apos;est possible maintenant&#xa0;; attendre {seconds} s ou faire moins de modifications à la fois</translation>
     </message>
     <message>
         <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
-        <translation>l&apos;axe {axis} était {target} lors de la sauvegarde, et c&apos;est maintenant {name} sur le variateur ; redonner aux axes l&apos;ordre ou les noms qu&apos;ils avaient, ou écrire la table depuis son fichier</translation>
+        <translation>l&apos;axe {axis} était {target} lors de la sauvegarde, et c&apos;est maintenant {name} sur le variateur&#xa0;; redonner aux axes l&apos;ordre ou les noms qu&apos;ils avaient, ou écrire la table depuis son fichier</translation>
     </message>
     <message>
         <source>the {what} of the table on the drive are in {unit}, and the new source is in {other}; write the table from its file, together with the source</source>
-        <translation>les {what} de la table du variateur sont en {unit}, et la nouvelle source est en {other} ; écrire la table depuis son fichier, avec la source</translation>
+        <translation>les {what} de la table du variateur sont en {unit}, et la nouvelle source est en {other}&#xa0;; écrire la table depuis son fichier, avec la source</translation>
     </message>
     <message>
         <source>the {what} are in {unit} in the backup, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
-        <translation>les {what} sont en {unit} dans la sauvegarde, et le variateur les a maintenant en {other} : les mêmes nombres auraient un autre sens ; remettre l&apos;unité du variateur à {unit} ou écrire la table depuis son fichier</translation>
+        <translation>les {what} sont en {unit} dans la sauvegarde, et le variateur les a maintenant en {other}&#xa0;: les mêmes nombres auraient un autre sens&#xa0;; remettre l&apos;unité du variateur à {unit} ou écrire la table depuis son fichier</translation>
     </message>
     <message>
         <source>The table states no unit for the positions of dimension {number}; they are taken to be in {after}: {first} to {last}.</source>
-        <translation>La table n&apos;indique pas d&apos;unité pour les positions de la dimension {number} ; elles sont supposées être en {after} : {first} à {last}.</translation>
+        <translation>La table n&apos;indique pas d&apos;unité pour les positions de la dimension {number}&#xa0;; elles sont supposées être en {after}&#xa0;: {first} à {last}.</translation>
     </message>
     <message>
         <source>values of axis {axis}</source>
@@ -8111,15 +8111,15 @@
     </message>
     <message>
         <source>Axis {axis} was called {before} when the backup was made, and is called {after} now: see that it is the same axis.</source>
-        <translation>L&apos;axe {axis} s&apos;appelait {before} lors de la sauvegarde et s&apos;appelle maintenant {after} : vérifier que c&apos;est le même axe.</translation>
+        <translation>L&apos;axe {axis} s&apos;appelait {before} lors de la sauvegarde et s&apos;appelle maintenant {after}&#xa0;: vérifier que c&apos;est le même axe.</translation>
     </message>
     <message>
         <source>The backup does not say in which unit axis {axis} was; its table is taken to be in {unit}.</source>
-        <translation>La sauvegarde n&apos;indique pas l&apos;unité de l&apos;axe {axis} ; sa table est supposée être en {unit}.</translation>
+        <translation>La sauvegarde n&apos;indique pas l&apos;unité de l&apos;axe {axis}&#xa0;; sa table est supposée être en {unit}.</translation>
     </message>
     <message>
         <source>The positions of dimension {number} are written in {unit} as they stand: the profile does not say the unit of {source}.</source>
-        <translation>Les positions de la dimension {number} sont écrites telles quelles en {unit} : le profil n&apos;indique pas l&apos;unité de {source}.</translation>
+        <translation>Les positions de la dimension {number} sont écrites telles quelles en {unit}&#xa0;: le profil n&apos;indique pas l&apos;unité de {source}.</translation>
     </message>
     <message>
         <source>axis {axis}, which is written first</source>
@@ -15295,7 +15295,7 @@
     </message>
     <message>
         <source>Saved as %1 with the values of the files: the corrections are not in it.</source>
-        <translation>Enregistré sous %1 avec les valeurs des fichiers : les corrections n&apos;y sont pas.</translation>
+        <translation>Enregistré sous %1 avec les valeurs des fichiers&#xa0;: les corrections n&apos;y sont pas.</translation>
     </message>
 </context>
 <context>
@@ -15822,11 +15822,11 @@
     </message>
     <message>
         <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
-        <translation>Restauré : le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1, celle du variateur de numéro de série %2.</translation>
+        <translation>Restauré&#xa0;: le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1, celle du variateur de numéro de série %2.</translation>
     </message>
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
-        <translation>Restauré : le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1.</translation>
+        <translation>Restauré&#xa0;: le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1.</translation>
     </message>
 </context>
 <context>
@@ -16977,7 +16977,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     </message>
     <message>
         <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
-        <translation>%1 a été modifié sur le disque. Ce qui était exclu est de nouveau utilisé ; les corrections et la table qui était active sont à indiquer de nouveau. Ctrl+Z annule cela.</translation>
+        <translation>%1 a été modifié sur le disque. Ce qui était exclu est de nouveau utilisé&#xa0;; les corrections et la table qui était active sont à indiquer de nouveau. Ctrl+Z annule cela.</translation>
     </message>
 </context>
 <context>
