@@ -101,8 +101,8 @@ public:
     [[nodiscard]] Result<WritePlan> compare(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// Plans, backs up, writes, verifies; puts everything back when a step fails or the user stops.
-    /// Errors: those of plan, OtherDrive, NothingToWrite, VerifyMismatch, RollbackFailed. After any error but
-    /// OutcomeUnknown and RollbackFailed the drive holds the old state.
+    /// Errors: those of plan, OtherDrive, NothingToWrite, VerifyMismatch, RollbackFailed. After any
+    /// error but OutcomeUnknown and RollbackFailed the drive holds the old state.
     [[nodiscard]] Result<WriteReport> write(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     [[nodiscard]] Result<WriteReport> setPersistency(

@@ -58,10 +58,10 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
             const WriteInterruption interruption(environment);
             AXISCOMP_TRY(auto uploaded,
                 session.compensator().upload(options.path, bytes, session.operation()));
-            environment.document({{"input", options.file}, {"path", options.path},
-                {"bytes", bytes.size()}, {"persistent", plan.persistent},
-                {"flashOperations", plan.flashOperations}, {"verified", true},
-                {"backup", uploaded.string()}});
+            environment.document(
+                {{"input", options.file}, {"path", options.path}, {"bytes", bytes.size()},
+                    {"persistent", plan.persistent}, {"flashOperations", plan.flashOperations},
+                    {"verified", true}, {"backup", uploaded.string()}});
             if (uploaded.empty())
                 environment.print(
                     options.path + " holds exactly this already: nothing was sent.\n");
