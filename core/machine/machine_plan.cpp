@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace axiscomp {
@@ -71,14 +72,25 @@ private:
     OperationOptions m_options;
 };
 
+/// Tables with a slot of their own first, as they are written.
+std::vector<std::size_t> inOrderOfWriting(const MachineDrive& drive)
+{
+    std::vector<std::size_t> order(drive.axes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_partition(
+        order.begin(), order.end(), [&](std::size_t n) { return !drive.axes[n].slot.empty(); });
+    return order;
+}
+
 Result<DrivePlan> DrivePlanner::plan(
     const MachineDrive& drive, std::span<const MachineTable> tables)
 {
     DrivePlan result;
     AXISCOMP_TRY(result.drive, identifyAs(m_compensator, drive.serialNumber, m_options));
     std::map<std::string, int> taken;
-    for (std::size_t n = 0; n < drive.axes.size(); ++n) {
-        AxisPlan& plan = result.axes.emplace_back();
+    result.axes.resize(drive.axes.size());
+    for (const std::size_t n : inOrderOfWriting(drive)) {
+        AxisPlan& plan = result.axes[n];
         plan.name = drive.axes[n].axis;
         plan.request.takenSlots = taken;
         auto planned = planAxis(drive.axes[n], tables[n], plan);

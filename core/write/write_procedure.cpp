@@ -352,9 +352,14 @@ Result<AxisStatus> WriteProcedure::confirm()
 {
     const WritePlan& plan = m_write.plan;
     const RegisterAccess access = m_access.withoutStop();
-    auto now = readStatus(access, plan.drive, plan.axis, m_sources);
+    // The state comes last: a drive that restarts after it was asked who it is must not pass.
+    const auto readState = [&]() -> Result<AxisStatus> {
+        AXISCOMP_CHECK(access.checkDrive());
+        return readStatus(access, plan.drive, plan.axis, m_sources);
+    };
+    auto now = readState();
     if (!now && isUnreachable(now.error().code))
-        now = readStatus(access, plan.drive, plan.axis, m_sources);
+        now = readState();
     if (now && !(now->setup == plan.after))
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
@@ -362,9 +367,7 @@ Result<AxisStatus> WriteProcedure::confirm()
     if (!now)
         return now;
     const auto confirmRest = [&]() -> Result<void> {
-        if (deletes())
-            AXISCOMP_CHECK(checkEmpty(access, plan.deletedSlot));
-        return access.checkDrive(); // that has just been read
+        return deletes() ? checkEmpty(access, plan.deletedSlot) : Result<void>();
     };
     auto rest = confirmRest();
     if (!rest && isUnreachable(rest.error().code))
