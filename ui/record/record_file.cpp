@@ -218,6 +218,7 @@ void RecordFile::saveNow(const QString& path, bool overwrites)
         Q_EMIT saved(); // byte for byte
         return;
     }
+    ++m_saves;
     setBusy(true);
     const Target target{
         info.filesystemAbsoluteFilePath(), isOwn, m_content.sha256, overwrites, m_store};
@@ -227,6 +228,7 @@ void RecordFile::saveNow(const QString& path, bool overwrites)
         inBackground<Result<Saving>>([parts = parts(), target] { return write(parts, target); });
     whenDone(saving, this,
         [this, absolute, known, knownFiles, shown = m_shown](const Result<Saving>& result) {
+            --m_saves;
             setBusy(false);
             if (shown != m_shown)
                 return; // the record was given up meanwhile, and another one has no file by this

@@ -34,6 +34,8 @@ public:
     /// There is something to save, to report or to lose.
     [[nodiscard]] bool isEmpty() const;
     [[nodiscard]] bool isBusy() const { return m_jobs > 0; }
+    /// What the file will have is not known yet: isModified() compares with what it had.
+    [[nodiscard]] bool isSaving() const { return m_saves > 0; }
 
     /// A new one, in place of the one there is.
     void begin();
@@ -104,6 +106,7 @@ private:
     FileDigests m_knownFiles; ///< likewise: they may have been read again since
     bool m_isRecovered = false; ///< no file has what was kept
     int m_jobs = 0; ///< that read or write
+    int m_saves = 0; ///< of these
     int m_shown = 0; ///< records that were begun or opened so far
     int m_wanted = 0; ///< the same, with those that are being opened
     std::vector<std::function<void(const RecordParts&)>>

@@ -279,7 +279,7 @@ QString RecordActions::unsavedText() const
 
 bool RecordActions::isUnsaved() const
 {
-    return m_notes > 0 || (m_file.isModified() && !m_file.isEmpty());
+    return m_notes > 0 || m_file.isSaving() || (m_file.isModified() && !m_file.isEmpty());
 }
 
 void RecordActions::saveThen(std::function<void()> action)

@@ -83,7 +83,7 @@ private Q_SLOTS:
         bench->planWrite();
         QVERIFY(bench.idle());
         // Far enough that the journal is open, and for so long that nothing can be put back.
-        bench.drive().gate.setAt(17, DriveGate::Mode::Gone);
+        bench.drive().gate.setAt(19, DriveGate::Mode::Gone);
         bench->write();
         QVERIFY(bench.idle());
         QVERIFY(bench->isOutcomeAnError());

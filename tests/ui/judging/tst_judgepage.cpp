@@ -81,8 +81,8 @@ void verifyRunsAreSavedUncorrected(PageFixture& bench)
     QVERIFY(saved.open(QIODevice::ReadOnly));
     QCOMPARE(saved.readAll(),
         QByteArray("// axiscomp runs: 1\n"
-                   "target [mm],direction,run,deviation [mm],use\n"
-                   "0,+,1,0,1\n500,+,1,0,1\n"));
+                   "target [mm],direction,run,deviation [mm]\n"
+                   "0,+,1,0\n500,+,1,0\n"));
 }
 
 /// The tab Judge with a public measurement that has been judged.
