@@ -192,7 +192,7 @@ void TestMultiAxis::whatIsProposedIsPlannedAndNothingIsChanged()
         qPrintable(plan.item(1, 2)->text()));
     QVERIFY2(plan.item(1, 2)->text().contains(QStringLiteral("MasterPosition")),
         qPrintable(plan.item(1, 2)->text()));
-    QCOMPARE(plan.item(1, 3)->text(), QStringLiteral("chosen when it is written"));
+    QCOMPARE(plan.item(1, 3)->text(), QStringLiteral("Small2 (empty)"));
     QCOMPARE(stage.reason(), QStringLiteral("Uses no flash operation."));
     QTRY_VERIFY(stage.the<QTableWidget>("columnAxes").item(0, 1)->text()
         == QStringLiteral("+0.001 … +0.003 mm"));
