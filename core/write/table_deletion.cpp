@@ -99,6 +99,7 @@ Result<void> WriteProcedure::deleteOldTable()
         AXISCOMP_CHECK(save(m_access));
     }
     AXISCOMP_CHECK(note("delete", 0.96));
+    AXISCOMP_CHECK(m_access.checkDrive()); // what is read after saving may fail without a word
     const std::string& slot = m_write.plan.deletedSlot;
     m_slotTouched = slot != m_write.plan.before.slot;
     m_flashTouched = changesPersistency();
