@@ -8125,6 +8125,10 @@
         <source>axis {axis}, which is written first</source>
         <translation>Achse {axis}, die vorher geschrieben wird</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
+        <translation>angegeben ist die Einheit {stated}, und die Zahlen der Datei sind in {unit} gelesen; die Angabe weglassen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

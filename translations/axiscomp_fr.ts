@@ -8125,6 +8125,10 @@
         <source>axis {axis}, which is written first</source>
         <translation>axe {axis}, qui est écrit avant</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
+        <translation>l&apos;unité {stated} est indiquée, et les nombres du fichier ont été lus en {unit} ; omettre cette indication</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8084,6 +8084,10 @@
         <source>axis {axis}, which is written first</source>
         <translation>先に書き込まれる軸 {axis}</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
+        <translation>単位 {stated} が指定されましたが、ファイルの数値は {unit} で読み込まれています。指定を外してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

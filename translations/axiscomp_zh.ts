@@ -8084,6 +8084,10 @@
         <source>axis {axis}, which is written first</source>
         <translation>先写入的轴 {axis}</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
+        <translation>已指定单位 {stated}，而文件中的数是以 {unit} 读取的；请去掉该指定</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -72,6 +72,31 @@ Result<void> checkSameTargets(const NeutralTable& prepared, const NeutralTable& 
     return {};
 }
 
+/// A format that says its units has brought its numbers into them: what the file calls um may be
+/// read in mm, so that another statement would be about other numbers than those in the file.
+Result<void> checkStatedUnit(const std::string& unit, const std::string& stated)
+{
+    if (unit.empty() || stated.empty() || isSameUnit(unit, stated))
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the unit {stated} is stated, and the numbers of the file were read in {unit}; "
+                "leave "
+                "the statement out")
+                .with("stated", stated)
+                .with("unit", unit)}});
+}
+
+Result<void> checkStatedUnits(const NeutralTable& table, const StatedUnits& stated)
+{
+    for (const SourceAxis& axis : table.axes)
+        AXISCOMP_CHECK(checkStatedUnit(axis.unit, stated.positions));
+    for (const CompensationColumn& column : table.columns)
+        AXISCOMP_CHECK(checkStatedUnit(column.unit, stated.values));
+    return {};
+}
+
 /// That values in the unit of the drive are not added to positions in a unit that is stated.
 Result<void> checkPositionsOfDrive(const NeutralTable& table)
 {
@@ -147,6 +172,8 @@ private:
 
 Result<NeutralTable> Converter::withUnits(NeutralTable table, SetSides sides) const
 {
+    if (!isTriamec(*m_request.from))
+        AXISCOMP_CHECK(checkStatedUnits(table, m_request.units));
     for (SourceAxis& axis : table.axes)
         takeStatedUnit(axis.unit, m_request.units.positions);
     for (CompensationColumn& column : table.columns)

@@ -146,7 +146,7 @@ private Q_SLOTS:
         MachineAxis& axis = machine.drive.axes[0];
         axis.file = "x.txt";
         axis.choices.format = &softmc::format();
-        axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        axis.choices.settings = {{"position-unit", "mm"}};
         axis.choices.units = {"um", {}};
         axis.sources = std::vector<std::string>{test::masterX};
         axis.acceptsLarge = true;
@@ -167,6 +167,14 @@ private Q_SLOTS:
         QVERIFY2(sentence(*refused.problem).find("are said to be in the unit of the drive")
                 != std::string::npos,
             sentence(*refused.problem).c_str());
+        // What the file says itself is not overruled: its numbers may have been converted to that.
+        axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        axis.choices.units = {"um", {}};
+        const MachineTable contradicted = read();
+        QVERIFY(contradicted.problem.has_value());
+        QVERIFY2(sentence(*contradicted.problem).find("were read in mm") != std::string::npos,
+            sentence(*contradicted.problem).c_str());
+        axis.choices.settings = {};
         axis.choices.units = {std::string(unitOfDrive), std::string(unitOfDrive)};
         const MachineTable ofDrive = read();
         QVERIFY(
