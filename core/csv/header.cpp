@@ -16,9 +16,10 @@ namespace {
 /// What a spreadsheet can have; keeps a line of separators from taking all memory.
 constexpr std::size_t maximumColumns = 16384;
 
+/// Where a name may say something else: C is an axis there, not a temperature.
 bool isUnit(std::string_view text)
 {
-    return isPositionUnit(text) || isTemperatureUnit(text);
+    return isPositionUnit(text) || (text.size() > 1 && isTemperatureUnit(text));
 }
 
 /// "X error (um)", "X error [um] (mean)"

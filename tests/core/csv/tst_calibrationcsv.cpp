@@ -94,6 +94,9 @@ private Q_SLOTS:
         QTest::newRow("brackets without a unit")
             << QByteArray("X (left),E (mean),E (um) [nm]")
             << QByteArrayList{"X (left)|", "E (mean)|", "E (um)|nm"};
+        QTest::newRow("the name of an axis where a unit may stand")
+            << QByteArray("Position (C),Error (C),E/C [deg]")
+            << QByteArrayList{"Position (C)|", "Error (C)|", "E/C|deg"};
         QTest::newRow("quote within a name")
             << QByteArray("X 5\",A,B") << QByteArrayList{"X 5\"|", "A|", "B|"};
         QTest::newRow("stray byte-order marks")
