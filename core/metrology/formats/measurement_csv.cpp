@@ -36,12 +36,6 @@ csv::ColumnName withUnitOfName(csv::ColumnName column)
     return column;
 }
 
-/// What a unit of time or temperature makes of a number x: (x - zero) / perBase seconds or deg C.
-struct ScaleOfUnit {
-    std::string_view spelling; ///< empty: without a unit
-    double zero = 0.0;
-    double perBase = 1.0;
-};
 constexpr std::array timeUnits{ScaleOfUnit{""}, ScaleOfUnit{"s"}, ScaleOfUnit{"ms", 0.0, 1000.0},
     ScaleOfUnit{"min", 0.0, 1.0 / 60.0}, ScaleOfUnit{"h", 0.0, 1.0 / 3600.0}};
 constexpr std::array temperatureUnits{ScaleOfUnit{""}, ScaleOfUnit{"C"}, ScaleOfUnit{"degC"},
@@ -49,16 +43,6 @@ constexpr std::array temperatureUnits{ScaleOfUnit{""}, ScaleOfUnit{"C"}, ScaleOf
     ScaleOfUnit{"Kelvin", 273.15}, ScaleOfUnit{"F", 32.0, 1.8}, ScaleOfUnit{"degF", 32.0, 1.8},
     ScaleOfUnit{"deg F", 32.0, 1.8}, ScaleOfUnit{"\u00b0F", 32.0, 1.8},
     ScaleOfUnit{"Fahrenheit", 32.0, 1.8}};
-
-/// Nothing: the unit is none of these.
-std::optional<double> inBaseUnit(
-    double number, std::string_view unit, std::span<const ScaleOfUnit> units)
-{
-    const auto known = std::ranges::find_if(
-        units, [unit](const ScaleOfUnit& one) { return sameLetters(one.spelling, unit); });
-    return known == units.end() ? std::nullopt
-                                : std::optional((number - known->zero) / known->perBase);
-}
 
 std::string lowerCase(std::string text)
 {
@@ -318,40 +302,36 @@ std::optional<double> MeasurementCsv::time(std::size_t column)
         return std::nullopt;
     if (const auto iso = isoSeconds(text(column)))
         return iso;
-    const auto found = number(column);
-    if (!found)
-        return std::nullopt;
-    const auto seconds = inBaseUnit(*found, m_columns[column - 1].unit, timeUnits);
-    if (!seconds)
-        refuseUnit(column,
-            AXISCOMP_TEXT("Error",
-                "a time in s, ms, min or h, in brackets behind the name; without a unit it is in "
-                "s"));
-    return seconds;
+    return inBase(column, timeUnits,
+        AXISCOMP_TEXT("Error",
+            "a time in s, ms, min or h, in brackets behind the name; without a unit it is in "
+            "s"));
 }
 
 std::optional<double> MeasurementCsv::temperature(std::size_t column)
 {
+    return inBase(column, temperatureUnits,
+        AXISCOMP_TEXT("Error",
+            "a temperature in C, K or F, in brackets behind the name; without a unit it is in "
+            "C"));
+}
+
+std::optional<double> MeasurementCsv::inBase(
+    std::size_t column, std::span<const ScaleOfUnit> units, const TextPattern& expected)
+{
     const auto found = optionalNumber(column);
     if (!found)
         return std::nullopt;
-    const auto celsius = inBaseUnit(*found, m_columns[column - 1].unit, temperatureUnits);
-    if (!celsius)
-        refuseUnit(column,
-            AXISCOMP_TEXT("Error",
-                "a temperature in C, K or F, in brackets behind the name; without a unit it is in "
-                "C"));
-    return celsius;
-}
-
-void MeasurementCsv::refuseUnit(std::size_t column, const TextPattern& expected)
-{
-    if (m_isUnitRefused[column - 1])
-        return;
-    m_isUnitRefused[column - 1] = true;
     const csv::ColumnName& name = m_columns[column - 1];
-    m_diagnostics.error(DiagnosticCode::Syntax, m_headerLine, column,
-        Verbatim{name.name + " [" + name.unit + "]"}, expected);
+    const auto known = std::ranges::find_if(
+        units, [&](const ScaleOfUnit& one) { return sameLetters(one.spelling, name.unit); });
+    if (known != units.end())
+        return (*found - known->zero) / known->perBase;
+    if (!m_isUnitRefused[column - 1])
+        m_diagnostics.error(DiagnosticCode::Syntax, m_headerLine, column,
+            Verbatim{name.name + " [" + name.unit + "]"}, expected);
+    m_isUnitRefused[column - 1] = true;
+    return std::nullopt;
 }
 
 std::string MeasurementCsv::shown(std::string_view text) const

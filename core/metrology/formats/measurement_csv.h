@@ -7,6 +7,7 @@
 #include "core/text/line_reader.h"
 
 #include <initializer_list>
+#include <span>
 
 namespace axiscomp {
 
@@ -17,6 +18,13 @@ struct MeasurementUnit {
 };
 /// Nothing for what is no unit of length or angle.
 [[nodiscard]] std::optional<MeasurementUnit> measurementUnit(std::string_view symbol);
+
+/// What a unit of time or temperature makes of a number x: (x - zero) / perBase seconds or deg C.
+struct ScaleOfUnit {
+    std::string_view spelling; ///< empty: without a unit
+    double zero = 0.0;
+    double perBase = 1.0;
+};
 
 /// What the comments of a file say beside the header.
 struct MeasurementComments {
@@ -79,7 +87,8 @@ private:
     bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
     void takeCompensation(const std::string& value, std::size_t line);
     void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
-    void refuseUnit(std::size_t column, const TextPattern& expected);
+    [[nodiscard]] std::optional<double> inBase(
+        std::size_t column, std::span<const ScaleOfUnit> units, const TextPattern& expected);
 
     const MeasurementReadOptions& m_options;
     Measurement& m_measurement;
