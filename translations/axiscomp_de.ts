@@ -15605,10 +15605,6 @@
         <translation>nichts: der Antrieb hat das alles bereits</translation>
     </message>
     <message>
-        <source>chosen when it is written</source>
-        <translation>wird beim Schreiben gewählt</translation>
-    </message>
-    <message>
         <source>%1 (empty)</source>
         <translation>%1 (leer)</translation>
     </message>

@@ -8127,7 +8127,7 @@
     </message>
     <message>
         <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
-        <translation>l&apos;unité {stated} est indiquée, et les nombres du fichier ont été lus en {unit} ; omettre cette indication</translation>
+        <translation>l&apos;unité {stated} est indiquée, et les nombres du fichier ont été lus en {unit}&#xa0;; omettre cette indication</translation>
     </message>
 </context>
 <context>
@@ -15603,10 +15603,6 @@
     <message>
         <source>nothing: the drive already has all of this</source>
         <translation>rien&#xa0;: le variateur a déjà tout cela</translation>
-    </message>
-    <message>
-        <source>chosen when it is written</source>
-        <translation>choisi à l&apos;écriture</translation>
     </message>
     <message>
         <source>%1 (empty)</source>

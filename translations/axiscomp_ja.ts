@@ -15554,10 +15554,6 @@
         <translation>なし: ドライブの内容はすでに同じです</translation>
     </message>
     <message>
-        <source>chosen when it is written</source>
-        <translation>書き込み時に決定</translation>
-    </message>
-    <message>
         <source>%1 (empty)</source>
         <translation>%1 (空)</translation>
     </message>

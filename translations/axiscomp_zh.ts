@@ -15554,10 +15554,6 @@
         <translation>无：驱动器已与此完全一致</translation>
     </message>
     <message>
-        <source>chosen when it is written</source>
-        <translation>写入时选择</translation>
-    </message>
-    <message>
         <source>%1 (empty)</source>
         <translation>%1（空）</translation>
     </message>

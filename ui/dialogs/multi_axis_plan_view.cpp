@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <set>
 
 namespace axiscomp::ui {
 
@@ -57,18 +56,9 @@ QString afterText(const WritePlan& plan, std::span<const AxisEntry> axes)
     return lines.join(u'\n');
 }
 
-/// By the program, among the slots that are free.
-bool isChosen(SlotReason reason)
-{
-    return reason != SlotReason::Named && reason != SlotReason::KeepTable;
-}
-
-/// isTaken: an earlier write of the same plan takes it.
-QString slotText(const WritePlan& plan, bool isTaken)
+QString slotText(const WritePlan& plan)
 {
     const QString slot = QString::fromStdString(plan.after.slot);
-    if (isTaken)
-        return MultiAxisPlanView::tr("chosen when it is written");
     switch (plan.slotReason) {
     case SlotReason::Empty:
         return MultiAxisPlanView::tr("%1 (empty)").arg(slot);
@@ -150,14 +140,12 @@ bool MultiAxisPlanView::isAccepted() const
 void MultiAxisPlanView::showPlans(std::span<const WritePlan> plans, std::span<const AxisEntry> axes)
 {
     clear();
-    std::set<std::string> taken;
     QStringList warnings;
     QStringList remarks;
     bool hasLarge = false;
     for (const WritePlan& plan : plans) {
-        const bool isTaken = isChosen(plan.slotReason) && !taken.insert(plan.after.slot).second;
         m_rows->addRow({axisNameAmong(axes, plan.axis), beforeText(plan.before, axes),
-            afterText(plan, axes), slotText(plan, isTaken)});
+            afterText(plan, axes), slotText(plan)});
         hasLarge = hasLarge || !plan.largeCorrections.empty();
         const auto ofAxis = [name = axisNameAmong(axes, plan.axis)](const Text& text) {
             return tr("%1: %2", "axis and remark").arg(name, sentenceText(text));
