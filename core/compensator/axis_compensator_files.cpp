@@ -7,11 +7,7 @@
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
-#include "core/write/restored_axis.h"
 #include "core/write/write_planner.h"
-
-#include <algorithm>
-#include <iterator>
 
 namespace axiscomp {
 
@@ -113,9 +109,14 @@ Result<void> AxisCompensator::checkFlash(
     int operations, int reserve, const OperationOptions& options)
 {
     AXISCOMP_TRY(const auto drive, d->identify(d->access(options)));
-    AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
-    return checkFlashBudget(
-        wearGuard(d->profile.flashWear, history), d->clock(), operations, reserve);
+    return d->checkFlash(drive, operations, reserve);
+}
+
+Result<void> AxisCompensator::Private::checkFlash(
+    const DriveIdentity& drive, int operations, int reserve)
+{
+    AXISCOMP_TRY(const auto history, store.flashHistory(drive.serialNumber));
+    return checkFlashBudget(wearGuard(profile.flashWear, history), clock(), operations, reserve);
 }
 
 Result<void> AxisCompensator::resetFlashCount(const OperationOptions& options)
@@ -145,7 +146,7 @@ Result<RestoreReport> AxisCompensator::restore(
     RestoreReport done;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
-        AXISCOMP_TRY(auto request, restoreRequest(access, axis));
+        AXISCOMP_TRY(auto request, restoreRequest(access, d->sources, axis));
         request.acceptsLarge = true; // the drive had it
         auto report = d->write(access, drive, axis.axis, request);
         const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
@@ -171,12 +172,12 @@ Result<std::vector<WriteRequest>> AxisCompensator::restoreRequests(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, backup, drive, d->sources, force));
+    AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
     for (const AxisBackup::File& file : backup.otherFiles)
         AXISCOMP_CHECK(d->slotOf(file));
     std::vector<WriteRequest> requests;
     for (const AxisBackup& axis : backup.axes) {
-        AXISCOMP_TRY(auto request, restoreRequest(access, axis));
+        AXISCOMP_TRY(auto request, restoreRequest(access, d->sources, axis));
         request.acceptsLarge = true; // the drive had it
         requests.push_back(std::move(request));
     }
@@ -205,12 +206,9 @@ Result<RestorePlan> AxisCompensator::planRestore(
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));
     AXISCOMP_TRY(auto files, planFiles(backup, plans, options));
-    for (std::size_t n = 0; n < plans.size(); ++n) {
-        WritePlan& plan = plans[n];
+    for (WritePlan& plan : plans) {
         plan.unitRemarks.clear();
         plan.largeCorrections.clear();
-        AXISCOMP_TRY(auto doubts, checkSameAxis(d->access(options), d->sources, backup.axes[n]));
-        std::ranges::move(doubts, std::back_inserter(plan.warnings));
         for (const AxisBackup::File& file : backup.otherFiles)
             if (!file.bytes.empty() && file.slot == plan.after.slot)
                 plan.warnings.push_back(AXISCOMP_TEXT("Error",
@@ -226,13 +224,11 @@ Result<WritePlan> AxisCompensator::planRestore(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const auto drive, d->identify(access));
-    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, d->sources, force));
-    AXISCOMP_TRY(auto doubts, checkSameAxis(access, d->sources, backup));
-    AXISCOMP_TRY(const auto request, restoreRequest(access, backup));
+    AXISCOMP_CHECK(checkRestorable(access, {.axes = {backup}}, drive, force));
+    AXISCOMP_TRY(const auto request, restoreRequest(access, d->sources, backup));
     AXISCOMP_TRY(auto planned, plan(backup.axis, request, options));
     planned.unitRemarks.clear();
     planned.largeCorrections.clear();
-    std::ranges::move(doubts, std::back_inserter(planned.warnings));
     return planned;
 }
 

@@ -59,6 +59,8 @@ struct AxisCompensator::Private {
         const AxisStatus& before, Activation& activation, const RegisterAccess& access);
     void putBack(const AxisStatus& before, Activation& activation, const RegisterAccess& access);
 
+    [[nodiscard]] Result<void> checkFlash(const DriveIdentity& drive, int operations, int reserve);
+
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
         const DriveIdentity& drive, int axis, const WriteRequest& request);

@@ -108,10 +108,7 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
     AXISCOMP_TRY(recovery.undoFlashOperations,
         WriteProcedure(access, d->store, d->sources, d->clock, unfinished->prepared(drive), entry)
             .costOfRecovery(*unfinished));
-    AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
-    if (auto fits = checkFlashBudget(
-            wearGuard(d->profile.flashWear, history), d->clock(), recovery.undoFlashOperations);
-        !fits)
+    if (auto fits = d->checkFlash(drive, recovery.undoFlashOperations, 0); !fits)
         recovery.undoObstacle = std::move(fits).error();
     if (status.isOn())
         recovery.undoObstacle = compensationActive(status);

@@ -58,14 +58,11 @@ bool isKept(const DriveStore& store, const WritePlan& plan, const std::filesyste
 Result<Restoration> restorePlanned(AxisCompensator& compensator, const PlannedRestoration& planned,
     const OperationOptions& options)
 {
-    AXISCOMP_TRY(const auto drive, compensator.identify(options));
-    if (drive.serialNumber != planned.plan.drive.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", planned.plan.drive.serialNumber}, {"found", drive.serialNumber}});
     AXISCOMP_TRY(auto requests,
         compensator.restoreRequests({.axes = {planned.backup}}, planned.acceptsOther, options));
     WriteRequest& request = requests.front();
     request.expected = planned.plan.before;
+    request.expectedDrive = planned.plan.drive.serialNumber;
     const auto report = compensator.write(planned.backup.axis, request, options);
     if (!report && report.error().code != ErrorCode::NothingToWrite)
         return fail(report.error());

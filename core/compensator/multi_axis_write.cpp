@@ -27,16 +27,6 @@ std::vector<AxisWrite> axisWrites(std::span<const AxisTable> tables)
     return writes;
 }
 
-/// The slots into which these plans put a table.
-std::map<std::string, int> takenBy(std::span<const WritePlan> plans)
-{
-    std::map<std::string, int> taken;
-    for (const WritePlan& plan : plans)
-        if (plan.slotReason != SlotReason::KeepTable)
-            taken.emplace(plan.after.slot, plan.axis);
-    return taken;
-}
-
 Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const AxisTable> tables,
     std::atomic<std::size_t>& turn, const OperationOptions& options)
 {
@@ -73,9 +63,10 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
                 AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", write.axis));
     std::vector<WritePlan> plans;
     FlashSum flash;
+    std::map<std::string, int> taken;
     for (const AxisWrite& write : writes) {
         WriteRequest request = write.request;
-        request.takenSlots = takenBy(plans);
+        request.takenSlots = taken;
         auto plan = compensator.plan(write.axis, request, options);
         if (!plan) {
             Error error = plan.error();
@@ -83,6 +74,7 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
             return fail(std::move(error));
         }
         flash.add(plan->flashOperations, plan->flashReserve);
+        takeSlot(taken, *plan);
         plans.push_back(*std::move(plan));
     }
     AXISCOMP_CHECK(flash.check(compensator, options));

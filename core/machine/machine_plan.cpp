@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -72,13 +73,13 @@ private:
     OperationOptions m_options;
 };
 
-/// Tables with a slot of their own first, as they are written.
-std::vector<std::size_t> inOrderOfWriting(const MachineDrive& drive)
+/// Tables with a slot of their own first, so that no chosen slot is one of those.
+std::vector<std::size_t> inOrderOfWriting(
+    std::size_t count, const std::function<bool(std::size_t)>& hasSlot)
 {
-    std::vector<std::size_t> order(drive.axes.size());
+    std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_partition(
-        order.begin(), order.end(), [&](std::size_t n) { return !drive.axes[n].slot.empty(); });
+    std::stable_partition(order.begin(), order.end(), hasSlot);
     return order;
 }
 
@@ -88,8 +89,9 @@ Result<DrivePlan> DrivePlanner::plan(
     DrivePlan result;
     AXISCOMP_TRY(result.drive, identifyAs(m_compensator, drive.serialNumber, m_options));
     std::map<std::string, int> taken;
+    const auto hasSlot = [&](std::size_t n) { return !drive.axes[n].slot.empty(); };
     result.axes.resize(drive.axes.size());
-    for (const std::size_t n : inOrderOfWriting(drive)) {
+    for (const std::size_t n : inOrderOfWriting(drive.axes.size(), hasSlot)) {
         AxisPlan& plan = result.axes[n];
         plan.name = drive.axes[n].axis;
         plan.request.takenSlots = taken;
@@ -98,8 +100,8 @@ Result<DrivePlan> DrivePlanner::plan(
             return fail(std::move(planned).error());
         if (!planned)
             plan.problem = std::move(planned).error();
-        else if (plan.plan.slotReason != SlotReason::KeepTable)
-            taken.emplace(plan.plan.after.slot, plan.axis);
+        else
+            takeSlot(taken, plan.plan);
     }
     checkNamedOnce(result);
     checkFlash(result);
@@ -345,16 +347,11 @@ bool DriveApplication::writeAxis(std::size_t index)
     return !outcome.problem;
 }
 
-/// Tables with a slot of their own first, so that no chosen slot is one of those.
 bool DriveApplication::writeAll()
 {
-    for (const bool isNamed : {true, false})
-        for (std::size_t n = 0; n < m_plan.axes.size(); ++n) {
-            const AxisPlan& axis = m_plan.axes[n];
-            if (axis.writes() && axis.request.slot.has_value() == isNamed && !writeAxis(n))
-                return false;
-        }
-    return true;
+    const auto hasSlot = [&](std::size_t n) { return m_plan.axes[n].request.slot.has_value(); };
+    return std::ranges::all_of(inOrderOfWriting(m_plan.axes.size(), hasSlot),
+        [&](std::size_t n) { return !m_plan.axes[n].writes() || writeAxis(n); });
 }
 
 /// Also when the user has stopped the writes.

@@ -29,16 +29,6 @@ const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& pat
     return found == backup.registers.end() ? nullptr : &*found;
 }
 
-/// 0: none is set
-std::uint32_t sourceAddress(
-    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
-{
-    const auto source = std::ranges::find(
-        registers, access.axisPath(access.registers().source, axis, n), &RegisterWrite::path);
-    const double address = source == registers.end() ? 0.0 : toDouble(source->value);
-    return address >= 1.0 && address <= 4294967295.0 ? static_cast<std::uint32_t>(address) : 0;
-}
-
 /// The table file that the axis used when the backup was made.
 const AxisBackup::File* usedFile(const RegisterAccess& access, const AxisBackup& backup)
 {
@@ -184,8 +174,8 @@ Result<DriveBackup> readBackupOf(const RegisterAccess& access, const DriveIdenti
     return backup;
 }
 
-Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
-    const DriveIdentity& drive, SourceDirectory& sources, bool force)
+Result<void> checkRestorable(
+    const RegisterAccess& access, const DriveBackup& backup, const DriveIdentity& drive, bool force)
 {
     const auto isOther = [&](const DriveIdentity& kept) {
         return kept.serialNumber != drive.serialNumber && !force;
@@ -212,14 +202,15 @@ Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& ba
                     {"reason",
                         AXISCOMP_TEXT("Error", "axis {axis} has no Table register")
                             .with("axis", axis.axis)}});
-        AXISCOMP_CHECK(checkSameAxis(access, sources, axis));
     }
     return {};
 }
 
-Result<WriteRequest> restoreRequest(const RegisterAccess& access, const AxisBackup& backup)
+Result<WriteRequest> restoreRequest(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
 {
     WriteRequest request;
+    AXISCOMP_TRY(request.doubts, checkSameAxis(access, sources, backup));
     const AxisBackup::File* file = usedFile(access, backup);
     if (file) {
         AXISCOMP_TRY(auto decoded, decodeTamTable(file->bytes, access.profile().layout));
@@ -237,6 +228,15 @@ Result<WriteRequest> restoreRequest(const RegisterAccess& access, const AxisBack
         return fail(
             ErrorCode::SourceMissing, {{"dimension", missing - request.sources.begin() + 1}});
     return request;
+}
+
+std::uint32_t sourceAddress(
+    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n)
+{
+    const auto source = std::ranges::find(
+        registers, access.axisPath(access.registers().source, axis, n), &RegisterWrite::path);
+    const double address = source == registers.end() ? 0.0 : toDouble(source->value);
+    return address >= 1.0 && address <= 4294967295.0 ? static_cast<std::uint32_t>(address) : 0;
 }
 
 std::vector<std::string> sourceTexts(

@@ -19,14 +19,17 @@ namespace axiscomp {
 [[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
     const DriveIdentity& drive, SourceDirectory& sources, WallTime now);
 
-/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive; those of
-/// checkSameAxis also with force.
+/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive.
 [[nodiscard]] Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
-    const DriveIdentity& drive, SourceDirectory& sources, bool force);
+    const DriveIdentity& drive, bool force);
 
-/// The write that brings an axis back to its backup.
+/// The write that brings an axis back to its backup. Errors: those of checkSameAxis.
 [[nodiscard]] Result<WriteRequest> restoreRequest(
-    const RegisterAccess& access, const AxisBackup& backup);
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
+
+/// The source of dimension n in a list of registers; 0: none is set.
+[[nodiscard]] std::uint32_t sourceAddress(
+    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n);
 
 /// The sources of dimensions 1 .. count in a list of registers, as hex addresses; "" where none is
 /// set.

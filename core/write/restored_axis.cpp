@@ -2,8 +2,10 @@
 #include "core/write/restored_axis.h"
 
 #include "core/axis/axis_reader.h"
+#include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
 #include "core/table/target_axis.h"
+#include "core/write/backup_restore.h"
 
 #include <algorithm>
 
@@ -16,23 +18,6 @@ constexpr int dimensionsOfBackup = 3;
 bool isKnownUnit(const std::string& unit)
 {
     return !unitSymbol(unit).empty();
-}
-
-/// Empty: the register is no position of an axis, or is not known.
-Result<std::string> unitOfSource(
-    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup, int n)
-{
-    const auto found = std::ranges::find(backup.registers,
-        access.axisPath(access.registers().source, backup.axis, n), &RegisterWrite::path);
-    const double address = found == backup.registers.end() ? 0.0 : toDouble(found->value);
-    if (!(address >= 1.0 && address <= 4294967295.0))
-        return std::string();
-    AXISCOMP_TRY(const auto source, sources.sourceAt(access, static_cast<std::uint32_t>(address)));
-    const auto owner = access.profile().axisOfPosition(source.path);
-    if (!owner || *owner == backup.axis)
-        return owner ? backup.unit : std::string();
-    AXISCOMP_TRY(auto facts, readPositionFacts(access, *owner));
-    return std::move(facts.unit);
 }
 
 Result<void> checkUnit(Text what, const std::string& kept, const std::string& now)
@@ -71,12 +56,20 @@ Result<void> describeAxis(
 {
     AXISCOMP_TRY(auto facts, readPositionFacts(access, backup.axis));
     backup.axisName = std::move(facts.name);
-    backup.unit = std::move(facts.unit);
-    backup.sourceUnits.clear();
-    for (int n = 1; n <= dimensionsOfBackup; ++n) {
-        AXISCOMP_TRY(auto unit, unitOfSource(access, sources, backup, n));
-        backup.sourceUnits.push_back(std::move(unit));
-    }
+    std::vector<DimSource> used(dimensionsOfBackup);
+    for (int n = 1; n <= dimensionsOfBackup; ++n)
+        if (const auto address = sourceAddress(access, backup.registers, backup.axis, n)) {
+            AXISCOMP_TRY(used[static_cast<std::size_t>(n) - 1], sources.sourceAt(access, address));
+        }
+    const auto unitOf = [&](int axis) -> Result<std::string> {
+        if (axis == backup.axis)
+            return facts.unit;
+        AXISCOMP_TRY(auto other, readPositionFacts(access, axis));
+        return std::move(other.unit);
+    };
+    AXISCOMP_TRY(auto units, driveUnits(access.profile(), used, backup.axis, unitOf));
+    backup.unit = std::move(units.values);
+    backup.sourceUnits = std::move(units.positions);
     while (!backup.sourceUnits.empty() && backup.sourceUnits.back().empty())
         backup.sourceUnits.pop_back();
     return {};

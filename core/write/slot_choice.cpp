@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/slot_choice.h"
 
+#include "core/write/write_plan.h"
+
 #include <algorithm>
 
 namespace axiscomp {
@@ -102,6 +104,12 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
     for (const SlotFacts& facts : slots)
         reasons.push_back(whyNot(facts, tableBytes));
     return fail(ErrorCode::NoFreeSlot, {{"size", tableBytes}, {"slots", std::move(reasons)}});
+}
+
+void takeSlot(std::map<std::string, int>& taken, const WritePlan& plan)
+{
+    if (plan.slotReason != SlotReason::KeepTable)
+        taken.emplace(plan.after.slot, plan.axis);
 }
 
 } // namespace axiscomp

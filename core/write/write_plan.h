@@ -35,6 +35,7 @@ struct WriteRequest {
     /// other side is refused.
     std::optional<LookupAt> lookupAt = {};
     UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
+    std::vector<Text> doubts = {}; ///< of whoever asks; they become warnings of the plan
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
     /// Serial number of the drive that was planned for; when set: another one is refused.
@@ -72,6 +73,9 @@ struct WritePlan {
     std::vector<DimensionCoverage> coverage; ///< where the drive says how far an axis travels
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units
 };
+
+/// Adds the slot into which a table goes, for the requests after it (WriteRequest::takenSlots).
+void takeSlot(std::map<std::string, int>& taken, const WritePlan& plan);
 
 /// Deletes the table that the axis uses; its sources stay.
 [[nodiscard]] WriteRequest deletionRequest();

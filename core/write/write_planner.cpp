@@ -143,6 +143,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     plan.before = m_status.setup;
     plan.after = m_status.setup;
     plan.after.dimensionality = request.dimensionality;
+    plan.warnings = request.doubts;
     auto decided = decideSources(request);
     if (!decided)
         return fail(decided.error());
@@ -217,18 +218,21 @@ Result<PositionFacts> WritePlanner::positionFacts(int axis)
     return m_positionFacts.emplace(axis, std::move(facts)).first->second;
 }
 
+Result<TableUnits> WritePlanner::unitsOf(std::span<const DimSource> sources)
+{
+    return driveUnits(m_access.profile(), sources, m_axis, [this](int axis) -> Result<std::string> {
+        AXISCOMP_TRY(auto facts, positionFacts(axis));
+        return std::move(facts.unit);
+    });
+}
+
 Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
 {
     if (!request.table)
         return request;
     const CompensationSetup& after = m_write.plan.after;
     AXISCOMP_TRY(const auto units,
-        driveUnits(m_access.profile(),
-            std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality)), m_axis,
-            [this](int axis) -> Result<std::string> {
-                AXISCOMP_TRY(auto facts, positionFacts(axis));
-                return std::move(facts.unit);
-            }));
+        unitsOf(std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality))));
     AXISCOMP_TRY(auto converted, inDriveUnits(*request.table, units, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
@@ -381,24 +385,19 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
 Result<void> WritePlanner::checkKeptUnits()
 {
     const WritePlan& plan = m_write.plan;
-    const auto unitOf = [this](const DimSource& source) -> Result<std::string> {
-        const auto owner = m_access.profile().axisOfPosition(source.path);
-        if (!owner)
-            return std::string();
-        AXISCOMP_TRY(const auto facts, positionFacts(*owner));
-        return unitSymbol(facts.unit);
-    };
-    for (std::size_t n = 0; n < plan.after.sources.size(); ++n) {
-        if (plan.before.sources[n] == plan.after.sources[n])
-            continue;
-        AXISCOMP_TRY(const auto before, unitOf(plan.before.sources[n]));
-        AXISCOMP_TRY(const auto after, unitOf(plan.after.sources[n]));
-        if (!before.empty() && !after.empty() && !isSameUnit(before, after))
+    if (plan.before.sources == plan.after.sources)
+        return {};
+    AXISCOMP_TRY(const auto before, unitsOf(plan.before.sources));
+    AXISCOMP_TRY(const auto after, unitsOf(plan.after.sources));
+    for (std::size_t n = 0; n < after.positions.size(); ++n) {
+        const std::string was = unitSymbol(before.positions[n]);
+        const std::string is = unitSymbol(after.positions[n]);
+        if (!was.empty() && !is.empty() && !isSameUnit(was, is))
             return fail(ErrorCode::UnitMismatch,
                 {{"what",
                      AXISCOMP_TEXT("Error", "positions of dimension {number}")
                          .with("number", n + 1)},
-                    {"unit", before}, {"other", after}, {"kept", Verbatim{"table"}}});
+                    {"unit", was}, {"other", is}, {"kept", Verbatim{"table"}}});
     }
     return {};
 }

@@ -50,6 +50,7 @@ private:
     [[nodiscard]] Result<PreparedWrite> decide(const WriteRequest& request);
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
     [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
+    [[nodiscard]] Result<TableUnits> unitsOf(std::span<const DimSource> sources);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     void noteUnknownUnits(const Grid& grid);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
