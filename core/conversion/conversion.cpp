@@ -82,8 +82,7 @@ Result<void> checkStatedUnit(const std::string& unit, const std::string& stated)
         {{"reason",
             AXISCOMP_TEXT("Error",
                 "the unit {stated} is stated, and the numbers of the file were read in {unit}; "
-                "leave "
-                "the statement out")
+                "leave the statement out")
                 .with("stated", stated)
                 .with("unit", unit)}});
 }

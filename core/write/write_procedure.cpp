@@ -364,16 +364,13 @@ Result<AxisStatus> WriteProcedure::confirm()
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
                 {"expected", setupText(plan.after)}});
-    if (!now)
+    if (!now || !deletes())
         return now;
-    const auto confirmRest = [&]() -> Result<void> {
-        return deletes() ? checkEmpty(access, plan.deletedSlot) : Result<void>();
-    };
-    auto rest = confirmRest();
-    if (!rest && isUnreachable(rest.error().code))
-        rest = confirmRest();
-    if (!rest)
-        return fail(rest.error());
+    auto empty = checkEmpty(access, plan.deletedSlot);
+    if (!empty && isUnreachable(empty.error().code))
+        empty = checkEmpty(access, plan.deletedSlot);
+    if (!empty)
+        return fail(empty.error());
     return now;
 }
 
