@@ -66,7 +66,7 @@ void planWrite(ControllerFixture& bench)
 void writeUntil(ControllerFixture& bench, DriveGate::Mode mode)
 {
     planWrite(bench);
-    bench.drive().gate.setAt(16, mode);
+    bench.drive().gate.setAt(18, mode);
     bench->write();
     QTRY_COMPARE(bench.drive().gate.waiting(), 1);
     QTRY_VERIFY2(bench->busy().step.contains(QStringLiteral("switching the axis over")),
