@@ -259,13 +259,11 @@ void DrivePlanner::checkNamedOnce(DrivePlan& plan) const
 void DrivePlanner::checkFlash(DrivePlan& plan) const
 {
     FlashSum flash;
-    for (const AxisPlan& axis : plan.axes) {
-        if (axis.problem)
-            continue;
-        flash.add(axis.plan.flashOperations, axis.plan.flashReserve);
-        if (auto fits = flash.check(m_compensator, m_options); !fits && !plan.obstacle)
-            plan.obstacle = std::move(fits).error();
-    }
+    for (const AxisPlan& axis : plan.axes)
+        if (!axis.problem)
+            flash.add(axis.plan.flashOperations, axis.plan.flashReserve);
+    if (auto fits = flash.check(m_compensator, m_options); !fits && !plan.obstacle)
+        plan.obstacle = std::move(fits).error();
 }
 
 /// Carries out one plan.
