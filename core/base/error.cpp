@@ -356,6 +356,13 @@ Text textOf(const Error& error)
                     "now, so that the same numbers would mean something else; set the unit on the "
                     "drive to {unit} again, or write the table from its file"),
             error.context};
+    if (error.code == ErrorCode::VerifyMismatch && error.context.contains("unfinished"))
+        return {AXISCOMP_TEXT("Error",
+                    "a write that did not end has left axis {axis} in neither its old nor its new "
+                    "state: it is not activated. Finish that write with 'axiscomp recover "
+                    "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
+                    "state is kept in {backup}"),
+            error.context};
     if (error.code == ErrorCode::LargeCorrection && error.context.contains("machineAxis"))
         return {AXISCOMP_TEXT("Error",
                     "{reason} Check the unit of the values; if they are right, confirm them with "

@@ -111,6 +111,16 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     return now;
 }
 
+Result<void> checkMayActivate(const SettledStatus& now)
+{
+    const auto& settled = now.settled;
+    if (!settled || settled->outcome != AxisCompensator::UnfinishedOutcome::Neither)
+        return {};
+    return fail(ErrorCode::VerifyMismatch,
+        {{"axis", settled->entry.axis}, {"backup", settled->entry.backup.string()},
+            {"unfinished", Verbatim{"yes"}}});
+}
+
 Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
     int axis, const OperationOptions& options)
 {

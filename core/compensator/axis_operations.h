@@ -42,7 +42,11 @@ struct SettledStatus {
 [[nodiscard]] Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 
-/// The same, with what this computer knows about the drive.
+/// Half of a write must not be activated. Errors: VerifyMismatch (axis, backup, unfinished) when
+/// the drive holds neither the old nor the new state of a write that did not end.
+[[nodiscard]] Result<void> checkMayActivate(const SettledStatus& now);
+
+/// A settled status, with what this computer knows about the drive.
 struct AxisReading : SettledStatus {
     DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program
     std::optional<FlashUse> flashUse;

@@ -11,6 +11,7 @@
 #include "core/table/table_units.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>

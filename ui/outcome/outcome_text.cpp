@@ -22,6 +22,7 @@ public:
     [[nodiscard]] static Outcome written(const WriteReport& report);
     [[nodiscard]] static Outcome notWritten(const Error& error);
     [[nodiscard]] static Outcome switched(Switch wanted, const Activation& activation);
+    [[nodiscard]] static Outcome notSwitched(const Error& error);
     [[nodiscard]] static QString proved(const Proof& proof, const AxisInfo& axis);
     [[nodiscard]] static Outcome contradicted(const Error& error);
     [[nodiscard]] static Outcome restored(const Restoration& restoration);
@@ -115,6 +116,16 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
         true, errorDetail(proof.error())};
 }
 
+Outcome Outcomes::notSwitched(const Error& error)
+{
+    Outcome outcome = errorOutcome(error);
+    if (error.context.contains("compensation"))
+        outcome.text += u' '
+            + tr("The compensation may be on, and is not proved. Connect again to see what it "
+                 "does.");
+    return outcome;
+}
+
 /// The axis moves: switching off here and now is for the user to decide.
 Outcome Outcomes::contradicted(const Error& error)
 {
@@ -183,7 +194,8 @@ Outcome writeOutcome(const Result<WriteReport>& report)
 
 Outcome activationOutcome(Switch wanted, const Result<Activation>& activation)
 {
-    return activation ? Outcomes::switched(wanted, *activation) : errorOutcome(activation.error());
+    return activation ? Outcomes::switched(wanted, *activation)
+                      : Outcomes::notSwitched(activation.error());
 }
 
 Outcome restorationOutcome(const Result<Restoration>& restoration)

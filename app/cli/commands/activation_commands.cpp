@@ -25,6 +25,16 @@ void noteState(Environment& environment, const Activation& activation)
         environment.console().note("note: the compensation was switched off again");
 }
 
+/// The drive may have switched before it was lost.
+void noteUnknown(Environment& environment, const Error& error)
+{
+    if (!error.context.contains("compensation"))
+        return;
+    environment.console().clearProgress();
+    environment.warn("the compensation may be on, and is not proved: `axiscomp status` says what "
+                     "it does, `axiscomp deactivate` switches it off");
+}
+
 void printProof(Environment& environment, const Proof& proof)
 {
     const std::string share = percentText(proof.provedShare) + " % of the table";
@@ -54,13 +64,20 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
     const auto before = settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
+    if (wanted == Switch::Activate)
+        AXISCOMP_CHECK(checkMayActivate(*before));
     CalibrationRecord record;
     if (!recordFile.empty()) {
         AXISCOMP_TRY(record, loadRecord(pathFromText(recordFile)));
         AXISCOMP_CHECK(checkRecordTable(record, before->status));
     }
-    AXISCOMP_TRY(const auto activation,
-        session.compensator().switchTo(axis, wanted, proofSamples, session.operation()));
+    const auto switched =
+        session.compensator().switchTo(axis, wanted, proofSamples, session.operation());
+    if (!switched) {
+        noteUnknown(environment, switched.error());
+        return fail(switched.error());
+    }
+    const Activation& activation = *switched;
     const AxisStatus& status = activation.status;
     environment.console().clearProgress();
     if (activation.proof && !*activation.proof) {

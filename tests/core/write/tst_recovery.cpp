@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/axis_operations.h"
 #include "core/io/local_file.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/moments.h"
@@ -526,6 +527,24 @@ private Q_SLOTS:
         VERIFY_RESULT(c.drive.upload(slot->file, c.wanted.table));
         QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::NewUnsaved);
         QVERIFY(c.isUnfinished());
+    }
+
+    void halfOfAWriteIsNotActivated()
+    {
+        Interrupted c;
+        const auto root = std::filesystem::path(c.folder.path().toStdString()) / "axiscomp";
+        const auto before = settledStatus(c.compensator, root, 0, {});
+        VERIFY_RESULT(before);
+        VERIFY_RESULT(checkMayActivate(*before)); // the complete old state
+        const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.old.registers[0]);
+        VERIFY_RESULT(c.drive.upload(slot->file,
+            *encodeTamTable(exampleTable(2, 9), true, drivecomm::genericProfile().layout)));
+        const auto half = settledStatus(c.compensator, root, 0, {});
+        VERIFY_RESULT(half);
+        const auto refused = checkMayActivate(*half);
+        VERIFY_ERROR(refused, ErrorCode::VerifyMismatch);
+        QVERIFY(sentence(refused.error()).find("axiscomp recover --undo") != std::string::npos);
+        QVERIFY(sentence(refused.error()).find('{') == std::string::npos);
     }
 
     void aFailedWriteOverAnUnfinishedOneForgetsNothing()
