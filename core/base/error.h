@@ -88,9 +88,7 @@ enum class ErrorCode {
     NotHomed, ///< axis
     OtherDrive, ///< expected, found
     ChangedMeanwhile, ///< what, before, now
-    VerifyMismatch, ///< what, expected, found; unfinished, axis, backup (when it is what a write
-                    ///< that
-    ///< did not end has left)
+    VerifyMismatch, ///< what, expected, found; or unfinished, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which
