@@ -259,7 +259,10 @@ Result<void> DriveStore::recordCovered(
 
 Result<FileLock> DriveStore::lockWrites(std::int32_t serialNumber)
 {
-    return StoreFolder{m_root, serialNumber, m_lockWait}.lock(StoreFolder::writeLock);
+    auto lock = StoreFolder{m_root, serialNumber, m_lockWait}.lock(StoreFolder::writeLock);
+    if (!lock)
+        lock.error().context.set(missingLock, Verbatim{StoreFolder::writeLock});
+    return lock;
 }
 
 Result<std::optional<FileLock>> DriveStore::tryLockWrites(std::int32_t serialNumber)

@@ -124,7 +124,9 @@ public:
         std::int32_t serialNumber, const std::string& slot, bool isCovered);
 
     /// For the time of a whole write: keeps two programs from writing to one drive at once. None of
-    /// the functions above waits for it.
+    /// the functions above waits for it. Errors: FileNotWritable with missingLock in its context:
+    /// nothing was read or written.
+    static constexpr std::string_view missingLock = "lock";
     [[nodiscard]] Result<FileLock> lockWrites(std::int32_t serialNumber);
     /// The same without waiting; nullopt while another program is writing.
     [[nodiscard]] Result<std::optional<FileLock>> tryLockWrites(std::int32_t serialNumber);

@@ -87,6 +87,7 @@ private:
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;
+    bool m_isSlotNamed = false; ///< by the request: others may be free
     bool m_isInSlot = false; ///< the new table is in its slot already
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };

@@ -62,12 +62,14 @@ void WritePlanner::warn()
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The table stays, and its new source is on the other side of the compensation: its "
             "values belong to other positions. Write the table that was made for this source."));
-    if (plan.slotReason == SlotReason::OverwriteOwn)
+    if (plan.slotReason == SlotReason::OverwriteOwn && !m_isSlotNamed)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "
             "backup.")
                                     .with("slot", plan.after.slot));
-    if (plan.slotReason == SlotReason::Named && !m_isInSlot)
+    const bool isNamed = plan.slotReason == SlotReason::Named
+        || (plan.slotReason == SlotReason::OverwriteOwn && m_isSlotNamed);
+    if (isNamed && !m_isInSlot)
         plan.warnings.push_back(AXISCOMP_TEXT(
             "Error", "What {slot} holds now is overwritten. A copy is kept in the backup.")
                                     .with("slot", plan.after.slot));

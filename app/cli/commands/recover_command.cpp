@@ -84,7 +84,7 @@ Result<WriteReport> carryOut(
     Environment& environment, CommandSession& session, const JournalEntry& entry, bool finishes)
 {
     const WriteInterruption interruption(environment);
-    StepLog log(environment);
+    StepLog log(environment, finishes ? StepLog::Undoing::ForFailure : StepLog::Undoing::Wanted);
     OperationOptions operation = session.operation();
     operation.progress = [&, progress = operation.progress](const Progress& now) {
         log.show(now);

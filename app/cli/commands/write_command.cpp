@@ -298,6 +298,23 @@ Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOption
     return {};
 }
 
+/// Without a file or a record the axis keeps its table: what is about reading or converting one
+/// would change nothing.
+Result<void> checkNoTable(const WriteOptions& options)
+{
+    const TableInputOptions& input = options.input;
+    const bool isForTable = options.conversion.isAnything()
+        || options.conversion.units != StatedUnits{} || !input.from.empty()
+        || !input.settings.empty() || !input.table.empty() || !input.fill.empty() || input.crops
+        || input.snap != 0.0 || !options.slot.empty();
+    if (isForTable)
+        return wrongUsage("without --data the axis keeps its table as it is: give --data FILE, or "
+                          "leave out --table, --from, --slot, units and everything that "
+                          "converts or resamples",
+            options.drive.command);
+    return {};
+}
+
 /// Whether a table is looked up where it was made for cannot always be told.
 Result<void> warnOfSources(Environment& environment, CommandSession& session, LookupAt made,
     const WriteRequest& request, const AxisStatus& status)
@@ -367,19 +384,20 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
         return wrongUsage("there is nothing to write: give --data FILE, or a new --source1",
             options.drive.command);
     } else {
+        AXISCOMP_CHECK(checkNoTable(options));
         request.dimensionality = options.input.dimensions;
     }
     return withAxis(environment, options.drive,
         [&](Environment& same, CommandSession& session, int axis) -> Result<ExitCode> {
-            AXISCOMP_CHECK(takeOwnPosition(session, options, request, axis));
-            AXISCOMP_CHECK(finishTable(same, options, input, pending, session, axis));
-            if (!options.slot.empty())
-                request.slot = slotName(session.profile(), options.slot);
             if (request.dimensionality == 0) {
                 AXISCOMP_TRY(
                     const auto now, session.compensator().status(axis, session.operation()));
                 request.dimensionality = now.setup.dimensionality;
             }
+            AXISCOMP_CHECK(takeOwnPosition(session, options, request, axis));
+            AXISCOMP_CHECK(finishTable(same, options, input, pending, session, axis));
+            if (!options.slot.empty())
+                request.slot = slotName(session.profile(), options.slot);
             auto ended = writeAndNote(same, session, options, request, record, axis);
             if (!ended && ended.error().code == ErrorCode::SourceMissing)
                 proposeSources(same, session, request, axis);

@@ -53,7 +53,9 @@ Result<WriteReport> carryOut(
         return report;
     log.failed();
     Error error = report.error();
-    const std::string_view held = driveHolds(error.code);
+    // Without the lock nothing was looked at: who has it is writing.
+    const bool isLockedOut = error.context.contains(DriveStore::missingLock);
+    const std::string_view held = isLockedOut ? "other" : driveHolds(error.code);
     error.context.set("driveHolds", held);
     if (held == "old")
         environment.console().note("note: the drive holds the complete old state");
@@ -104,19 +106,24 @@ WriteInterruption::~WriteInterruption()
     m_environment.interrupt().setListener({});
 }
 
-StepLog::StepLog(Environment& environment) : m_environment(environment) { }
+StepLog::StepLog(Environment& environment, Undoing undoing)
+    : m_environment(environment)
+    , m_undoing(undoing)
+{
+}
 
 void StepLog::show(const Progress& progress)
 {
     if (progress.step == m_step)
         return;
-    end(progress.step == undoStep ? "failed" : "ok    ");
+    const bool hasFailed = progress.step == undoStep && m_undoing == Undoing::ForFailure;
+    end(hasFailed ? "failed" : "ok    ");
     m_step = progress.step == lastStep ? "" : progress.step;
 }
 
 void StepLog::failed()
 {
-    end(m_step == undoStep ? "ended " : "failed");
+    end(m_step == undoStep && m_undoing == Undoing::ForFailure ? "ended " : "failed");
     m_step.clear();
 }
 

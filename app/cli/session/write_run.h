@@ -25,7 +25,9 @@ private:
 /// Prints a line for every step that has ended.
 class StepLog {
 public:
-    explicit StepLog(Environment& environment);
+    /// Putting back is what is wanted, or what a failed step makes necessary.
+    enum class Undoing { Wanted, ForFailure };
+    explicit StepLog(Environment& environment, Undoing undoing = Undoing::ForFailure);
 
     void show(const Progress& progress);
     /// The last step failed.
@@ -35,6 +37,7 @@ private:
     void end(const char* outcome);
 
     Environment& m_environment;
+    Undoing m_undoing;
     std::string m_step;
 };
 

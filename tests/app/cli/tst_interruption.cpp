@@ -236,8 +236,11 @@ private Q_SLOTS:
         QCOMPARE(said.json().value("isBeingWritten"), QJsonValue(false));
         for (const char* const cost : {"finishFlashOperations", "undoFlashOperations"})
             QVERIFY2(said.json().value(QLatin1String(cost)).isDouble(), said.text().constData());
-        const ProgramRun done = bench.box.run(recover + QStringList{option});
+        QStringList inText = recover;
+        inText.removeAll(QStringLiteral("--json"));
+        const ProgramRun done = bench.box.run(inText + QStringList{option});
         VERIFY_CODE(done, 0);
+        QVERIFY2(!done.out.contains("  failed  "), done.out.constData());
         const ProgramRun status = bench.status(url);
         QVERIFY2(status.err.isEmpty(), status.err.constData());
         const AxisState wanted = option == QStringLiteral("--finish") ? bench.after : bench.before;

@@ -425,6 +425,48 @@ private Q_SLOTS:
         VERIFY_CODE(bench.box.run(command + QStringList{"--accept-large"}), 0);
     }
 
+    void theOwnSlotThatWasNamedIsNotCalledTheOnlyOne()
+    {
+        const Fixture bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        const ProgramRun run = bench.write("second.csv", {"--slot", "small1"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(!run.err.contains("No other slot is free"), run.err.constData());
+        QVERIFY2(run.err.contains("warning: What Small1 holds now is overwritten."),
+            run.err.constData());
+    }
+
+    void withoutAFileTheOwnPositionIsTheNewSourceOfTheTable()
+    {
+        const Fixture bench;
+        VERIFY_CODE(
+            bench.run({"write", "--data", "first.csv", "--dims", "1", "--own-position"}), 0);
+        const QJsonValue own = bench.status().value("sources");
+        VERIFY_CODE(bench.run({"write", "--source1", test::positionSource(1)}), 0);
+        QVERIFY(bench.status().value("sources") != own);
+        VERIFY_CODE(bench.run({"write", "--own-position"}), 0);
+        QCOMPARE(bench.status().value("sources"), own);
+    }
+
+    void withoutAFileWhatIsAboutTheTableIsRefused_data()
+    {
+        QTest::addColumn<QStringList>("option");
+        for (const QStringList& option : {QStringList{"--value-unit", "um"},
+                 QStringList{"--table", "X"}, QStringList{"--target", "X"},
+                 QStringList{"--points", "11"}, QStringList{"--fill", "nearest"},
+                 QStringList{"--from", "csv"}, QStringList{"--slot", "small1"}})
+            QTest::addRow("%s", qPrintable(option.front())) << option;
+    }
+    void withoutAFileWhatIsAboutTheTableIsRefused()
+    {
+        QFETCH(const QStringList, option);
+        const Sandbox box;
+        const ProgramRun run =
+            box.run(QStringList{"write", "--drive", "http://127.0.0.1:1", "--persistent"} + option);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("give --data FILE"), run.err.constData());
+    }
+
     void aTableWithoutUnitsIsShownWithItsLargestCorrection()
     {
         const Fixture bench;

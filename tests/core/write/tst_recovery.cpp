@@ -360,8 +360,11 @@ private Q_SLOTS:
         const auto lock = c.store.lockWrites(4711);
         VERIFY_RESULT(lock);
         c.link.forgetChange();
-        for (const Recover way : ways)
-            VERIFY_ERROR((second.*way)(c.entry, {}), ErrorCode::FileNotWritable);
+        for (const Recover way : ways) {
+            const auto refused = (second.*way)(c.entry, {});
+            VERIFY_ERROR(refused, ErrorCode::FileNotWritable);
+            QVERIFY(refused.error().context.contains(DriveStore::missingLock));
+        }
         QCOMPARE(c.link.firstChange(), 0);
         QVERIFY(c.isUnfinished());
     }
