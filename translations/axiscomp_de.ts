@@ -8129,6 +8129,10 @@
         <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
         <translation>angegeben ist die Einheit {stated}, und die Zahlen der Datei sind in {unit} gelesen; die Angabe weglassen</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
+        <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Stand hinterlassen: sie wird nicht aktiviert. Den Schreibvorgang mit &apos;axiscomp recover --finish&apos; abschließen, mit &apos;axiscomp recover --undo&apos; rückgängig machen, oder neu schreiben. Der alte Stand ist aufbewahrt in {backup}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -15827,6 +15831,10 @@
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
         <translation>Wiederhergestellt: der Antrieb hat den Stand in der Sicherungsdatei vom %1.</translation>
+    </message>
+    <message>
+        <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
+        <translation>Die Kompensation ist möglicherweise eingeschaltet und nicht nachgewiesen. Neu verbinden, um zu sehen, was sie tut.</translation>
     </message>
 </context>
 <context>

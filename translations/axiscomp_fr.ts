@@ -8129,6 +8129,10 @@
         <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
         <translation>l&apos;unité {stated} est indiquée, et les nombres du fichier ont été lus en {unit}&#xa0;; omettre cette indication</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
+        <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état : il n&apos;est pas activé. Achever cette écriture avec &apos;axiscomp recover --finish&apos;, l&apos;annuler avec &apos;axiscomp recover --undo&apos;, ou écrire à nouveau. L&apos;ancien état est conservé dans {backup}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -15827,6 +15831,10 @@
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
         <translation>Restauré&#xa0;: le variateur est dans l&apos;état que contient le fichier de sauvegarde du %1.</translation>
+    </message>
+    <message>
+        <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
+        <translation>La compensation est peut-être active, et elle n&apos;est pas validée. Se reconnecter pour voir ce qu&apos;elle fait.</translation>
     </message>
 </context>
 <context>

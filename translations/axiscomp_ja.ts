@@ -8088,6 +8088,10 @@
         <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
         <translation>単位 {stated} が指定されましたが、ファイルの数値は {unit} で読み込まれています。指定を外してください</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
+        <translation>未完了の書き込みにより、軸 {axis} は旧状態でも新状態でもありません。有効化しません。&apos;axiscomp recover --finish&apos; で書き込みを完了するか、&apos;axiscomp recover --undo&apos; で取り消すか、もう一度書き込んでください。旧状態は {backup} に保存されています</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -15776,6 +15780,10 @@
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
         <translation>復元済み: ドライブは %1 のバックアップファイルの状態です。</translation>
+    </message>
+    <message>
+        <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
+        <translation>補正がオンになっている可能性があり、検証されていません。再接続して状態を確認してください。</translation>
     </message>
 </context>
 <context>

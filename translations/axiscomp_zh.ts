@@ -8088,6 +8088,10 @@
         <source>the unit {stated} is stated, and the numbers of the file were read in {unit}; leave the statement out</source>
         <translation>已指定单位 {stated}，而文件中的数是以 {unit} 读取的；请去掉该指定</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
+        <translation>一次未完成的写入使轴 {axis} 既非旧状态也非新状态：不予启用。请用 &apos;axiscomp recover --finish&apos; 完成该写入，用 &apos;axiscomp recover --undo&apos; 撤销，或重新写入。旧状态保存在 {backup}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -15776,6 +15780,10 @@
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
         <translation>已还原：驱动器处于 %1 的备份文件中的状态。</translation>
+    </message>
+    <message>
+        <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
+        <translation>补偿可能已开启，且未经验证。请重新连接以查看其状态。</translation>
     </message>
 </context>
 <context>

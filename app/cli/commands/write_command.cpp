@@ -111,6 +111,8 @@ Result<void> beginTable(const WriteOptions& options, const TableInput& input, Ta
     pending.needsLookup = !isOfDrive(input, options.conversion);
     const bool isOpen =
         !taken && (pending.needsTarget || (pending.needsLookup && dependsOnPlace(taken.error())));
+    if (isOpen && input.data)
+        pending.request.dimensionality = input.data->grid.dimensions();
     return isOpen ? Result<void>() : taken;
 }
 
