@@ -448,6 +448,18 @@ private Q_SLOTS:
         QCOMPARE(bench.status().value("sources"), own);
     }
 
+    void theOwnPositionIsTheSourceOfAFileWhoseTargetTheAxisSays()
+    {
+        const Fixture bench;
+        bench.box.file("open.csv",
+            "# RapidCode compensator table, the first axis fastest\n# input.1.axis = X\n"
+            "# input.1.unit = mm\n# input.1.min = 0\n# input.1.max = 20\n# input.1.delta = 10\n"
+            "# output.unit = mm\n# output.counts-per-unit = 1000\n-1,-2,-3\n");
+        const ProgramRun run = bench.run({"write", "--data", "open.csv", "--own-position"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("the drive will add +0.003 mm"), run.out.constData());
+    }
+
     void withoutAFileWhatIsAboutTheTableIsRefused_data()
     {
         QTest::addColumn<QStringList>("option");
