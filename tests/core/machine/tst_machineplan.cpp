@@ -197,6 +197,29 @@ private Q_SLOTS:
         QVERIFY2(said.find("preview") == std::string::npos, said.c_str());
     }
 
+    void theFlashOperationsOfAllAxesAreCountedTogether()
+    {
+        Machine machine;
+        const int limit = drivecomm::genericProfile().flashWear.operations;
+        for (int n = 0; n + 1 < limit; ++n)
+            VERIFY_RESULT(machine.bench.compensator.write(
+                0, test::exampleRequest(10 + n, Persistency::Persistent)));
+        machine.drive.axes[0].persistency = Persistency::Persistent;
+        const auto one = machine.plan();
+        VERIFY_RESULT(one);
+        QCOMPARE(one->axes.at(0).plan.flashOperations, 1);
+        QVERIFY(!one->obstacle);
+
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[1].axis = "1";
+        machine.tables.push_back(machine.tables[0]);
+        const auto two = machine.plan();
+        VERIFY_RESULT(two);
+        QCOMPARE(two->axes.at(1).plan.flashOperations, 1);
+        QVERIFY(two->obstacle);
+        QCOMPARE(two->obstacle->code, ErrorCode::FlashWear);
+    }
+
     void anAxisThatNobodyHasChangedIsSwitchedOn()
     {
         Machine machine;
