@@ -148,7 +148,7 @@ measure plan.csv before.csv
 
 say "7. The figures of ISO 230-2, and a table for the drive with what it promises."
 show axiscomp judge before.csv
-show axiscomp fit before.csv --lookup-at encoder --method spline --points 81 --tolerance A=5um \
+show axiscomp fit before.csv --lookup-at encoder --method spline --points 81 --zero mean --tolerance A=5um \
     -o table.csv --record screw.axcal
 
 say "8. The table of the record is written, switched on and proved."

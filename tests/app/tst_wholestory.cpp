@@ -71,6 +71,10 @@ private Q_SLOTS:
         const qsizetype proof = run.out.lastIndexOf("Proof: what the drive adds");
         QVERIFY2(proof > 0, run.out.constData());
         QVERIFY2(run.out.indexOf("is Active.") < proof, run.out.constData());
+        const qsizetype step = run.out.indexOf("8. The table of the record");
+        const QByteArray fitted = run.out.mid(step, run.out.indexOf("9. Measured again") - step);
+        QVERIFY2(fitted.contains("Proof: what the drive adds"), fitted.constData());
+        QVERIFY2(!fitted.contains("Not proved"), fitted.constData());
         QVERIFY2(run.out.contains("\nAs predicted: M is"), run.out.constData());
         QVERIFY2(run.out.contains("um after (tolerance 5.000 um: passed)"), run.out.constData());
         // Who follows the guide types what is shown to work here.

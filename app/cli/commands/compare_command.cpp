@@ -199,7 +199,8 @@ Result<ExitCode> runCompare(Environment& environment, const CompareOptions& opti
     AXISCOMP_TRY(const auto after, secondSide(environment, options, before));
     AXISCOMP_CHECK(checkCorrections(environment, options, before, after));
     const Measurement& second = after.input.measurement;
-    AXISCOMP_TRY(auto limits, readTolerances(second, options.tolerance, options.input.command));
+    AXISCOMP_TRY(
+        auto limits, readTolerances(environment, second, options.tolerance, options.input.command));
     AXISCOMP_TRY(const auto comparison,
         compareMeasurements(before.input.measurement, second, requestOf(options, record, limits)));
     if (options.keeps)

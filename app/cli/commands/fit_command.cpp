@@ -246,6 +246,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     const TableFormat* format = nullptr;
     if (isWritten) {
         AXISCOMP_TRY(format, fittedFormat(environment, options.file));
+        AXISCOMP_CHECK(checkNoInput(options.file.output, options.input.files));
     }
     if (!options.record.empty()) {
         AXISCOMP_CHECK(checkNewRecord(options.record, options.input.command));
@@ -265,8 +266,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
         const auto corrections, correct(measurement, options.correction, options.input.command));
     AXISCOMP_TRY(const auto sources, readStates(environment, options, measurement));
     AXISCOMP_TRY(auto settings, settingsFrom(options, measurement, sources, profile));
-    AXISCOMP_TRY(
-        auto limits, readTolerances(measurement, options.tolerance, options.input.command));
+    AXISCOMP_TRY(auto limits,
+        readTolerances(environment, measurement, options.tolerance, options.input.command));
     settings.tolerances = limits.tolerances;
     settings.uncertainty = limits.uncertainty;
     AXISCOMP_TRY(const auto state,
@@ -539,7 +540,8 @@ void addFitCommand(CommandLine& line)
         + "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder"
         + "\n  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5"
         + FitDrive::example()
-        + "\n  axiscomp fit plane.csv -o plane.csv --remove rigid --points 41,31");
+        + "\n  axiscomp fit plane.csv -o plane-table.csv --lookup-at encoder --remove rigid"
+          " --points 41,31");
 }
 
 } // namespace axiscomp::app

@@ -33,8 +33,8 @@ Result<ExitCode> runJudge(Environment& environment, const JudgeCommandOptions& o
     judging.wantsVdi = options.wantsVdi;
     if (options.period > 0.0)
         judging.period = options.period;
-    AXISCOMP_TRY(
-        auto limits, readTolerances(measurement, options.tolerance, options.input.command));
+    AXISCOMP_TRY(auto limits,
+        readTolerances(environment, measurement, options.tolerance, options.input.command));
     judging.tolerances = std::move(limits.tolerances);
     judging.uncertainty = limits.uncertainty;
 

@@ -138,6 +138,7 @@ Result<ExitCode> runRuns(Environment& environment, const RunsOptions& options)
     const Output output{options.output, options.input.command};
     if (!options.output.empty())
         AXISCOMP_CHECK(checkOutput(environment, output, true));
+    AXISCOMP_CHECK(checkNoInput(output, options.input.files));
     AXISCOMP_TRY(const auto input, readMeasurements(environment, options.input));
     if (options.output.empty()) {
         environment.print(runsText(input));

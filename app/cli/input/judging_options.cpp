@@ -193,10 +193,13 @@ void addToleranceOptions(CLI::App& command, ToleranceOptions& options)
         ->option_text("U");
 }
 
-Result<ToleranceLimits> readTolerances(
-    const Measurement& measurement, const ToleranceOptions& options, const std::string& command)
+Result<ToleranceLimits> readTolerances(Environment& environment, const Measurement& measurement,
+    const ToleranceOptions& options, const std::string& command)
 {
     ToleranceLimits limits;
+    for (const std::string& given : {options.tolerances, options.uncertainty})
+        for (const Text& assumption : assumedUnits(given, measurement.isAngular))
+            environment.warn(assumption.english());
     if (!options.tolerances.empty()) {
         AXISCOMP_TRY(
             limits.tolerances, tolerancesFromText(options.tolerances, measurement.isAngular));

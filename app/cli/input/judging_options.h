@@ -63,8 +63,8 @@ struct ToleranceLimits {
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
     Json terms; ///< of the uncertainty, as --json has them; null: not stated
 };
-/// Errors: InvalidArgument, FileNotReadable, FileTooLarge.
-[[nodiscard]] Result<ToleranceLimits> readTolerances(
+/// Warns of limits without a unit. Errors: InvalidArgument, FileNotReadable, FileTooLarge.
+[[nodiscard]] Result<ToleranceLimits> readTolerances(Environment& environment,
     const Measurement& measurement, const ToleranceOptions& options, const std::string& command);
 
 } // namespace axiscomp::app

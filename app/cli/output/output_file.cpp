@@ -5,6 +5,9 @@
 #include "app/common/standard_streams.h"
 #include "core/io/local_file.h"
 
+#include <filesystem>
+#include <system_error>
+
 namespace axiscomp::app {
 
 bool Output::isStandardOutput() const
@@ -22,6 +25,21 @@ Result<void> checkOutput(Environment& environment, const Output& output, bool is
     if (!isText && environment.console().outputIsTerminal())
         return wrongUsage(
             "this is not text for a terminal: name a file for the result", output.command);
+    return {};
+}
+
+Result<void> checkNoInput(const Output& output, const std::vector<std::string>& inputs)
+{
+    if (output.isStandardOutput())
+        return {};
+    for (const std::string& input : inputs) {
+        std::error_code ignored; // what is not there cannot be overwritten
+        if (std::filesystem::equivalent(pathFromText(output.file), pathFromText(input), ignored))
+            return wrongUsage(output.file
+                    + " is the measurement itself and would be replaced: "
+                      "name another file for the result",
+                output.command);
+    }
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/bytes.h"
 
 #include <string>
+#include <vector>
 
 namespace axiscomp::app {
 
@@ -19,6 +20,11 @@ struct Output {
 /// Errors: InvalidArgument when standard output cannot take it: it is a terminal and the bytes are
 /// no text, or it is needed for --json. Meant to be asked before the work is done.
 [[nodiscard]] Result<void> checkOutput(Environment& environment, const Output& output, bool isText);
+
+/// A measurement cannot be taken again. Errors: InvalidArgument when the output is one of the
+/// inputs, whatever it is called.
+[[nodiscard]] Result<void> checkNoInput(
+    const Output& output, const std::vector<std::string>& inputs);
 
 /// Writes a file whole or not at all; an existing one is replaced. Errors: FileNotWritable.
 [[nodiscard]] Result<void> writeOutput(

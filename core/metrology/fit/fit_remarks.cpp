@@ -49,14 +49,12 @@ void remarkOfZero(const FittedTable& made, Remarks& remarks)
     if (made.removedConstant != 0.0 && made.direction == Direction::Positive)
         remarks.say("ZeroMoved",
             AXISCOMP_TEXT("Measurement",
-                "{constant} was taken out of all values of both tables, which makes their mean 0 "
-                "at "
-                "the zero")
+                "{constant} was taken out of all values of both tables for their zero")
                 .with("constant", remarks.fine(made.removedConstant)));
     else if (made.removedConstant != 0.0)
         remarks.say("ZeroMoved",
-            AXISCOMP_TEXT("Measurement",
-                "{constant} was taken out of all values of {table}, which makes it 0 at its zero")
+            AXISCOMP_TEXT(
+                "Measurement", "{constant} was taken out of all values of {table} for its zero")
                 .with("constant", remarks.fine(made.removedConstant))
                 .with("table", made.table.name));
 }

@@ -4,9 +4,11 @@
 #include "core/base/portable_math.h"
 #include "core/io/strict_json.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
 #include <cmath>
+#include <utility>
 
 namespace axiscomp {
 
@@ -29,6 +31,18 @@ double memberOr(const JsonNode& node, std::string_view key, double fallback)
     if (!std::isfinite(number) || (number < 0.0 && key != "temperature"))
         node[key].refuse(AXISCOMP_TEXT("Error", "a number that is not negative"));
     return number;
+}
+
+/// A number and its unit, which has no digit and may follow without a blank: the longest number
+/// counts.
+std::pair<std::optional<double>, std::string_view> parsedAmount(std::string_view text)
+{
+    std::size_t length = text.find_first_not_of("0123456789.+-eE");
+    if (length == std::string_view::npos)
+        length = text.size();
+    while (length > 0 && !numberOf(text.substr(0, length)))
+        --length;
+    return {numberOf(text.substr(0, length)), trimmedToken({text.substr(length), 0, 1}).text};
 }
 
 } // namespace
@@ -75,14 +89,7 @@ Result<UncertaintyBudget> uncertaintyBudgetFromJson(std::string_view text, doubl
 
 Result<double> amountFromText(std::string_view text, bool isAngular, std::string_view defaultUnit)
 {
-    // A unit has no digit and may follow without a blank: the longest number counts.
-    std::size_t length = text.find_first_not_of("0123456789.+-eE");
-    if (length == std::string_view::npos)
-        length = text.size();
-    while (length > 0 && !numberOf(text.substr(0, length)))
-        --length;
-    const auto number = numberOf(text.substr(0, length));
-    const std::string_view stated = trimmedToken({text.substr(length), 0, 1}).text;
+    const auto [number, stated] = parsedAmount(text);
     const std::string_view unit = stated.empty() ? defaultUnit : stated;
     const std::string_view own = isAngular ? "deg" : "mm";
     const auto factor = unit.empty() ? std::optional(1.0) : unitFactor(unit, own);
@@ -96,6 +103,29 @@ Result<double> amountFromText(std::string_view text, bool isAngular, std::string
                            "unit, such as 10um"))
                 .with("text", text));
     return *number * *factor;
+}
+
+std::vector<Text> assumedUnits(std::string_view limits, bool isAngular)
+{
+    std::vector<Token> parts;
+    splitCells({limits, 0, 1}, ',', parts);
+    std::vector<Text> assumptions;
+    for (const Token& part : parts) {
+        const std::size_t equals = part.text.find('=');
+        if (equals == std::string_view::npos)
+            continue;
+        const auto [number, unit] =
+            parsedAmount(trimmedToken({part.text.substr(equals + 1), 0, 1}).text);
+        if (!number || *number == 0.0 || !unit.empty())
+            continue;
+        const double inFineUnit = *number * (isAngular ? 3600.0 : 1000.0);
+        assumptions.push_back(
+            AXISCOMP_TEXT("Error", "{text} has no unit and is taken as {amount}, {fine}")
+                .with("text", trimmedToken(part).text)
+                .with("amount", Quantity{roundedText(*number), isAngular ? "deg" : "mm"})
+                .with("fine", Quantity{roundedText(inFineUnit), isAngular ? "arcsec" : "um"}));
+    }
+    return assumptions;
 }
 
 Result<std::vector<Tolerance>> tolerancesFromText(std::string_view text, bool isAngular)

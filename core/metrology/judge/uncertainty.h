@@ -46,6 +46,8 @@ struct Tolerance {
 /// "A=10um,R=4um"; without a unit mm, or deg for angles. Errors: InvalidArgument.
 [[nodiscard]] Result<std::vector<Tolerance>> tolerancesFromText(
     std::string_view text, bool isAngular);
+/// A sentence for each limit of these, or for "U=2.1", that has no unit: what it is taken as.
+[[nodiscard]] std::vector<Text> assumedUnits(std::string_view limits, bool isAngular);
 /// "2.1um" in mm, or in deg for angles. defaultUnit: of a number without one; empty: mm or deg.
 /// Errors: InvalidArgument.
 [[nodiscard]] Result<double> amountFromText(

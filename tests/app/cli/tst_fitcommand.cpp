@@ -2,6 +2,7 @@
 #include "core/metrology/record/calibration_record.h"
 #include "tests/app/program_run.h"
 
+#include "tests/support/file_content.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -284,6 +285,25 @@ private Q_SLOTS:
         VERIFY_CODE(failed, 8);
         QVERIFY2(failed.out.contains("failed"), failed.out.constData());
         QVERIFY2(failed.out.contains("8.354 um"), failed.out.constData());
+    }
+
+    void theMeasurementIsNotReplacedByItsTable()
+    {
+        const Sandbox box;
+        const QByteArray measured =
+            QByteArray::fromStdString(test::contentOf(publicFile("bifrost.csv").toStdString()));
+        box.file("x.csv", measured);
+        QVERIFY(QFile::link(box.path("x.csv"), box.path("link.csv")));
+        for (const char* const output : {"x.csv", "./x.csv", "link.csv"}) {
+            const ProgramRun fit =
+                box.run(QStringList{"fit", "x.csv", "-o", output} + offAtEncoder);
+            VERIFY_CODE(fit, 2);
+            QVERIFY2(fit.err.contains("is the measurement itself"), fit.err.constData());
+            const ProgramRun runs = box.run({"runs", "x.csv", "-o", output});
+            VERIFY_CODE(runs, 2);
+            QVERIFY2(runs.err.contains("is the measurement itself"), runs.err.constData());
+            QCOMPARE(box.content("x.csv"), measured);
+        }
     }
 
     void whatCannotBeAskedIsRefusedWithTheWayOut_data()

@@ -282,6 +282,9 @@ private Q_SLOTS:
         const ProgramRun notDefined = box.run({"judge", "one-way.csv", "--tolerance", "A=1000"});
         VERIFY_CODE(notDefined, 8);
         QVERIFY2(notDefined.out.contains("not defined"), notDefined.out.constData());
+        QVERIFY2(notDefined.err.contains(
+                     "warning: A=1000 has no unit and is taken as 1000 mm, 1000000 um"),
+            notDefined.err.constData());
     }
 
     void aBudgetGivesTheUncertainty()

@@ -119,6 +119,15 @@ private Q_SLOTS:
         QCOMPARE(sentence(error), "http://drive did not answer within 5 s");
     }
 
+    void whoIsAskedForAPasswordIsNotToldToSendItInClear()
+    {
+        const auto said = [](const char* endpoint) {
+            return sentence({ErrorCode::Unauthorized, {{"endpoint", Verbatim{endpoint}}}, {}});
+        };
+        QVERIFY(said("https://drive:8443").ends_with("give them as https://user:password@host"));
+        QVERIFY(said("http://drive").ends_with("give them as http://user:password@host"));
+    }
+
     void theShortFormsHandErrorsOnAndGiveValues()
     {
         const auto number = [](bool isThere) -> Result<int> {

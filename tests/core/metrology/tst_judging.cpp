@@ -245,6 +245,19 @@ private Q_SLOTS:
             VERIFY_ERROR(tolerancesFromText(bad, false), ErrorCode::InvalidArgument);
     }
 
+    void aLimitWithoutAUnitIsSaidAsWhatItIsTaken()
+    {
+        const auto said = assumedUnits("A=10, R=4um,M=0,E=0.5", false);
+        QCOMPARE(said.size(), std::size_t{2});
+        QCOMPARE(
+            said[0].english(), std::string("A=10 has no unit and is taken as 10 mm, 10000 um"));
+        QCOMPARE(
+            said[1].english(), std::string("E=0.5 has no unit and is taken as 0.5 mm, 500 um"));
+        QCOMPARE(assumedUnits("U=2", true).at(0).english(),
+            std::string("U=2 has no unit and is taken as 2 deg, 7200 arcsec"));
+        QVERIFY(assumedUnits("budget.json", false).empty());
+    }
+
     void temperatureBringsPositionsTo20Degrees()
     {
         Measurement measurement = noisy(3, 1000.0, 2);
