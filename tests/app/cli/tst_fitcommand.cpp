@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/calibration_record.h"
 #include "tests/app/program_run.h"
-
 #include "tests/support/file_content.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
