@@ -4,11 +4,52 @@
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
 
 namespace axiscomp {
+
+namespace {
+
+/// A name that headers and targets of files take for that of an axis.
+bool isNameInFiles(std::string_view name)
+{
+    return !name.empty() && axisInHeader(name) == name;
+}
+
+bool hasAxisNamed(const Grid& grid, std::string_view name)
+{
+    return std::ranges::any_of(
+        grid.axes, [&](const GridAxis& axis) { return sameLetters(axis.name, name); });
+}
+
+/// By the axes whose positions the sources are, so that a file of the table is for this axis and
+/// for no other.
+void nameAxes(CompensationTable& table, const AxisStatus& status, std::span<const AxisInfo> axes,
+    const DriveProfile& profile)
+{
+    for (std::size_t n = 0; n < table.grid.axes.size(); ++n) {
+        const auto owner = profile.axisOfPosition(status.setup.sources[n].path);
+        const auto found = owner ? std::ranges::find(axes, *owner, &AxisInfo::index) : axes.end();
+        GridAxis& axis = table.grid.axes[n];
+        if (found != axes.end() && axis.name.empty() && isNameInFiles(found->name)
+            && !hasAxisNamed(table.grid, found->name))
+            axis.name = found->name;
+    }
+    const std::string& own = status.axis.name;
+    const auto target = targetOf(table);
+    if (!target || !isNameInFiles(own))
+        return;
+    const bool isSource = target->source && table.grid.axes[*target->source].name == own;
+    const bool isOther = !target->source && !hasAxisNamed(table.grid, own)
+        && std::ranges::all_of(table.grid.axes, isNameInFiles, &GridAxis::name);
+    if (isSource || isOther)
+        table.target = own;
+}
+
+} // namespace
 
 void describeTable(CompensationTable& table, const AxisStatus& status,
     std::span<const AxisInfo> axes, const DriveProfile& profile)
@@ -27,6 +68,7 @@ void describeTable(CompensationTable& table, const AxisStatus& status,
         table.grid.axes[n].unit = units.positions[n];
     if (std::ranges::all_of(sources, &DimSource::isSet))
         table.target = axisTarget(profile, status.axis.index, sourcePaths(status.setup));
+    nameAxes(table, status, axes, profile);
 }
 
 void nameParts(CompensationTable& table)

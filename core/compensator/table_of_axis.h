@@ -14,7 +14,8 @@ namespace axiscomp {
 // What a drive knows of the table of an axis beside its numbers: a table file keeps none of it.
 
 /// States the units in which the drive takes values and positions, where these are of a length or
-/// an angle, and what the axis is among the sources. axes: all of the drive.
+/// an angle, and what the axis is among the sources; dimensions and target have the names of the
+/// axes where these are letters. axes: all of the drive.
 void describeTable(CompensationTable& table, const AxisStatus& status,
     std::span<const AxisInfo> axes, const DriveProfile& profile);
 

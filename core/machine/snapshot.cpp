@@ -96,6 +96,15 @@ Result<void> Snapshot::takeAxis(int index)
     return {};
 }
 
+/// Of a file that keeps none. Positions that have different units are those of the drive.
+StatedUnits statedUnits(const CompensationTable& table)
+{
+    const auto& axes = table.grid.axes;
+    const bool isOne = std::ranges::all_of(
+        axes, [&](const GridAxis& axis) { return axis.unit == axes.front().unit; });
+    return {table.unit, isOne ? axes.front().unit : std::string()};
+}
+
 Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
 {
     AXISCOMP_TRY(auto table, m_compensator.readTable(status.axis.index, m_options));
@@ -124,6 +133,8 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
     // Where a file says no unit, its numbers are the drive's own.
     if (table.unit.empty())
         axis.choices.units.values = "drive";
+    else if (file.name.ends_with(".TAMtbl"))
+        axis.choices.units = statedUnits(table);
     m_result.files.push_back(std::move(file));
     return {};
 }

@@ -214,6 +214,14 @@ private Q_SLOTS:
         VERIFY_CODE(second, 0);
         QVERIFY2(second.err.contains("converted from um to mm."), second.err.constData());
 
+        // Which one is corrected is asked where it is another unit.
+        box.file("open.csv", "Z [m],X [mm],E [um]\n0,0,0\n1,0,10\n0,50,-4\n1,50,10\n");
+        const ProgramRun open = box.run({"convert", "open.csv", "open.TAMtbl", "--dims", "2"});
+        VERIFY_CODE(open, 2);
+        QVERIFY2(open.err.contains("give --target, such as --target #1"), open.err.constData());
+        VERIFY_CODE(
+            box.run({"convert", "open.csv", "open.TAMtbl", "--dims", "2", "--target", "#2"}), 0);
+
         box.file("deg.csv", "X [mm],E [deg]\n0,0\n50,0.01\n100,-0.004\n");
         const ProgramRun angle = box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1"});
         VERIFY_CODE(angle, 2);

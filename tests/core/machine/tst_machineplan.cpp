@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/machine_plan.h"
 #include "core/machine/machine_tables.h"
+#include "core/machine/snapshot.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -218,6 +219,23 @@ private Q_SLOTS:
         QCOMPARE(two->axes.at(1).plan.flashOperations, 1);
         QVERIFY(two->obstacle);
         QCOMPARE(two->obstacle->code, ErrorCode::FlashWear);
+    }
+
+    /// A file of a table has no units; the numbers are those that the axis had.
+    void aSnapshotOfWhatNoCsvHoldsStatesTheUnits()
+    {
+        Machine machine;
+        WriteRequest request = test::exampleRequest();
+        request.table->grid.axes[0].start = -1361.0;
+        request.table->grid.axes[0].distance = 0.1 + 1e-13;
+        VERIFY_RESULT(machine.bench.compensator.write(0, request));
+        const auto snapshot =
+            snapshotDrive(machine.bench.compensator, drivecomm::genericProfile(), "demo:", {});
+        VERIFY_RESULT(snapshot);
+        const MachineAxis& axis = snapshot->drive.axes.at(0);
+        QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
+        QCOMPARE(axis.choices.units.values, std::string("mm"));
+        QCOMPARE(axis.choices.units.positions, std::string("mm"));
     }
 
     void anAxisThatNobodyHasChangedIsSwitchedOn()

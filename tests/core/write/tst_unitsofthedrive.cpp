@@ -59,6 +59,36 @@ private Q_SLOTS:
         QCOMPARE(report->plan.unitRemarks.size(), std::size_t{3});
     }
 
+    void valuesWithoutAUnitAreInThatOfTheAxisesOwnPositions()
+    {
+        LinearAndRotary f;
+        WriteRequest request = requestIn("", "deg", "um");
+        std::swap(request.sources[0], request.sources[1]);
+        VERIFY_RESULT(f.compensator.write(0, request));
+        const auto held = f.compensator.readTable(0);
+        VERIFY_RESULT(held);
+        const CompensationTable asked = *exampleRequest().table;
+        for (std::size_t i = 0; i < held->values.size(); ++i)
+            QVERIFY(std::abs(held->values[i] - 1e-3F * asked.values[i])
+                <= 2e-10F * std::abs(asked.values[i]));
+    }
+
+    void aTableThatWasReadFromOneAxisIsNotWrittenToAnother()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto table = f.compensator.readDescribedTable(0);
+        VERIFY_RESULT(table);
+        QCOMPARE(table->grid.axes[0].name, std::string("X"));
+        QCOMPARE(table->grid.axes[1].name, std::string("Y"));
+        QCOMPARE(table->target, std::string("X"));
+        WriteRequest request = exampleRequest();
+        request.table = *table;
+        VERIFY_RESULT(f.compensator.plan(0, request));
+        std::swap(request.sources[0], request.sources[1]);
+        VERIFY_ERROR(f.compensator.plan(1, request), ErrorCode::TargetMismatch);
+    }
+
     void anAngleIsRefusedForALinearSource()
     {
         LinearAndRotary f;
