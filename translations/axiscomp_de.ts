@@ -990,10 +990,6 @@
         <translation>{endpoint} antwortet nicht wie ein Antrieb: erwartet {expected}, erhalten {quote}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
-        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als http://benutzer:passwort@host</translation>
-    </message>
-    <message>
         <source>the drive refused: {reason}</source>
         <translation>der Antrieb hat abgelehnt: {reason}</translation>
     </message>
@@ -8133,6 +8129,14 @@
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
         <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Stand hinterlassen: sie wird nicht aktiviert. Den Schreibvorgang mit &apos;axiscomp recover --finish&apos; abschließen, mit &apos;axiscomp recover --undo&apos; rückgängig machen, oder neu schreiben. Der alte Stand ist aufbewahrt in {backup}</translation>
     </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
+        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als {scheme}://benutzer:passwort@host</translation>
+    </message>
+    <message>
+        <source>{text} has no unit and is taken as {amount}, {fine}</source>
+        <translation>{text} hat keine Einheit; angenommen wird {amount}, also {fine}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9821,10 +9825,6 @@
         <translation>abwärts angefahren: {sentence}</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
-        <translation>{constant} wurde aus allen Werten von {table} herausgenommen, damit die Tabelle an ihrer Nullstelle 0 ist</translation>
-    </message>
-    <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
         <translation>die neue Tabelle ist gröber als {name}: bis zu {lost} von dem, was diese zwischen den neuen Punkten hat, gehen verloren; mehr Punkte nehmen</translation>
     </message>
@@ -9839,10 +9839,6 @@
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
         <translation>die Zielpositionen liegen nicht alle an derselben Stelle einer Periode der Achse; es ist keine Periode angegeben</translation>
-    </message>
-    <message>
-        <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
-        <translation>{constant} wurde aus allen Werten beider Tabellen herausgenommen, damit ihr Mittel an der Nullstelle 0 ist</translation>
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
@@ -9863,6 +9859,14 @@
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>jede Kenngröße, vorher und vorhergesagt, ist die größte eines thermischen Zustands und aller Läufe zusammen</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of both tables for their zero</source>
+        <translation>{constant} wurde für die Nullstelle aus allen Werten beider Tabellen herausgenommen</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table} for its zero</source>
+        <translation>{constant} wurde für die Nullstelle aus allen Werten von {table} herausgenommen</translation>
     </message>
 </context>
 <context>

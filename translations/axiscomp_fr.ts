@@ -990,10 +990,6 @@
         <translation>{endpoint} ne répond pas comme un variateur&#xa0;: attendu {expected}, reçu {quote}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
-        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe&#xa0;; les indiquer sous la forme http://utilisateur:motdepasse@hôte</translation>
-    </message>
-    <message>
         <source>the drive refused: {reason}</source>
         <translation>refusé par le variateur&#xa0;: {reason}</translation>
     </message>
@@ -8133,6 +8129,14 @@
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
         <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état : il n&apos;est pas activé. Achever cette écriture avec &apos;axiscomp recover --finish&apos;, l&apos;annuler avec &apos;axiscomp recover --undo&apos;, ou écrire à nouveau. L&apos;ancien état est conservé dans {backup}</translation>
     </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
+        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe ; les indiquer sous la forme {scheme}://utilisateur:motdepasse@hôte</translation>
+    </message>
+    <message>
+        <source>{text} has no unit and is taken as {amount}, {fine}</source>
+        <translation>{text} n&apos;a pas d&apos;unité ; pris pour {amount}, soit {fine}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9821,10 +9825,6 @@
         <translation>abordé en sens négatif&#xa0;: {sentence}</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
-        <translation>{constant} a été retiré de toutes les valeurs de {table}, ce qui l&apos;annule à son zéro</translation>
-    </message>
-    <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
         <translation>la nouvelle table est moins fine que {name}&#xa0;: jusqu&apos;à {lost} de ce que celle-ci contient entre les nouveaux points est perdu&#xa0;; prendre plus de points</translation>
     </message>
@@ -9839,10 +9839,6 @@
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
         <translation>les positions cibles ne sont pas toutes au même endroit d&apos;une période de l&apos;axe&#xa0;; aucune période n&apos;est indiquée</translation>
-    </message>
-    <message>
-        <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
-        <translation>{constant} a été retiré de toutes les valeurs des deux tables, ce qui annule leur moyenne au zéro</translation>
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
@@ -9863,6 +9859,14 @@
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>chaque caractéristique, avant et prévue, est la plus grande d&apos;un état thermique et de toutes les passes ensemble</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of both tables for their zero</source>
+        <translation>{constant} a été retiré de toutes les valeurs des deux tables pour leur zéro</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table} for its zero</source>
+        <translation>{constant} a été retiré de toutes les valeurs de {table} pour son zéro</translation>
     </message>
 </context>
 <context>

@@ -990,10 +990,6 @@
         <translation>{endpoint} の応答はドライブのものではありません。必要: {expected}、実際: {quote}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
-        <translation>{endpoint} にはユーザ名とパスワードが必要です。http://user:password@host の形で指定してください</translation>
-    </message>
-    <message>
         <source>the drive refused: {reason}</source>
         <translation>ドライブが拒否しました: {reason}</translation>
     </message>
@@ -8092,6 +8088,14 @@
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
         <translation>未完了の書き込みにより、軸 {axis} は旧状態でも新状態でもありません。有効化しません。&apos;axiscomp recover --finish&apos; で書き込みを完了するか、&apos;axiscomp recover --undo&apos; で取り消すか、もう一度書き込んでください。旧状態は {backup} に保存されています</translation>
     </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
+        <translation>{endpoint} にはユーザ名とパスワードが必要です。{scheme}://user:password@host の形で指定してください</translation>
+    </message>
+    <message>
+        <source>{text} has no unit and is taken as {amount}, {fine}</source>
+        <translation>{text} に単位がありません。{amount}（{fine}）とみなします</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9773,10 +9777,6 @@
         <translation>負方向の位置決め: {sentence}</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
-        <translation>ゼロ点で 0 になるように、{table} のすべての値から {constant} を引きました</translation>
-    </message>
-    <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
         <translation>新しいテーブルは {name} より粗く、新しい点の間にある情報が最大 {lost} 失われます。点数を増やしてください</translation>
     </message>
@@ -9790,10 +9790,6 @@
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
         <translation>目標位置が軸の周期の同じ位相に集中していない (周期の指定なし)</translation>
-    </message>
-    <message>
-        <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
-        <translation>ゼロ点での平均が 0 になるように、両方のテーブルのすべての値から {constant} を引きました</translation>
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
@@ -9814,6 +9810,14 @@
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>補正前と予測の各特性値は、各熱状態と全走行一括のうち最大の値です</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of both tables for their zero</source>
+        <translation>ゼロ点のため、両方のテーブルのすべての値から {constant} を引きました</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table} for its zero</source>
+        <translation>ゼロ点のため、{table} のすべての値から {constant} を引きました</translation>
     </message>
 </context>
 <context>

@@ -990,10 +990,6 @@
         <translation>{endpoint} 的应答不像驱动器：应为 {expected}，收到 {quote}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
-        <translation>{endpoint} 要求用户名和密码；请按 http://用户名:密码@主机 给出</translation>
-    </message>
-    <message>
         <source>the drive refused: {reason}</source>
         <translation>驱动器拒绝：{reason}</translation>
     </message>
@@ -8092,6 +8088,14 @@
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
         <translation>一次未完成的写入使轴 {axis} 既非旧状态也非新状态：不予启用。请用 &apos;axiscomp recover --finish&apos; 完成该写入，用 &apos;axiscomp recover --undo&apos; 撤销，或重新写入。旧状态保存在 {backup}</translation>
     </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
+        <translation>{endpoint} 要求用户名和密码；请按 {scheme}://用户名:密码@主机 给出</translation>
+    </message>
+    <message>
+        <source>{text} has no unit and is taken as {amount}, {fine}</source>
+        <translation>{text} 没有单位，按 {amount}（即 {fine}）处理</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9773,10 +9777,6 @@
         <translation>负向趋近：{sentence}</translation>
     </message>
     <message>
-        <source>{constant} was taken out of all values of {table}, which makes it 0 at its zero</source>
-        <translation>已从 {table} 的所有值中去除 {constant}，使其在零点处为 0</translation>
-    </message>
-    <message>
         <source>the new table is coarser than {name}: up to {lost} of what that has between the new points is lost; take more points</source>
         <translation>新表比 {name} 粗：原表在新点之间的内容最多损失 {lost}；请取更多的点</translation>
     </message>
@@ -9790,10 +9790,6 @@
     <message>
         <source>the targets are not all at the same place of a period of the axis; no period is stated</source>
         <translation>目标位置并非都在轴的周期的同一处；没有给出周期</translation>
-    </message>
-    <message>
-        <source>{constant} was taken out of all values of both tables, which makes their mean 0 at the zero</source>
-        <translation>已从两个表的所有值中去除 {constant}，使其平均值在零点处为 0</translation>
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
@@ -9814,6 +9810,14 @@
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>补偿前和预测的各项指标，均取各热状态以及全部各趟合计中的最大值</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of both tables for their zero</source>
+        <translation>为了零点，已从两个表的所有值中去除 {constant}</translation>
+    </message>
+    <message>
+        <source>{constant} was taken out of all values of {table} for its zero</source>
+        <translation>为了零点，已从 {table} 的所有值中去除 {constant}</translation>
     </message>
 </context>
 <context>
