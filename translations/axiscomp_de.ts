@@ -8130,12 +8130,16 @@
         <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Stand hinterlassen: sie wird nicht aktiviert. Den Schreibvorgang mit &apos;axiscomp recover --finish&apos; abschließen, mit &apos;axiscomp recover --undo&apos; rückgängig machen, oder neu schreiben. Der alte Stand ist aufbewahrt in {backup}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
-        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als {scheme}://benutzer:passwort@host</translation>
+        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
+        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als http://benutzer:passwort@host</translation>
     </message>
     <message>
         <source>{text} has no unit and is taken as {amount}, {fine}</source>
         <translation>{text} hat keine Einheit; angenommen wird {amount}, also {fine}</translation>
+    </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
+        <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als https://benutzer:passwort@host</translation>
     </message>
 </context>
 <context>

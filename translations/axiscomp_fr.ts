@@ -8130,12 +8130,16 @@
         <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état : il n&apos;est pas activé. Achever cette écriture avec &apos;axiscomp recover --finish&apos;, l&apos;annuler avec &apos;axiscomp recover --undo&apos;, ou écrire à nouveau. L&apos;ancien état est conservé dans {backup}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
-        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe ; les indiquer sous la forme {scheme}://utilisateur:motdepasse@hôte</translation>
+        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
+        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe&#xa0;; les indiquer sous la forme http://utilisateur:motdepasse@hôte</translation>
     </message>
     <message>
         <source>{text} has no unit and is taken as {amount}, {fine}</source>
-        <translation>{text} n&apos;a pas d&apos;unité ; pris pour {amount}, soit {fine}</translation>
+        <translation>{text} n&apos;a pas d&apos;unité&#xa0;; pris pour {amount}, soit {fine}</translation>
+    </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
+        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe ; les indiquer sous la forme https://utilisateur:motdepasse@hôte</translation>
     </message>
 </context>
 <context>

@@ -8089,12 +8089,16 @@
         <translation>未完了の書き込みにより、軸 {axis} は旧状態でも新状態でもありません。有効化しません。&apos;axiscomp recover --finish&apos; で書き込みを完了するか、&apos;axiscomp recover --undo&apos; で取り消すか、もう一度書き込んでください。旧状態は {backup} に保存されています</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
-        <translation>{endpoint} にはユーザ名とパスワードが必要です。{scheme}://user:password@host の形で指定してください</translation>
+        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
+        <translation>{endpoint} にはユーザ名とパスワードが必要です。http://user:password@host の形で指定してください</translation>
     </message>
     <message>
         <source>{text} has no unit and is taken as {amount}, {fine}</source>
         <translation>{text} に単位がありません。{amount}（{fine}）とみなします</translation>
+    </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
+        <translation>{endpoint} にはユーザ名とパスワードが必要です。https://user:password@host の形で指定してください</translation>
     </message>
 </context>
 <context>

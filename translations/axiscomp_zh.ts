@@ -8089,12 +8089,16 @@
         <translation>一次未完成的写入使轴 {axis} 既非旧状态也非新状态：不予启用。请用 &apos;axiscomp recover --finish&apos; 完成该写入，用 &apos;axiscomp recover --undo&apos; 撤销，或重新写入。旧状态保存在 {backup}</translation>
     </message>
     <message>
-        <source>{endpoint} asks for a user name and a password; give them as {scheme}://user:password@host</source>
-        <translation>{endpoint} 要求用户名和密码；请按 {scheme}://用户名:密码@主机 给出</translation>
+        <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
+        <translation>{endpoint} 要求用户名和密码；请按 http://用户名:密码@主机 给出</translation>
     </message>
     <message>
         <source>{text} has no unit and is taken as {amount}, {fine}</source>
         <translation>{text} 没有单位，按 {amount}（即 {fine}）处理</translation>
+    </message>
+    <message>
+        <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
+        <translation>{endpoint} 要求用户名和密码；请按 https://用户名:密码@主机 给出</translation>
     </message>
 </context>
 <context>

@@ -128,7 +128,7 @@ constexpr std::array errorRows{
     ErrorRow{ErrorCode::Unauthorized, "Unauthorized", ErrorClass::Unauthorized,
         AXISCOMP_TEXT("Error",
             "{endpoint} asks for a user name and a password; give them as "
-            "{scheme}://user:password@host")},
+            "http://user:password@host")},
     ErrorRow{ErrorCode::CertificateRejected, "CertificateRejected", ErrorClass::Untrusted,
         AXISCOMP_TEXT("Error",
             "the certificate of {endpoint} cannot be trusted: {reason}. Its SHA-256 fingerprint is "
@@ -317,20 +317,17 @@ Text togetherText(const Error& error)
         error.context};
 }
 
-/// The way out of an encrypted connection must not send the password in clear.
-Text unauthorizedText(const Error& error)
-{
-    const bool isEncrypted = error.context.english("endpoint").starts_with("https:");
-    return Text(errorPattern(error.code), error.context)
-        .with("scheme", Verbatim{isEncrypted ? "https" : "http"});
-}
-
 } // namespace
 
 Text textOf(const Error& error)
 {
-    if (error.code == ErrorCode::Unauthorized)
-        return unauthorizedText(error);
+    // The password must not be sent in clear.
+    if (error.code == ErrorCode::Unauthorized
+        && error.context.english("endpoint").starts_with("https:"))
+        return {AXISCOMP_TEXT("Error",
+                    "{endpoint} asks for a user name and a password; give them as "
+                    "https://user:password@host"),
+            error.context};
     if (error.code == ErrorCode::FlashWear && error.context.contains("together")
         && !error.context.contains("record"))
         return togetherText(error);

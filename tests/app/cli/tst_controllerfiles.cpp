@@ -459,7 +459,7 @@ private Q_SLOTS:
             return run.code == 0 ? box.run(QStringList{"read"} + axis).out : run.err;
         };
         const QByteArray set = heldWith("Axes[0]/Signals/PathPlanner/Position");
-        QVERIFY2(set.contains("// lookup: set\n") && set.contains("Dim 1 [mm],")
+        QVERIFY2(set.contains("// lookup: set\n") && set.contains("X [mm],")
                 && set.contains("\n10,0.5\n20,-0.25\n"),
             set.constData());
         VERIFY_CODE(box.run(QStringList{"read", "-o", "again.txt", "--to", "softmc"} + axis), 0);

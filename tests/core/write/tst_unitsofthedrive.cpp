@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(grid->unit, std::string("mm"));
         QCOMPARE(grid->grid.axes[0].unit, std::string("mm"));
         QCOMPARE(grid->grid.axes[1].unit, std::string("deg"));
-        QCOMPARE(grid->target, std::string("#1"));
+        QCOMPARE(grid->target, std::string("X"));
         QCOMPARE(lookupNotes(*f.compensator.status(0), drivecomm::genericProfile()),
             std::vector<std::string>{"lookup: encoder"});
 
