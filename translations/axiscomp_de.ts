@@ -962,6 +962,10 @@
         <translation>das Format von {file} ist unbekannt; eines davon angeben: {known}</translation>
     </message>
     <message>
+        <source>the name {file} says no format that can be written; name one with --to: {known}</source>
+        <translation>der Name {file} sagt kein Format, das geschrieben werden kann; eines mit --to angeben: {known}</translation>
+    </message>
+    <message>
         <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
         <translation>das Format von {file} ist unbekannt; eines davon angeben: {known}; bei jeder anderen CSV-Datei angeben, welche Spalte was ist</translation>
     </message>
@@ -5550,8 +5554,8 @@
         <translation>Messungen mit verschiedenen Tabellen oder mit und ohne Kompensation können nicht verbunden werden</translation>
     </message>
     <message>
-        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
-        <translation>an diesen Positionen lässt sich ein Fehler mit der Periode {period} nicht erkennen: sie liegen in {filled} von {classes} gleichen Teilen der Periode, nötig sind {fewest}; messen Sie an Positionen, die keine Vielfachen davon sind, oder lassen Sie die Periode weg</translation>
+        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at targets that are spread over the period (axiscomp targets --period), or leave the period out</source>
+        <translation>an diesen Positionen lässt sich ein Fehler mit der Periode {period} nicht erkennen: sie liegen in {filled} von {classes} gleichen Teilen der Periode, nötig sind {fewest}; messen Sie an Zielpositionen, die über die Periode verteilt sind (axiscomp targets --period), oder lassen Sie die Periode weg</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
@@ -5587,11 +5591,11 @@
     </message>
     <message>
         <source>the number of harmonics must be 1 to 1000</source>
-        <translation>die Anzahl der Oberwellen muss 1 bis 1000 sein</translation>
+        <translation>die Anzahl der Harmonischen muss 1 bis 1000 sein</translation>
     </message>
     <message>
         <source>a period has at least one harmonic</source>
-        <translation>eine Periode hat mindestens eine Oberwelle</translation>
+        <translation>eine Periode hat mindestens eine Harmonische</translation>
     </message>
     <message>
         <source>a period must be a number above 0</source>
@@ -5599,7 +5603,7 @@
     </message>
     <message>
         <source>the period {period} is wanted twice, by itself or as a harmonic of another; give each once</source>
-        <translation>die Periode {period} ist zweimal angegeben, für sich oder als Oberwelle einer anderen; geben Sie jede einmal an</translation>
+        <translation>die Periode {period} ist zweimal angegeben, für sich oder als Harmonische einer anderen; geben Sie jede einmal an</translation>
     </message>
     <message>
         <source>the period {period} does not divide the turn of {turn}; on a modulo axis it must</source>
@@ -5747,7 +5751,7 @@
     </message>
     <message>
         <source>harmonics need the length of a turn, which is that of a modulo axis</source>
-        <translation>Oberwellen brauchen die Länge einer Umdrehung, also eine Modulo-Achse</translation>
+        <translation>Harmonische brauchen die Länge einer Umdrehung, also eine Modulo-Achse</translation>
     </message>
     <message>
         <source>there is no such method</source>
@@ -8432,8 +8436,8 @@
         <translation>Bekannte Perioden, etwa die Steigung der Spindel, angepasst mit dem Verfahren smooth</translation>
     </message>
     <message>
-        <source>Harmonics of each period, and of harmonic (1)</source>
-        <translation>Oberwellen jeder Periode und von harmonic (Standard: 1)</translation>
+        <source>Harmonics of each period, and of the method harmonic, the fundamental counted (1 unless given)</source>
+        <translation>Anzahl der Harmonischen jeder Periode und von harmonic, die Grundwelle mitgezählt (Standard: 1)</translation>
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
@@ -8448,8 +8452,8 @@
         <translation>temperature: eine Tabelle über Position und Temperatur, aus Durchläufen in mehreren thermischen Zuständen; --points und --distance nehmen dafür eine zweite Zahl</translation>
     </message>
     <message>
-        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
-        <translation>Gleichmäßiges Gitter mit N Stützstellen, für jede Achse oder für alle; ohne Angabe die Zielpositionen</translation>
+        <source>Even grid with N points, for each axis or for all; unless given, that of the targets, where they are even</source>
+        <translation>Gleichmäßiges Gitter mit N Stützstellen, für jede Achse oder für alle; ohne Angabe das der Zielpositionen, wenn sie gleichmäßig liegen</translation>
     </message>
     <message>
         <source>Even grid with spacing D, for each axis or for all</source>
@@ -8504,16 +8508,16 @@
         <translation>Restabweichungen mit der Tabelle verbinden, die aktiv war: ihre Datei, oder drive für die, die die Achse verwendet (--drive, --axis)</translation>
     </message>
     <message>
-        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
-        <translation>Faktor der verbundenen Restabweichungen (Standard: 1); üblich ist 0.7, wo die Maschine spät antwortet</translation>
+        <source>Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine responds sluggishly</source>
+        <translation>Faktor für die Restabweichungen, bevor sie eingerechnet werden (Standard: 1); unter 1, etwa 0.7, bei träger Maschine</translation>
     </message>
     <message>
         <source>Points and tracks</source>
         <translation>Punkte und Bahnen</translation>
     </message>
     <message>
-        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
-        <translation>Herausnehmen, wie das Normal lag: rigid, rigid:X (Geraden entlang X behalten keine Steigung) oder scale</translation>
+        <source>Remove the alignment of the artefact: rigid (position and rotation), rigid:X (rotated so that lines along X have no slope), or scale (its scale as well)</source>
+        <translation>Lage des Prüfkörpers herausrechnen: rigid (Position und Drehung), rigid:X (so gedreht, dass Geraden entlang X keine Steigung haben) oder scale (auch den Maßstab)</translation>
     </message>
     <message>
         <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
@@ -9032,7 +9036,7 @@
         <translation>Unvollständige Gitter</translation>
     </message>
     <message>
-        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <source>Give points without a value that of the nearest measured point (nearest), of the plane through all of them (plane), or the values that bend least (smooth)</source>
         <translation>Punkten ohne Wert den des nächsten gemessenen Punkts geben (nearest), den der Ebene durch alle Punkte (plane) oder die Werte mit der kleinsten Krümmung (smooth)</translation>
     </message>
     <message>
@@ -9248,8 +9252,8 @@
         <translation>Protokoll der Kompensation: die erste Messung mit ihren Ausschlüssen und Korrekturen, Vorhersage, Tabelle und Toleranzen</translation>
     </message>
     <message>
-        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
-        <translation>Wo der Antrieb in derjenigen der beiden Tabellen nachschlägt, die seine ist: encoder (vor der Kompensation) oder set (danach); sonst wie die Datei es sagt, oder encoder</translation>
+        <source>Where the drive looks its table up (the input or the output, whichever is the drive&apos;s): encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>Wo der Antrieb in seiner Tabelle (Eingabe oder Ausgabe) nachschlägt: encoder (vor der Kompensation) oder set (danach); sonst wie die Datei es sagt, oder encoder</translation>
     </message>
 </context>
 <context>
@@ -14315,8 +14319,8 @@
         <translation>Faktor</translation>
     </message>
     <message>
-        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
-        <translation>Der Restabweichungen: 1, oder 0,7, wo die Maschine spät antwortet; höchstens 2</translation>
+        <source>Factor for the residuals: 1, or below it, such as 0.7, where the machine responds sluggishly; at most 2</source>
+        <translation>Faktor für die Restabweichungen: 1, oder darunter, etwa 0,7, bei träger Maschine; höchstens 2</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -14396,11 +14400,11 @@
     </message>
     <message>
         <source>Harmonics</source>
-        <translation>Oberwellen</translation>
+        <translation>Harmonische</translation>
     </message>
     <message>
-        <source>Of each period, or of the turn</source>
-        <translation>Jeder Periode oder der Umdrehung</translation>
+        <source>Of each period, or of the turn; 1 is the fundamental alone</source>
+        <translation>Anzahl je Periode oder Umdrehung; 1 ist die Grundwelle allein</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -14555,8 +14559,8 @@
         <translation>Drift</translation>
     </message>
     <message>
-        <source>What runs beside each other are freed from for the table</source>
-        <translation>Wovon nebeneinander liegende Durchläufe für die Tabelle befreit werden</translation>
+        <source>What is taken out of runs that lie beside each other before the table is made</source>
+        <translation>Was aus nebeneinander liegenden Durchläufen herausgerechnet wird, bevor die Tabelle entsteht</translation>
     </message>
     <message>
         <source>offset of each run taken out</source>
@@ -14567,16 +14571,16 @@
         <translation>Trend herausgenommen</translation>
     </message>
     <message>
-        <source>as it lay</source>
-        <translation>wie es lag</translation>
+        <source>alignment</source>
+        <translation>Lage</translation>
     </message>
     <message>
-        <source>as it lay, %1 straight</source>
-        <translation>wie es lag, %1 gerade</translation>
+        <source>alignment, lines along %1 level</source>
+        <translation>Lage, Geraden entlang %1 ohne Steigung</translation>
     </message>
     <message>
-        <source>as it lay, and scale</source>
-        <translation>wie es lag, und Maßstab</translation>
+        <source>alignment and scale</source>
+        <translation>Lage und Maßstab</translation>
     </message>
     <message>
         <source>Points</source>

@@ -962,6 +962,10 @@
         <translation>le format de {file} est inconnu&#xa0;; en indiquer un parmi&#xa0;: {known}</translation>
     </message>
     <message>
+        <source>the name {file} says no format that can be written; name one with --to: {known}</source>
+        <translation>le nom {file} n&apos;indique aucun format pouvant être écrit&#xa0;; en indiquer un avec --to&#xa0;: {known}</translation>
+    </message>
+    <message>
         <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
         <translation>le format de {file} est inconnu&#xa0;; en indiquer un parmi&#xa0;: {known}&#xa0;; pour tout autre fichier CSV, indiquer le rôle des colonnes</translation>
     </message>
@@ -5550,8 +5554,8 @@
         <translation>des mesures avec des tables différentes, ou avec et sans compensation, ne peuvent pas être réunies</translation>
     </message>
     <message>
-        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
-        <translation>ces positions ne permettent pas de déceler une erreur de période {period}&#xa0;: elles se trouvent dans {filled} des {classes} parties égales de la période, et il en faut {fewest}&#xa0;; mesurer à des positions qui n&apos;en sont pas des multiples, ou omettre la période</translation>
+        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at targets that are spread over the period (axiscomp targets --period), or leave the period out</source>
+        <translation>ces positions ne permettent pas de déceler une erreur de période {period}&#xa0;: elles se trouvent dans {filled} des {classes} parties égales de la période, et il en faut {fewest}&#xa0;; mesurer à des positions cibles réparties sur la période (axiscomp targets --period), ou omettre la période</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
@@ -8432,8 +8436,8 @@
         <translation>Périodes connues, par exemple le pas de la vis, ajustées par la méthode smooth</translation>
     </message>
     <message>
-        <source>Harmonics of each period, and of harmonic (1)</source>
-        <translation>Harmoniques de chaque période et de harmonic (1 par défaut)</translation>
+        <source>Harmonics of each period, and of the method harmonic, the fundamental counted (1 unless given)</source>
+        <translation>Nombre d&apos;harmoniques de chaque période et de harmonic, fondamental compris (1 par défaut)</translation>
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
@@ -8448,8 +8452,8 @@
         <translation>temperature&#xa0;: une table selon la position et la température, à partir de passes dans plusieurs états thermiques&#xa0;; --points et --distance prennent alors un deuxième nombre</translation>
     </message>
     <message>
-        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
-        <translation>Grille régulière de N points, par axe ou pour tous&#xa0;; par défaut, les positions cibles</translation>
+        <source>Even grid with N points, for each axis or for all; unless given, that of the targets, where they are even</source>
+        <translation>Grille régulière de N points, par axe ou pour tous&#xa0;; par défaut, celle des positions cibles si elles sont régulières</translation>
     </message>
     <message>
         <source>Even grid with spacing D, for each axis or for all</source>
@@ -8504,16 +8508,16 @@
         <translation>Fusionner des écarts résiduels avec la table qui était active&#xa0;: son fichier, ou drive pour celle que l&apos;axe utilise (--drive, --axis)</translation>
     </message>
     <message>
-        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
-        <translation>Gain des écarts résiduels fusionnés (1 par défaut)&#xa0;; 0.7 est courant si la machine réagit tard</translation>
+        <source>Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine responds sluggishly</source>
+        <translation>Facteur appliqué aux écarts résiduels avant leur fusion (1 par défaut)&#xa0;; inférieur à 1, par exemple 0.7, si la machine réagit lentement</translation>
     </message>
     <message>
         <source>Points and tracks</source>
         <translation>Points et relevés continus</translation>
     </message>
     <message>
-        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
-        <translation>Retirer le placement de l&apos;étalon&#xa0;: rigid, rigid:X (les lignes suivant X ne gardent aucune pente) ou scale</translation>
+        <source>Remove the alignment of the artefact: rigid (position and rotation), rigid:X (rotated so that lines along X have no slope), or scale (its scale as well)</source>
+        <translation>Retirer le placement de l&apos;étalon&#xa0;: rigid (position et rotation), rigid:X (tourné de sorte que les lignes suivant X n&apos;aient aucune pente) ou scale (l&apos;échelle aussi)</translation>
     </message>
     <message>
         <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
@@ -9032,7 +9036,7 @@
         <translation>Grilles incomplètes</translation>
     </message>
     <message>
-        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <source>Give points without a value that of the nearest measured point (nearest), of the plane through all of them (plane), or the values that bend least (smooth)</source>
         <translation>Donner aux points sans valeur celle du point mesuré le plus proche (nearest), celle du plan passant par tous les points (plane) ou les valeurs de courbure minimale (smooth)</translation>
     </message>
     <message>
@@ -9248,8 +9252,8 @@
         <translation>Fiche de la compensation&#xa0;: la première mesure avec ses exclusions et corrections, la prévision, la table et les tolérances</translation>
     </message>
     <message>
-        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
-        <translation>Où le variateur consulte celle des deux tables qui est la sienne&#xa0;: encoder (avant compensation) ou set (après)&#xa0;; par défaut selon le fichier, sinon encoder</translation>
+        <source>Where the drive looks its table up (the input or the output, whichever is the drive&apos;s): encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>Où le variateur consulte sa table (l&apos;entrée ou la sortie, selon celle qui est au variateur)&#xa0;: encoder (avant compensation) ou set (après)&#xa0;; par défaut selon le fichier, sinon encoder</translation>
     </message>
 </context>
 <context>
@@ -14315,8 +14319,8 @@
         <translation>Gain</translation>
     </message>
     <message>
-        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
-        <translation>Des écarts résiduels&#xa0;: 1, ou 0,7 si la machine réagit tard&#xa0;; au plus 2</translation>
+        <source>Factor for the residuals: 1, or below it, such as 0.7, where the machine responds sluggishly; at most 2</source>
+        <translation>Facteur des écarts résiduels&#xa0;: 1, ou moins, par exemple 0,7, si la machine réagit lentement&#xa0;; au plus 2</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -14399,8 +14403,8 @@
         <translation>Harmoniques</translation>
     </message>
     <message>
-        <source>Of each period, or of the turn</source>
-        <translation>De chaque période, ou du tour</translation>
+        <source>Of each period, or of the turn; 1 is the fundamental alone</source>
+        <translation>Nombre par période ou par tour&#xa0;; 1 est le fondamental seul</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -14555,8 +14559,8 @@
         <translation>Dérive</translation>
     </message>
     <message>
-        <source>What runs beside each other are freed from for the table</source>
-        <translation>Ce dont les passes décalées entre elles sont corrigées pour la table</translation>
+        <source>What is taken out of runs that lie beside each other before the table is made</source>
+        <translation>Ce qui est retiré des passes décalées entre elles avant de créer la table</translation>
     </message>
     <message>
         <source>offset of each run taken out</source>
@@ -14567,15 +14571,15 @@
         <translation>tendance retirée</translation>
     </message>
     <message>
-        <source>as it lay</source>
+        <source>alignment</source>
         <translation>placement</translation>
     </message>
     <message>
-        <source>as it lay, %1 straight</source>
-        <translation>placement, %1 rectiligne</translation>
+        <source>alignment, lines along %1 level</source>
+        <translation>placement, lignes suivant %1 sans pente</translation>
     </message>
     <message>
-        <source>as it lay, and scale</source>
+        <source>alignment and scale</source>
         <translation>placement et échelle</translation>
     </message>
     <message>

@@ -962,6 +962,10 @@
         <translation>{file} の形式を判別できません。次のいずれかを指定してください: {known}</translation>
     </message>
     <message>
+        <source>the name {file} says no format that can be written; name one with --to: {known}</source>
+        <translation>{file} という名前からは書き込める形式を判別できません。--to で次のいずれかを指定してください: {known}</translation>
+    </message>
+    <message>
         <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
         <translation>{file} の形式を判別できません。次のいずれかを指定してください: {known}。その他の CSV ファイルでは各列の内容を指定してください</translation>
     </message>
@@ -5517,8 +5521,8 @@
         <translation>テーブルが異なる測定、または補正ありと補正なしの測定は結合できません</translation>
     </message>
     <message>
-        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
-        <translation>これらの位置では周期 {period} の誤差を検出できません。周期を {classes} 等分した区間のうち {filled} 区間にしか位置がなく、{fewest} 区間が必要です。周期の整数倍でない位置で測定するか、周期を指定しないでください</translation>
+        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at targets that are spread over the period (axiscomp targets --period), or leave the period out</source>
+        <translation>これらの位置では周期 {period} の誤差を検出できません。周期を {classes} 等分した区間のうち {filled} 区間にしか位置がなく、{fewest} 区間が必要です。周期全体に分散した目標位置 (axiscomp targets --period) で測定するか、周期を指定しないでください</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
@@ -8391,8 +8395,8 @@
         <translation>方法 smooth でフィッティングする既知の周期 (ねじのリードなど)</translation>
     </message>
     <message>
-        <source>Harmonics of each period, and of harmonic (1)</source>
-        <translation>各周期および harmonic の高調波の数 (既定: 1)</translation>
+        <source>Harmonics of each period, and of the method harmonic, the fundamental counted (1 unless given)</source>
+        <translation>各周期および harmonic の高調波の数。基本波を含みます (既定: 1)</translation>
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
@@ -8407,8 +8411,8 @@
         <translation>temperature: 複数の温度状態での走行から、位置と温度に対するテーブルを作成します。--points と --distance の 2 つ目の数値は温度用です</translation>
     </message>
     <message>
-        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
-        <translation>N 点の等間隔格子。軸ごとまたは全軸に指定。指定がない場合は目標位置</translation>
+        <source>Even grid with N points, for each axis or for all; unless given, that of the targets, where they are even</source>
+        <translation>N 点の等間隔格子。軸ごとまたは全軸に指定。指定がない場合は、等間隔であれば目標位置</translation>
     </message>
     <message>
         <source>Even grid with spacing D, for each axis or for all</source>
@@ -8463,16 +8467,16 @@
         <translation>測定時に有効だったテーブルに残差を統合します。テーブルのファイル、または drive (軸が使用しているテーブル。--drive、--axis で指定)</translation>
     </message>
     <message>
-        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
-        <translation>統合する残差のゲイン (既定: 1)。機械の応答が遅れる場合は 0.7 が一般的です</translation>
+        <source>Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine responds sluggishly</source>
+        <translation>統合する前に残差に掛けるゲイン (既定: 1)。機械の応答が鈍い場合は 0.7 など 1 より小さくします</translation>
     </message>
     <message>
         <source>Points and tracks</source>
         <translation>点と連続測定</translation>
     </message>
     <message>
-        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
-        <translation>標準器の置き方の影響を除去します: rigid、rigid:X (X に沿う線に傾きを残さない)、scale</translation>
+        <source>Remove the alignment of the artefact: rigid (position and rotation), rigid:X (rotated so that lines along X have no slope), or scale (its scale as well)</source>
+        <translation>標準器の置き方の影響を除去します: rigid (位置と回転)、rigid:X (X に沿う線に傾きが残らないように回転)、scale (倍率も除去)</translation>
     </message>
     <message>
         <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
@@ -8991,7 +8995,7 @@
         <translation>欠けのある格子</translation>
     </message>
     <message>
-        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <source>Give points without a value that of the nearest measured point (nearest), of the plane through all of them (plane), or the values that bend least (smooth)</source>
         <translation>値のない点を補填します: 最近傍の測定点の値 (nearest)、全測定点を通る平面の値 (plane)、曲げが最小になる値 (smooth)</translation>
     </message>
     <message>
@@ -9207,8 +9211,8 @@
         <translation>補正の記録 (除外と補正を含む最初の測定、予測、テーブル、許容値)</translation>
     </message>
     <message>
-        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
-        <translation>2 つのうちドライブのテーブルを参照する位置: encoder (補正前) または set (補正後)。指定がなければファイルの記載、なければ encoder</translation>
+        <source>Where the drive looks its table up (the input or the output, whichever is the drive&apos;s): encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>ドライブが自身のテーブル (入力と出力のうちドライブのもの) を参照する位置: encoder (補正前) または set (補正後)。指定がなければファイルの記載、なければ encoder</translation>
     </message>
 </context>
 <context>
@@ -14264,8 +14268,8 @@
         <translation>ゲイン</translation>
     </message>
     <message>
-        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
-        <translation>残差のゲイン。通常は 1、機械の応答が遅れる場合は 0.7 など。2 以下</translation>
+        <source>Factor for the residuals: 1, or below it, such as 0.7, where the machine responds sluggishly; at most 2</source>
+        <translation>残差に掛けるゲイン。通常は 1、機械の応答が鈍い場合は 0.7 など 1 より小さい値。2 以下</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -14348,8 +14352,8 @@
         <translation>高調波</translation>
     </message>
     <message>
-        <source>Of each period, or of the turn</source>
-        <translation>各周期または 1 回転の高調波の数</translation>
+        <source>Of each period, or of the turn; 1 is the fundamental alone</source>
+        <translation>各周期または 1 回転の高調波の数。1 は基本波のみ</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -14504,8 +14508,8 @@
         <translation>ドリフト</translation>
     </message>
     <message>
-        <source>What runs beside each other are freed from for the table</source>
-        <translation>テーブルの作成時に、走行間のずれから除去するもの</translation>
+        <source>What is taken out of runs that lie beside each other before the table is made</source>
+        <translation>テーブルを作成する前に、互いにずれた走行から除去するもの</translation>
     </message>
     <message>
         <source>offset of each run taken out</source>
@@ -14516,15 +14520,15 @@
         <translation>トレンドを除去</translation>
     </message>
     <message>
-        <source>as it lay</source>
+        <source>alignment</source>
         <translation>置き方</translation>
     </message>
     <message>
-        <source>as it lay, %1 straight</source>
-        <translation>置き方 (%1 を基準)</translation>
+        <source>alignment, lines along %1 level</source>
+        <translation>置き方 (%1 に沿う線の傾きを 0 に)</translation>
     </message>
     <message>
-        <source>as it lay, and scale</source>
+        <source>alignment and scale</source>
         <translation>置き方と倍率</translation>
     </message>
     <message>

@@ -962,6 +962,10 @@
         <translation>无法识别 {file} 的格式；请指定其一：{known}</translation>
     </message>
     <message>
+        <source>the name {file} says no format that can be written; name one with --to: {known}</source>
+        <translation>从名称 {file} 看不出可写入的格式；请用 --to 指定其一：{known}</translation>
+    </message>
+    <message>
         <source>the format of {file} is not known; name one of: {known}; of any other CSV file, say which column is what</source>
         <translation>无法识别 {file} 的格式；请指定其一：{known}；若是其他 CSV 文件，请说明各列的含义</translation>
     </message>
@@ -5517,8 +5521,8 @@
         <translation>使用不同表的测量，或有补偿与无补偿的测量，不能合并</translation>
     </message>
     <message>
-        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at positions that are not multiples of it, or leave the period out</source>
-        <translation>在这些位置上无法辨别周期为 {period} 的误差：它们只落在周期 {classes} 等分中的 {filled} 份，至少需要 {fewest} 份；请在不是该周期整数倍的位置上测量，或不用该周期</translation>
+        <source>these positions cannot tell an error with the period {period}: they lie in {filled} of {classes} equal parts of the period, and {fewest} are needed; measure at targets that are spread over the period (axiscomp targets --period), or leave the period out</source>
+        <translation>在这些位置上无法辨别周期为 {period} 的误差：它们只落在周期 {classes} 等分中的 {filled} 份，至少需要 {fewest} 份；请在分布于整个周期的目标位置上测量（axiscomp targets --period），或不用该周期</translation>
     </message>
     <message numerus="yes">
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
@@ -8391,8 +8395,8 @@
         <translation>用方法 smooth 拟合的已知周期，例如丝杠导程</translation>
     </message>
     <message>
-        <source>Harmonics of each period, and of harmonic (1)</source>
-        <translation>每个周期以及 harmonic 的谐波数（默认：1）</translation>
+        <source>Harmonics of each period, and of the method harmonic, the fundamental counted (1 unless given)</source>
+        <translation>每个周期以及 harmonic 的谐波数，含基波（默认：1）</translation>
     </message>
     <message>
         <source>Length of a turn of a modulo axis, such as 360: the table ends as it begins</source>
@@ -8407,8 +8411,8 @@
         <translation>temperature：由多个热状态下的各趟生成随位置和温度变化的表；--points 和 --distance 再取第二个数字用于温度</translation>
     </message>
     <message>
-        <source>Even grid with N points, for each axis or for all; the targets unless given</source>
-        <translation>N 点的均匀网格，用于各轴或所有轴；未给出时取目标位置</translation>
+        <source>Even grid with N points, for each axis or for all; unless given, that of the targets, where they are even</source>
+        <translation>N 点的均匀网格，用于各轴或所有轴；未给出时取目标位置的网格（若目标位置间隔均匀）</translation>
     </message>
     <message>
         <source>Even grid with spacing D, for each axis or for all</source>
@@ -8463,16 +8467,16 @@
         <translation>将残差合并到测量时启用的表：给出其文件，或用 drive 表示该轴使用的表（--drive、--axis）</translation>
     </message>
     <message>
-        <source>Of the residuals that are merged (1); 0.7 is usual where the machine answers late</source>
-        <translation>所合并残差的增益（默认：1）；机床响应迟缓时通常用 0.7</translation>
+        <source>Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine responds sluggishly</source>
+        <translation>合并前残差所乘的增益（默认：1）；机床响应迟缓时小于 1，如 0.7</translation>
     </message>
     <message>
         <source>Points and tracks</source>
         <translation>点和轨迹</translation>
     </message>
     <message>
-        <source>Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale</source>
-        <translation>去除标准器放置状态的影响：rigid、rigid:X（沿 X 的直线不保留斜率）或 scale</translation>
+        <source>Remove the alignment of the artefact: rigid (position and rotation), rigid:X (rotated so that lines along X have no slope), or scale (its scale as well)</source>
+        <translation>去除标准器放置状态的影响：rigid（位置和旋转）、rigid:X（旋转到沿 X 的直线没有斜率）或 scale（同时去除比例）</translation>
     </message>
     <message>
         <source>Points of the grid that are far from any measured one: smooth or nearest; refused unless given</source>
@@ -8991,7 +8995,7 @@
         <translation>不完整的网格</translation>
     </message>
     <message>
-        <source>Give points without a value that of the nearest measured point, of the plane through all of them (plane), or the values that bend least (smooth)</source>
+        <source>Give points without a value that of the nearest measured point (nearest), of the plane through all of them (plane), or the values that bend least (smooth)</source>
         <translation>填补没有值的点：用最近测量点的值 (nearest)、通过所有测量点的平面上的值 (plane) 或弯曲最小的值 (smooth)</translation>
     </message>
     <message>
@@ -9207,8 +9211,8 @@
         <translation>补偿档案：第一次测量及其排除和修正、预测、表和公差</translation>
     </message>
     <message>
-        <source>Where the drive looks up the table of the two that is its own: encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
-        <translation>驱动器在哪里查两个表中属于它的那一个：encoder（补偿前）或 set（补偿后）；默认按文件所述，否则为 encoder</translation>
+        <source>Where the drive looks its table up (the input or the output, whichever is the drive&apos;s): encoder (before the compensation) or set (after it); by default as the file says, or encoder</source>
+        <translation>驱动器在哪里查自己的表（输入或输出中属于驱动器的那个）：encoder（补偿前）或 set（补偿后）；默认按文件所述，否则为 encoder</translation>
     </message>
 </context>
 <context>
@@ -14264,8 +14268,8 @@
         <translation>增益</translation>
     </message>
     <message>
-        <source>Of the residuals: 1, or 0.7 where the machine answers late; at most 2</source>
-        <translation>残差的增益：1；机床响应迟缓时 0.7；最大 2</translation>
+        <source>Factor for the residuals: 1, or below it, such as 0.7, where the machine responds sluggishly; at most 2</source>
+        <translation>残差所乘的增益：1；机床响应迟缓时小于 1，如 0.7；最大 2</translation>
     </message>
     <message>
         <source>Curve</source>
@@ -14348,8 +14352,8 @@
         <translation>谐波</translation>
     </message>
     <message>
-        <source>Of each period, or of the turn</source>
-        <translation>每个周期或一转的谐波数</translation>
+        <source>Of each period, or of the turn; 1 is the fundamental alone</source>
+        <translation>每个周期或一转的谐波数；1 表示仅基波</translation>
     </message>
     <message>
         <source>Turn</source>
@@ -14504,8 +14508,8 @@
         <translation>漂移</translation>
     </message>
     <message>
-        <source>What runs beside each other are freed from for the table</source>
-        <translation>生成表时，从彼此偏离的各趟中去除的内容</translation>
+        <source>What is taken out of runs that lie beside each other before the table is made</source>
+        <translation>生成表之前，从彼此偏离的各趟中去除的内容</translation>
     </message>
     <message>
         <source>offset of each run taken out</source>
@@ -14516,15 +14520,15 @@
         <translation>去除趋势</translation>
     </message>
     <message>
-        <source>as it lay</source>
+        <source>alignment</source>
         <translation>放置状态</translation>
     </message>
     <message>
-        <source>as it lay, %1 straight</source>
-        <translation>放置状态，%1 为直线</translation>
+        <source>alignment, lines along %1 level</source>
+        <translation>放置状态，沿 %1 的直线无斜率</translation>
     </message>
     <message>
-        <source>as it lay, and scale</source>
+        <source>alignment and scale</source>
         <translation>放置状态和比例</translation>
     </message>
     <message>

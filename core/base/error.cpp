@@ -102,8 +102,9 @@ constexpr std::array errorRows{
     ErrorRow{ErrorCode::PeriodNotResolved, "PeriodNotResolved", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "these positions cannot tell an error with the period {period}: they lie in {filled} "
-            "of {classes} equal parts of the period, and {fewest} are needed; measure at positions "
-            "that are not multiples of it, or leave the period out")},
+            "of {classes} equal parts of the period, and {fewest} are needed; measure at targets "
+            "that are spread over the period (axiscomp targets --period), or leave the period "
+            "out")},
     ErrorRow{ErrorCode::NoDataThere, "NoDataThere", ErrorClass::Request,
         AXISCOMP_COUNTED("Error",
             "{count} points of the grid, at {region}, are more than {distances} distances away "
@@ -400,6 +401,11 @@ Text textOf(const Error& error)
         return {AXISCOMP_TEXT("Error",
                     "the format of {file} is not known; name one of: {known}; of any other CSV "
                     "file, say which column is what"),
+            error.context};
+    if (error.code == ErrorCode::UnknownFormat && error.context.contains("written"))
+        return {AXISCOMP_TEXT("Error",
+                    "the name {file} says no format that can be written; name one with --to: "
+                    "{known}"),
             error.context};
     if (error.code == ErrorCode::UnknownFormat && error.context.contains("opened"))
         return {AXISCOMP_TEXT("Error",

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 
 namespace axiscomp {
@@ -204,13 +205,15 @@ Result<const TableFormat*> outputFormat(const std::string& fileName, const std::
                     .with("format", (*named)->facts.name)}});
     if (*named != nullptr)
         return named;
+    std::vector<const TableFormat*> writable;
+    std::ranges::copy_if(tableFormats(), std::back_inserter(writable),
+        [](const TableFormat* format) { return format->write != nullptr; });
     std::vector<const TableFormat*> candidates;
-    for (const TableFormat* format : tableFormats())
-        if (format->write && hasExtension(format->facts, fileName))
-            candidates.push_back(format);
+    std::ranges::copy_if(writable, std::back_inserter(candidates),
+        [&](const TableFormat* format) { return hasExtension(format->facts, fileName); });
     if (candidates.empty())
-        return fail(
-            ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
+        return fail(ErrorCode::UnknownFormat,
+            {{"file", fileName}, {"known", formatNames(writable)}, {"written", Verbatim{"yes"}}});
     return fail(
         ErrorCode::FormatAmbiguous, {{"file", fileName}, {"candidates", formatNames(candidates)}});
 }

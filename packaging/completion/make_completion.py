@@ -95,7 +95,7 @@ def known_values(formats, measurements):
 def known_arguments(formats):
     """By the name in --help, or by command and name."""
     return {
-        "FILE": ANY_FILE, "IN": ANY_FILE, "OUT": ANY_FILE, "POSITION": TEXT, "NAME": formats, "record": files("axcal"),
+        "FILE": ANY_FILE, "IN": ANY_FILE, "OUT": ANY_FILE, "POSITION": TEXT, "NAME": formats, "RECORD": files("axcal"),
         "PATH": profile_words("file"), "config ACTION": words("show export import"), "config FILE": files("TAMcfg"),
         "plan FILE": files("toml"), "apply FILE": files("toml"),
         "axis-compensation-wizard FILE": files("axcal", "toml", "TAMcfg", "TAMtbl", "csv"),

@@ -548,7 +548,8 @@ void FitForm::retranslateDrive()
         tr("The table to which residuals are added, that was active while they were measured"));
     setItems(m_onto, {tr("nothing"), tr("the table of the axis"), tr("the table of a file…")});
     nameRow(m_gain, tr("Gain"),
-        tr("Of the residuals: 1, or 0.7 where the machine answers late; at most 2"));
+        tr("Factor for the residuals: 1, or below it, such as 0.7, where the machine responds "
+           "sluggishly; at most 2"));
 }
 
 void FitForm::retranslateCurve()
@@ -566,7 +567,8 @@ void FitForm::retranslateCurve()
     nameRow(m_periods, tr("Periods"),
         tr("Known periods above 0, such as the lead of the screw: 10; 2.5"));
     m_periods->setPlaceholderText(tr("none"));
-    nameRow(m_harmonics, tr("Harmonics"), tr("Of each period, or of the turn"));
+    nameRow(m_harmonics, tr("Harmonics"),
+        tr("Of each period, or of the turn; 1 is the fundamental alone"));
     nameRow(m_turn, tr("Turn"),
         tr("Length of a turn of a modulo axis, such as 360: the table ends as it begins"));
     m_turn->setPlaceholderText(tr("no modulo axis"));
@@ -600,7 +602,8 @@ void FitForm::retranslateZero()
     m_home->setPlaceholderText(tr("not known"));
     nameRow(m_slope, tr("Slope"), tr("It is taken out of straightness alone: scale error is real"));
     setItems(m_slope, {tr("kept"), tr("taken out by least squares"), tr("taken out by the ends")});
-    nameRow(m_drift, tr("Drift"), tr("What runs beside each other are freed from for the table"));
+    nameRow(m_drift, tr("Drift"),
+        tr("What is taken out of runs that lie beside each other before the table is made"));
     setItems(m_drift, {tr("kept"), tr("offset of each run taken out"), tr("trend taken out")});
 }
 
@@ -624,11 +627,12 @@ void FitForm::offerBodies()
 {
     constexpr int firstAlong = 2;
     constexpr std::size_t mostAxes = 3;
-    QStringList items{tr("nothing"), tr("as it lay")};
+    QStringList items{tr("nothing"), tr("alignment")};
     for (std::size_t axis = 0; axis < mostAxes; ++axis)
-        items += axis < m_axes.size() ? tr("as it lay, %1 straight").arg(qString(m_axes[axis]))
-                                      : QString();
-    items += tr("as it lay, and scale");
+        items += axis < m_axes.size()
+            ? tr("alignment, lines along %1 level").arg(qString(m_axes[axis]))
+            : QString();
+    items += tr("alignment and scale");
     setItems(m_body, items);
     for (std::size_t axis = 0; axis < mostAxes; ++axis)
         offer(m_body, firstAlong + static_cast<int>(axis), axis < m_axes.size());

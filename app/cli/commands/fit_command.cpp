@@ -363,7 +363,9 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
         ->group(group);
     command
         .add_option("--harmonics", options.harmonics,
-            AXISCOMP_HELP("Help", "Harmonics of each period, and of harmonic (1)"))
+            AXISCOMP_HELP("Help",
+                "Harmonics of each period, and of the method harmonic, the fundamental counted (1 "
+                "unless given)"))
         ->option_text("K")
         ->check(CLI::Range(1, 100))
         ->group(group);
@@ -394,7 +396,8 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
     command
         .add_option("--points", options.file.conversion.points,
             AXISCOMP_HELP("Help",
-                "Even grid with N points, for each axis or for all; the targets unless given"))
+                "Even grid with N points, for each axis or for all; unless given, that of the "
+                "targets, where they are even"))
         ->option_text("N[,N[,N]]")
         ->delimiter(',')
         ->check(CLI::Range(2, 100'000'000))
@@ -483,8 +486,8 @@ void addStateOptions(CLI::App& command, FitOptions& options)
     command
         .add_option("--gain", options.gain,
             AXISCOMP_HELP("Help",
-                "Of the residuals that are merged (1); 0.7 is usual where the machine answers "
-                "late"))
+                "Factor for the residuals before they are merged (1); below 1, such as 0.7, where "
+                "the machine responds sluggishly"))
         ->option_text("GAIN")
         ->group(group);
 }
@@ -495,8 +498,8 @@ void addPointsOptions(CLI::App& command, FitOptions& options)
     command
         .add_option("--remove", options.remove,
             AXISCOMP_HELP("Help",
-                "Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or "
-                "scale"))
+                "Remove the alignment of the artefact: rigid (position and rotation), rigid:X "
+                "(rotated so that lines along X have no slope), or scale (its scale as well)"))
         ->option_text("WHAT")
         ->group(group);
     command
@@ -537,8 +540,9 @@ void addFitCommand(CommandLine& line)
     options->drive.addOptions(*command);
     const std::string examples = AXISCOMP_HELP("Help", "Examples:");
     command->footer(examples
-        + "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder"
-        + "\n  axiscomp fit x.csv -o x.TAMtbl --method smooth --period 10 --distance 0.5"
+        + "\n  axiscomp fit x.rtl -o x.csv --measured-with off --lookup-at encoder --points 51"
+        + "\n  axiscomp fit x.csv -o x.TAMtbl --lookup-at encoder --method smooth --period 10 "
+          "--distance 0.5"
         + FitDrive::example()
         + "\n  axiscomp fit plane.csv -o plane-table.csv --lookup-at encoder --remove rigid"
           " --points 41,31");

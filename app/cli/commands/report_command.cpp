@@ -115,8 +115,7 @@ void addReportCommand(CommandLine& line)
         [options](Environment& environment) { return runReport(environment, *options); });
     command
         ->add_option(
-            "record", options->record, AXISCOMP_HELP("Help", "Record of the compensation (.axcal)"))
-        ->option_text("RECORD")
+            "RECORD", options->record, AXISCOMP_HELP("Help", "Record of the compensation (.axcal)"))
         ->required();
     command
         ->add_option("-o,--output", options->output,

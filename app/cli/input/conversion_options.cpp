@@ -252,8 +252,9 @@ void addLookupOption(CLI::App& command, std::string& lookupAt)
 {
     addLookupOption(command, lookupAt,
         AXISCOMP_HELP("Help",
-            "Where the drive looks up the table of the two that is its own: encoder (before the "
-            "compensation) or set (after it); by default as the file says, or encoder"))
+            "Where the drive looks its table up (the input or the output, whichever is the "
+            "drive's): encoder (before the compensation) or set (after it); by default as the "
+            "file says, or encoder"))
         ->group(AXISCOMP_HELP("Help", "Conversion"));
 }
 

@@ -225,8 +225,9 @@ void addIncompleteGridOptions(CLI::App& command, TableInputOptions& options)
         command
             .add_option("--fill", options.fill,
                 AXISCOMP_HELP("Help",
-                    "Give points without a value that of the nearest measured point, of the plane "
-                    "through all of them (plane), or the values that bend least (smooth)"))
+                    "Give points without a value that of the nearest measured point (nearest), of "
+                    "the plane through all of them (plane), or the values that bend least "
+                    "(smooth)"))
             ->option_text("METHOD")
             ->check(CLI::IsMember(std::vector<std::string>{"nearest", "plane", "smooth"}))
             ->group(group);

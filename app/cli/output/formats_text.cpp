@@ -27,7 +27,9 @@ std::string extensionsText(const FormatFacts& facts)
 
 std::string limitsText(const FormatFacts& facts)
 {
-    std::string text = std::string(knotRuleName(facts.knots)) + " positions";
+    std::string text = facts.knots == KnotRule::SquareCells
+        ? "even positions in square cells"
+        : std::string(knotRuleName(facts.knots)) + " positions";
     if (facts.mostPoints > 0)
         text += ", at most " + countText(facts.mostPoints) + " points";
     if (facts.mostColumns == 1)
@@ -120,8 +122,10 @@ std::string section(const TableFormat& format)
     if (!facts.assumptions.empty())
         text += "\nOur assumptions, where nothing is published:\n\n"
             + bulletList(facts.assumptions, "");
-    text += "\n| setting | meaning |\n|---|---|\n";
-    for (const auto& [key, meaning] : settingLines(facts))
+    const Lines settings = settingLines(facts);
+    if (!settings.empty())
+        text += "\n| setting | meaning |\n|---|---|\n";
+    for (const auto& [key, meaning] : settings)
         text += "| `" + key + "` | " + meaning + " |\n";
     return text + "\n";
 }
@@ -134,7 +138,7 @@ std::string_view knotRuleName(KnotRule rule)
     case KnotRule::Even:
         return "even";
     case KnotRule::SquareCells:
-        return "even, in square cells,";
+        return "square cells";
     case KnotRule::Any:
         break;
     }

@@ -9,7 +9,8 @@ namespace axiscomp::app {
 
 // The facts of the table formats in words, for `axiscomp formats` and docs/formats.md.
 
-[[nodiscard]] std::string_view knotRuleName(KnotRule rule); ///< "any", "even", "square cells"
+[[nodiscard]] std::string_view knotRuleName(
+    KnotRule rule); ///< "any ascending", "even", "square cells"
 [[nodiscard]] std::string dimensionsText(const FormatFacts& facts); ///< "1 to 3"
 [[nodiscard]] std::string outsideWords(const FormatFacts& facts);
 [[nodiscard]] bool holdsSeveral(const FormatFacts& facts); ///< tables or columns

@@ -70,8 +70,8 @@ def inspect(
     dims: D. Number of dimensions of a CSV file: its first D columns are positions
     from_: FORMAT. Format of the input, if content and name leave it open
     set_in: KEY=VALUE. Setting that the file leaves open; `axiscomp formats NAME` lists them
-    fill: METHOD. Give points without a value that of the nearest measured point, of the plane through all of
-        them (plane), or the values that bend least (smooth)
+    fill: METHOD. Give points without a value that of the nearest measured point (nearest), of the plane
+        through all of them (plane), or the values that bend least (smooth)
     crop: Cut the grid to the largest part in which every point has a value
     snap: TOLERANCE. Take positions of a calibration file that are this close to the grid for grid positions,
         in their unit
@@ -138,8 +138,8 @@ def convert(
         not needed if there is only one
     from_: FORMAT. Format of the input, if content and name leave it open
     set_in: KEY=VALUE. Setting that the file leaves open; `axiscomp formats NAME` lists them
-    fill: METHOD. Give points without a value that of the nearest measured point, of the plane through all of
-        them (plane), or the values that bend least (smooth)
+    fill: METHOD. Give points without a value that of the nearest measured point (nearest), of the plane
+        through all of them (plane), or the values that bend least (smooth)
     crop: Cut the grid to the largest part in which every point has a value
     snap: TOLERANCE. Take positions of a calibration file that are this close to the grid for grid positions,
         in their unit
@@ -159,8 +159,8 @@ def convert(
     offset: VALUE. Add this to the values, in their unit
     zero: P[,P[,P]]. Shift the values so that they are 0 at this position
     no_wrap: Treat a modulo axis as a linear one
-    lookup_at: WHERE. Where the drive looks up the table of the two that is its own: encoder (before the
-        compensation) or set (after it); by default as the file says, or encoder
+    lookup_at: WHERE. Where the drive looks its table up (the input or the output, whichever is the drive's):
+        encoder (before the compensation) or set (after it); by default as the file says, or encoder
     points: N[,N[,N]]. Resample onto an even grid with N points, for each source or for all
     distance: D[,D[,D]]. Resample onto an even grid with spacing D, for each source or for all
     within: DEVIATION. Resample onto the coarsest even grid within this deviation, in the unit of the values
@@ -252,8 +252,8 @@ def lookup(
     as_: FORMAT. Print the value that the controller of this format would apply, after conversion
     from_: FORMAT. Format of the input, if content and name leave it open
     set_in: KEY=VALUE. Setting that the file leaves open; `axiscomp formats NAME` lists them
-    fill: METHOD. Give points without a value that of the nearest measured point, of the plane through all of
-        them (plane), or the values that bend least (smooth)
+    fill: METHOD. Give points without a value that of the nearest measured point (nearest), of the plane
+        through all of them (plane), or the values that bend least (smooth)
     crop: Cut the grid to the largest part in which every point has a value
     snap: TOLERANCE. Take positions of a calibration file that are this close to the grid for grid positions,
         in their unit
@@ -267,8 +267,8 @@ def lookup(
     offset: VALUE. Add this to the values, in their unit
     zero: P[,P[,P]]. Shift the values so that they are 0 at this position
     no_wrap: Treat a modulo axis as a linear one
-    lookup_at: WHERE. Where the drive looks up the table of the two that is its own: encoder (before the
-        compensation) or set (after it); by default as the file says, or encoder
+    lookup_at: WHERE. Where the drive looks its table up (the input or the output, whichever is the drive's):
+        encoder (before the compensation) or set (after it); by default as the file says, or encoder
     to_sign: SIDE. Convention of the output: feedback or command; by default that of its format, needed where
         that is assumed
     set_out: KEY=VALUE. Setting that the output format needs; `axiscomp formats NAME` lists them
@@ -702,13 +702,15 @@ def fit(
     method: METHOD. Curve through the means: linear (the default), cubic, spline, smooth or harmonic
     smoothness: S. Of the method smooth, and of points and tracks; by cross-validation unless given
     period: P[,P]. Known periods, such as the lead of the screw, fitted by the method smooth
-    harmonics: K. Harmonics of each period, and of harmonic (1)
+    harmonics: K. Harmonics of each period, and of the method harmonic, the fundamental counted (1 unless
+        given)
     turn: LENGTH. Length of a turn of a modulo axis, such as 360: the table ends as it begins
     direction: CHOICE. Which runs the table is made of: mean of both (the default), positive or negative; both
         makes a table for each, for controllers that keep two
     by: WHAT. temperature: a table over position and temperature, from runs in several thermal states;
         --points and --distance take a second number for it
-    points: N[,N[,N]]. Even grid with N points, for each axis or for all; the targets unless given
+    points: N[,N[,N]]. Even grid with N points, for each axis or for all; unless given, that of the targets,
+        where they are even
     distance: D[,D[,D]]. Even grid with spacing D, for each axis or for all
     within: DEVIATION. The fewest points that leave no more than this to the curve, in mm or deg
     hold: Let the grid extend beyond the targets, where the end values are held
@@ -724,8 +726,10 @@ def fit(
         the file of the table
     onto: TABLE. Merge residuals onto the table that was active: its file, or drive for the one that the axis
         uses (--drive, --axis)
-    gain: GAIN. Of the residuals that are merged (1); 0.7 is usual where the machine answers late
-    remove: WHAT. Take out how an artefact lay: rigid, rigid:X (lines along X keep no slope), or scale
+    gain: GAIN. Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine
+        responds sluggishly
+    remove: WHAT. Remove the alignment of the artefact: rigid (position and rotation), rigid:X (rotated so
+        that lines along X have no slope), or scale (its scale as well)
     fill: HOW. Points of the grid that are far from any measured one: smooth or nearest; refused unless given
     robust: Give values that do not fit the others less weight
     temperature: C. Temperature of the axis's scale in C
@@ -911,7 +915,7 @@ def report(
 ) -> Document:
     """Write the report of a record: by how much an axis became better, on one page.
 
-    record: RECORD. Record of the compensation (.axcal)
+    record: Record of the compensation (.axcal)
     output: FILE. The report; its extension says whether it is PDF or HTML
     language: LANGUAGE. Language of the report: en, de, fr, ja or zh
     lists: Add pages with every target and every value that is left out
@@ -1063,8 +1067,8 @@ def write(
         not needed if there is only one
     from_: FORMAT. Format of the input, if content and name leave it open
     set_in: KEY=VALUE. Setting that the file leaves open; `axiscomp formats NAME` lists them
-    fill: METHOD. Give points without a value that of the nearest measured point, of the plane through all of
-        them (plane), or the values that bend least (smooth)
+    fill: METHOD. Give points without a value that of the nearest measured point (nearest), of the plane
+        through all of them (plane), or the values that bend least (smooth)
     crop: Cut the grid to the largest part in which every point has a value
     snap: TOLERANCE. Take positions of a calibration file that are this close to the grid for grid positions,
         in their unit

@@ -330,7 +330,7 @@ private Q_SLOTS:
                                    << QByteArray("--lookup-at set");
         QTest::newRow("period not resolved")
             << off << encoder + QStringList{"--method", "smooth", "--period", "10"}
-            << QByteArray("PeriodNotResolved") << QByteArray("not multiples");
+            << QByteArray("PeriodNotResolved") << QByteArray("axiscomp targets --period");
         QTest::newRow("points far away")
             << QByteArray("X [mm],Y [mm],dX [um]\n0,0,1\n1,0,2\n0,1,3\n1,1,1\n100,100,1\n")
             << encoder

@@ -321,6 +321,16 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("csv, tamtbl"), run.err.constData());
     }
 
+    void aFormatThatIsOnlyReadIsNotProposedForWriting()
+    {
+        const Sandbox box;
+        box.file("t.csv", line1D);
+        const ProgramRun run = box.run({"convert", "t.csv", "t.docx", "--dims", "1"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("name one with --to: csv, tamtbl"), run.err.constData());
+        QVERIFY2(!run.err.contains("klipper"), run.err.constData());
+    }
+
     void aBrokenTableNamesFieldAndOffset()
     {
         const Sandbox box;
