@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The functions of the commands, and errors."""
 
+import contextlib
+import io
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
 import time
 import unittest
@@ -46,6 +50,18 @@ class Commands(unittest.TestCase):
         said = program("judge", RUNS, "--tolerance", "A=10um", "--json")
         self.assertEqual(json.dumps(document), json.dumps(json.loads(said.stdout)))
         self.assertEqual((document.outcome, document.ok, said.returncode), ("ToleranceNotMet", False, 8))
+
+    def test_the_example_of_the_page_runs_as_it_is_printed(self):
+        page = (SOURCE / "docs/python.md").read_text()
+        example = page.split("\n## Commands\n")[1].split("\n| ")[0]
+        self.assertIn("axiscomp.judge(\"x.rtl\"", example)
+        names = {}
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            shutil.copy(RUNS, f"{folder}/x.csv")
+            with contextlib.chdir(folder):
+                exec(textwrap.dedent(example).replace("x.rtl", "x.csv"), names)
+        self.assertEqual(names["judged"].outcome, "ToleranceNotMet")
+        self.assertIs(names["judged"].ok, False)
 
     def test_the_text_is_that_of_the_command_line(self):
         self.assertEqual(axiscomp.judge(RUNS).text.encode(), program("judge", RUNS).stdout)
