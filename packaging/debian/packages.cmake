@@ -51,7 +51,8 @@ set(common_description
 with one, two or three dimensions) into the servo drive, switches the
 compensation on and proves that the drive adds what it should. Every write
 is verified by reading it back, leaves the axis in the old state or in the
-new one whatever happens in between, and spends the drive's flash knowingly.")
+new one, or, where a drive leaves neither possible, with the compensation
+switched off, and spends the drive's flash knowingly.")
 macro(axiscomp_package component section summary)
   cmake_parse_arguments(arg "NO_LIBRARIES" "ARCHITECTURE" "DEPENDS;RECOMMENDS;SUGGESTS;DESCRIPTION" ${ARGN})
   string(TOUPPER ${component} upper)
