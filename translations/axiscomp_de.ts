@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>output</source>
-        <translation>Ausgabe</translation>
+        <translation>Ausgang</translation>
     </message>
     <message>
         <source>time</source>
@@ -919,7 +919,7 @@
     </message>
     <message>
         <source>the grid of dimension {dimension}, start {start} and distance {distance}, cannot be held by fields of the types {first} and {second}</source>
-        <translation>das Raster der Dimension {dimension} mit Anfang {start} und Schrittweite {distance} lässt sich nicht in Feldern der Typen {first} und {second} darstellen</translation>
+        <translation>das Gitter der Dimension {dimension} mit Anfang {start} und Schrittweite {distance} lässt sich nicht in Feldern der Typen {first} und {second} darstellen</translation>
     </message>
     <message>
         <source>{reason}</source>
@@ -1107,11 +1107,11 @@
     </message>
     <message>
         <source>{reason}. The drive holds the complete old or the complete new state; ask for the status when it answers again. The old state is kept in {backup}</source>
-        <translation>{reason}. Der Antrieb hat vollständig den alten oder vollständig den neuen Stand; den Status abfragen, sobald er wieder antwortet. Der alte Stand ist gesichert in {backup}</translation>
+        <translation>{reason}. Der Antrieb hat vollständig den alten oder vollständig den neuen Zustand; den Status abfragen, sobald er wieder antwortet. Der alte Zustand ist gesichert in {backup}</translation>
     </message>
     <message>
         <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis; restore it from {backup}</source>
-        <translation>{reason}; auch das Zurückstellen des alten Stands ist fehlgeschlagen ({rollback}). Die Achse nicht aktivieren, sondern wiederherstellen aus {backup}</translation>
+        <translation>{reason}; auch das Zurückstellen des alten Zustands ist fehlgeschlagen ({rollback}). Die Achse nicht aktivieren, sondern wiederherstellen aus {backup}</translation>
     </message>
     <message>
         <source>it does not exist</source>
@@ -1763,7 +1763,7 @@
     </message>
     <message>
         <source>there is no backup that differs from what the axis has now</source>
-        <translation>es gibt keine Sicherung, die sich vom jetzigen Stand der Achse unterscheidet</translation>
+        <translation>es gibt keine Sicherung, die sich vom jetzigen Zustand der Achse unterscheidet</translation>
     </message>
     <message>
         <source>the program is ending</source>
@@ -1803,15 +1803,15 @@
     </message>
     <message>
         <source>no write to axis {axis} is unfinished; there is nothing to finish or to undo</source>
-        <translation>kein Schreibvorgang für Achse {axis} ist unvollendet; es gibt nichts abzuschließen oder rückgängig zu machen</translation>
+        <translation>kein Schreibvorgang für Achse {axis} ist unterbrochen; es gibt nichts zu vollenden oder rückgängig zu machen</translation>
     </message>
     <message>
         <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
-        <translation>die neue Tabelle des unvollendeten Schreibvorgangs für Achse {axis} wurde auf diesem Rechner nicht aufbewahrt: neu schreiben oder den Vorgang rückgängig machen</translation>
+        <translation>die neue Tabelle des unterbrochenen Schreibvorgangs für Achse {axis} wurde auf diesem Rechner nicht aufbewahrt: neu schreiben oder den Vorgang rückgängig machen</translation>
     </message>
     <message>
         <source>slot {slot}</source>
-        <translation>Platz {slot}</translation>
+        <translation>Tabellenplatz {slot}</translation>
     </message>
     <message>
         <source>empty</source>
@@ -1839,7 +1839,7 @@
     </message>
     <message>
         <source>the unfinished write to axis {axis}</source>
-        <translation>den unvollendeten Schreibvorgang für Achse {axis}</translation>
+        <translation>den unterbrochenen Schreibvorgang für Achse {axis}</translation>
     </message>
     <message>
         <source>the name of a file beside the journal is expected</source>
@@ -1863,7 +1863,7 @@
     </message>
     <message>
         <source>the table cannot be resampled: {reason}</source>
-        <translation>die Tabelle lässt sich nicht auf ein anderes Raster bringen: {reason}</translation>
+        <translation>die Tabelle lässt sich nicht auf ein anderes Gitter bringen: {reason}</translation>
     </message>
     <message>
         <source>the numbers of the file are taken as they are</source>
@@ -1963,7 +1963,7 @@
     </message>
     <message>
         <source>resampled from {before} points to {after} points: at the positions of the source it is off by at most {largest}, {rms} rms</source>
-        <translation>von {before} auf {after} Punkte umgerechnet: an den Positionen der Quelle weicht es höchstens um {largest} ab, im Mittel (rms) um {rms}</translation>
+        <translation>von {before} auf {after} Punkte umgerechnet: an den Positionen der Quelle weicht es höchstens um {largest} ab, im Effektivwert um {rms}</translation>
     </message>
     <message>
         <source>the numbers of the file are rounded: values by up to {value}</source>
@@ -2015,11 +2015,11 @@
     </message>
     <message>
         <source>{range}: the grid ends at {end}, {distance} behind it</source>
-        <translation>{range}: das Raster endet bei {end}, {distance} dahinter</translation>
+        <translation>{range}: das Gitter endet bei {end}, {distance} dahinter</translation>
     </message>
     <message>
         <source>{range}: the grid ends at {end}, {distance} before its end</source>
-        <translation>{range}: das Raster endet bei {end}, {distance} vor seinem Ende</translation>
+        <translation>{range}: das Gitter endet bei {end}, {distance} vor seinem Ende</translation>
     </message>
     <message>
         <source>the range of {axis} from {from} to {to} is no whole multiple of {distance}</source>
@@ -2031,11 +2031,11 @@
     </message>
     <message>
         <source>the number for the even grid is missing</source>
-        <translation>die Zahl für das gleichmäßige Raster fehlt</translation>
+        <translation>die Zahl für das gleichmäßige Gitter fehlt</translation>
     </message>
     <message>
         <source>the even grid needs one number, or one for each of the {count} source axes</source>
-        <translation>das gleichmäßige Raster braucht eine Zahl oder je eine für die {count} Quellachsen</translation>
+        <translation>das gleichmäßige Gitter braucht eine Zahl oder je eine für die {count} Quellachsen</translation>
     </message>
     <message>
         <source>the format {format} can be written, not read</source>
@@ -2067,11 +2067,11 @@
     </message>
     <message>
         <source>resample it onto an even grid</source>
-        <translation>sie auf ein gleichmäßiges Raster bringen</translation>
+        <translation>sie auf ein gleichmäßiges Gitter bringen</translation>
     </message>
     <message>
         <source>resample it onto a coarser grid</source>
-        <translation>sie auf ein gröberes Raster bringen</translation>
+        <translation>sie auf ein gröberes Gitter bringen</translation>
     </message>
     <message>
         <source>it takes one distance for all sources, and these are different</source>
@@ -2123,7 +2123,7 @@
     </message>
     <message>
         <source>a grid along {axis} needs at least two points</source>
-        <translation>ein Raster entlang {axis} braucht mindestens zwei Punkte</translation>
+        <translation>ein Gitter entlang {axis} braucht mindestens zwei Punkte</translation>
     </message>
     <message>
         <source>the distance along {axis} must be a number above 0</source>
@@ -2143,7 +2143,7 @@
     </message>
     <message>
         <source>the grid would have more than {count} points; take fewer along an axis</source>
-        <translation>das Raster hätte mehr als {count} Punkte; entlang einer Achse weniger nehmen</translation>
+        <translation>das Gitter hätte mehr als {count} Punkte; entlang einer Achse weniger nehmen</translation>
     </message>
     <message>
         <source>calibration file: reference positions and compensation values</source>
@@ -2575,7 +2575,7 @@
     </message>
     <message>
         <source>a grid has at least two points along each axis; allow as many</source>
-        <translation>ein Raster hat entlang jeder Achse mindestens zwei Punkte; so viele zulassen</translation>
+        <translation>ein Gitter hat entlang jeder Achse mindestens zwei Punkte; so viele zulassen</translation>
     </message>
     <message>
         <source>a full turn of {axis} begins with {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
@@ -2587,7 +2587,7 @@
     </message>
     <message>
         <source>grids for {count} axes are given, the table has {axes}</source>
-        <translation>Raster sind für {count} Achsen angegeben, die Tabelle hat {axes}</translation>
+        <translation>Gitter sind für {count} Achsen angegeben, die Tabelle hat {axes}</translation>
     </message>
     <message>
         <source>the points along {axis} would be so close that positions cannot tell them apart; take fewer</source>
@@ -2599,7 +2599,7 @@
     </message>
     <message>
         <source>the grid along {axis} must end above its start, not go from {from} to {to}</source>
-        <translation>das Raster entlang {axis} muss über seinem Anfang enden, nicht von {from} bis {to} gehen</translation>
+        <translation>das Gitter entlang {axis} muss über seinem Anfang enden, nicht von {from} bis {to} gehen</translation>
     </message>
     <message>
         <source>{count} points along {axis} are more than {most}</source>
@@ -2611,15 +2611,15 @@
     </message>
     <message>
         <source>the grid along {axis} must be one full turn, from {from} to {to}</source>
-        <translation>das Raster entlang {axis} muss eine volle Umdrehung sein, von {from} bis {to}</translation>
+        <translation>das Gitter entlang {axis} muss eine volle Umdrehung sein, von {from} bis {to}</translation>
     </message>
     <message>
         <source>the grid along {axis} begins at {from}, before the data at {data}; stay within the data, or let the end values be held</source>
-        <translation>das Raster entlang {axis} beginnt bei {from}, vor den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
+        <translation>das Gitter entlang {axis} beginnt bei {from}, vor den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
     </message>
     <message>
         <source>the grid along {axis} ends at {to}, behind the data at {data}; stay within the data, or let the end values be held</source>
-        <translation>das Raster entlang {axis} endet bei {to}, hinter den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
+        <translation>das Gitter entlang {axis} endet bei {to}, hinter den Daten bei {data}; innerhalb der Daten bleiben oder die Endwerte halten lassen</translation>
     </message>
     <message>
         <source>a distance of {distance} along {axis} makes more than {count} points</source>
@@ -4599,7 +4599,7 @@
     </message>
     <message>
         <source>it was kept about a write that did not end, but is damaged ({reason}). Look at what the drive holds, then delete the file</source>
-        <translation>sie gehört zu einem nicht beendeten Schreibvorgang, ist aber beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei löschen</translation>
+        <translation>sie gehört zu einem nicht beendeten Schreibvorgang, ist aber beschädigt ({reason}). Den Zustand des Antriebs prüfen, dann die Datei löschen</translation>
     </message>
     <message>
         <source>it is about axis {axis} of drive {drive}</source>
@@ -4811,7 +4811,7 @@
     </message>
     <message>
         <source>its journal of an interrupted write is damaged ({reason}). Look at what the drive holds, then move the file away</source>
-        <translation>ihr Journal eines unterbrochenen Schreibvorgangs ist beschädigt ({reason}). Den Stand des Antriebs prüfen, dann die Datei an einen anderen Ort verschieben</translation>
+        <translation>ihr Journal eines unterbrochenen Schreibvorgangs ist beschädigt ({reason}). Den Zustand des Antriebs prüfen, dann die Datei an einen anderen Ort verschieben</translation>
     </message>
     <message>
         <source>{axis} is taken for {first} to {last} in steps of {distance}; the largest shift is {shift}, at {position}</source>
@@ -4943,7 +4943,7 @@
     </message>
     <message>
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine; schreiben Sie sie zuerst in diesen Slot</translation>
+        <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine; schreiben Sie sie zuerst in diesen Tabellenplatz</translation>
     </message>
     <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
@@ -4951,7 +4951,7 @@
     </message>
     <message>
         <source>the profile has no slot {slot}</source>
-        <translation>das Profil hat keinen Slot {slot}</translation>
+        <translation>das Profil hat keinen Tabellenplatz {slot}</translation>
     </message>
     <message>
         <source>the station {station} has no register {path}</source>
@@ -5795,7 +5795,7 @@
     </message>
     <message>
         <source>a track is fitted on the grid itself, or by --method smooth, which known periods (--period) need; leave other methods out</source>
-        <translation>eine Bahn wird auf dem Gitter selbst angepasst oder mit --method smooth, das bekannte Perioden (--period) brauchen; lassen Sie andere Methoden weg</translation>
+        <translation>eine Bahn wird auf dem Gitter selbst angepasst oder mit --method smooth, das bekannte Perioden (--period) brauchen; lassen Sie andere Verfahren weg</translation>
     </message>
     <message>
         <source>--robust is for a fit on the grid itself; leave out --robust or --method smooth</source>
@@ -5807,7 +5807,7 @@
     </message>
     <message>
         <source>a home position is that of one axis measured over targets; take --zero first, mean, keep or a position</source>
-        <translation>eine Referenzposition gehört zu einer Achse, die über Zielpositionen gemessen wurde; nehmen Sie --zero first, mean, keep oder eine Position</translation>
+        <translation>ein Referenzpunkt gehört zu einer Achse, die über Zielpositionen gemessen wurde; nehmen Sie --zero first, mean, keep oder eine Position</translation>
     </message>
     <message>
         <source>--remove is for points of two or three axes; a track has one</source>
@@ -5843,7 +5843,7 @@
     </message>
     <message>
         <source>a smoothness is for the method smooth (--method smooth); the others go through every mean</source>
-        <translation>eine Glättung ist für die Methode smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
+        <translation>eine Glättung ist für das Verfahren smooth (--method smooth); die anderen gehen durch jeden Mittelwert</translation>
     </message>
     <message>
         <source>the position {position} of the zero is outside the targets, which go from {from} to {to}</source>
@@ -6131,7 +6131,7 @@
     </message>
     <message>
         <source>{count} values are here, and the grid has {expected} points</source>
-        <translation>hier stehen {count} Werte, und das Raster hat {expected} Punkte</translation>
+        <translation>hier stehen {count} Werte, und das Gitter hat {expected} Punkte</translation>
     </message>
     <message>
         <source>this list has {count} elements, and the others have {expected}</source>
@@ -6387,19 +6387,19 @@
     </message>
     <message>
         <source>these are residuals of the table {crc}, which was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
-        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+        <translation>das sind Restabweichungen der Tabelle {crc}, die während der Messung aktiv war: rechnen Sie sie in diese Tabelle ein, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
     </message>
     <message>
         <source>these are residuals of a table that was active while they were measured: merge them onto that table, from its file or from the drive (--onto and the file, or --onto drive)</source>
-        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: verbinden Sie sie mit dieser Tabelle, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
+        <translation>das sind Restabweichungen einer Tabelle, die während der Messung aktiv war: rechnen Sie sie in diese Tabelle ein, aus ihrer Datei oder vom Antrieb (--onto und die Datei oder --onto drive)</translation>
     </message>
     <message>
         <source>it was measured with the table {crc} active, which is not {name} ({known}), nor any other table known; give its file (--measured-with), or merge onto it</source>
-        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei an (--measured-with), oder verbinden Sie mit ihr</translation>
+        <translation>während der Messung war die Tabelle {crc} aktiv; das ist weder {name} ({known}) noch eine andere bekannte Tabelle; geben Sie ihre Datei an (--measured-with), oder rechnen Sie in sie ein</translation>
     </message>
     <message>
         <source>it was measured with the compensation off: the values are the whole error, and must not be added to {name}; merge them onto nothing (leave out --onto), or measure with that table active</source>
-        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; verbinden Sie sie mit nichts (--onto weglassen), oder messen Sie mit dieser Tabelle aktiv</translation>
+        <translation>während der Messung war die Kompensation aus: die Werte sind der ganze Fehler und dürfen nicht zu {name} addiert werden; rechnen Sie sie in keine Tabelle ein (--onto weglassen), oder messen Sie mit dieser Tabelle aktiv</translation>
     </message>
     <message>
         <source>at which position the drive looks the table up decides where its values belong: choose the encoder, for a position before the compensation, or the set position, for one after it (--lookup-at encoder or --lookup-at set)</source>
@@ -6407,7 +6407,7 @@
     </message>
     <message>
         <source>how the artefact lay is found from the deviations along all of its axes, but there is no column for {axis}, such as d{axis}; take out nothing (--remove)</source>
-        <translation>wie das Normal lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; nehmen Sie nichts heraus (--remove)</translation>
+        <translation>wie der Prüfkörper lag, ergibt sich aus den Abweichungen entlang aller seiner Achsen, aber für {axis} fehlt eine Spalte wie d{axis}; nehmen Sie nichts heraus (--remove)</translation>
     </message>
     <message>
         <source>the positions along {axis} are no even grid; say the grid of the table: its points, or their distance (--points or --distance)</source>
@@ -6415,15 +6415,15 @@
     </message>
     <message>
         <source>a table over temperature is made of runs with targets along one axis</source>
-        <translation>eine Tabelle über der Temperatur entsteht aus Läufen mit Zielpositionen entlang einer Achse</translation>
+        <translation>eine Tabelle über der Temperatur entsteht aus Durchläufen mit Zielpositionen entlang einer Achse</translation>
     </message>
     <message>
         <source>the home position of the axis is not known: give it (--home), or the position of the zero (--zero)</source>
-        <translation>die Referenzposition der Achse ist nicht bekannt: geben Sie sie an (--home), oder die Position der Nullstelle (--zero)</translation>
+        <translation>der Referenzpunkt der Achse ist nicht bekannt: geben Sie ihn an (--home), oder die Position der Nullstelle (--zero)</translation>
     </message>
     <message>
         <source>the home position {home} is outside the targets, so that the error there is not known; take the first target for the zero or another position (--zero)</source>
-        <translation>die Referenzposition {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie für die Nullstelle die erste Zielposition oder eine andere Position (--zero)</translation>
+        <translation>der Referenzpunkt {home} liegt außerhalb der Zielpositionen, der Fehler dort ist also nicht bekannt; nehmen Sie für die Nullstelle die erste Zielposition oder eine andere Position (--zero)</translation>
     </message>
     <message>
         <source>the targets are not evenly spaced; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
@@ -6431,7 +6431,7 @@
     </message>
     <message>
         <source>the thermal states span {span}, less than five times the {scatter} by which the temperature varies within them: let the machine settle before each run</source>
-        <translation>die thermischen Zustände umfassen {span}, weniger als das Fünffache der {scatter}, um die die Temperatur in ihnen schwankt: lassen Sie die Maschine vor jedem Lauf zur Ruhe kommen</translation>
+        <translation>die thermischen Zustände umfassen {span}, weniger als das Fünffache der {scatter}, um die die Temperatur in ihnen schwankt: lassen Sie die Maschine vor jedem Durchlauf zur Ruhe kommen</translation>
     </message>
     <message>
         <source>at {temperature} it was measured from {from} to {to}, at {other} from {otherFrom} to {otherTo}: measure the same range in each thermal state</source>
@@ -6447,7 +6447,7 @@
     </message>
     <message>
         <source>residuals are not merged over temperature: measure with the compensation off</source>
-        <translation>Restfehler werden über der Temperatur nicht zusammengeführt: messen Sie mit ausgeschalteter Kompensation</translation>
+        <translation>Restabweichungen werden über der Temperatur nicht eingerechnet: messen Sie mit ausgeschalteter Kompensation</translation>
     </message>
     <message>
         <source>a table over temperature has two dimensions: give at most two numbers for its grid</source>
@@ -6495,7 +6495,7 @@
     </message>
     <message>
         <source>there is no axis whose table the residuals could be merged onto; choose one, or take the file of the table</source>
-        <translation>es gibt keine Achse, mit deren Tabelle die Restabweichungen verbunden werden könnten; wählen Sie eine, oder nehmen Sie die Datei der Tabelle</translation>
+        <translation>es gibt keine Achse, in deren Tabelle die Restabweichungen eingerechnet werden könnten; wählen Sie eine, oder nehmen Sie die Datei der Tabelle</translation>
     </message>
     <message>
         <source>the table of the axis is still being read from the drive</source>
@@ -6507,11 +6507,11 @@
     </message>
     <message>
         <source>all runs were measured in one thermal state; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
-        <translation>alle Läufe wurden in einem thermischen Zustand gemessen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</translation>
+        <translation>alle Durchläufe wurden in einem thermischen Zustand gemessen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Durchläufe innerhalb von {gap} sind ein Zustand)</translation>
     </message>
     <message>
         <source>the runs were measured in {count} thermal states that span {span}; a table over temperature needs at least two, {least} apart (runs within {gap} are one state)</source>
-        <translation>die Läufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Läufe innerhalb von {gap} sind ein Zustand)</translation>
+        <translation>die Durchläufe wurden in {count} thermischen Zuständen gemessen, die {span} umfassen; eine Tabelle über der Temperatur braucht mindestens zwei, die {least} auseinander liegen (Durchläufe innerhalb von {gap} sind ein Zustand)</translation>
     </message>
     <message>
         <source>a table for each direction is made of runs over targets; make those of a track one after the other (--direction positive, then --direction negative)</source>
@@ -6519,7 +6519,7 @@
     </message>
     <message>
         <source>{name} has one value for both directions, and so has what is merged onto it: make the table of the mean (--direction mean)</source>
-        <translation>{name} hat einen Wert für beide Richtungen, also auch, was damit verbunden wird: die Tabelle des Mittels erstellen (--direction mean)</translation>
+        <translation>{name} hat einen Wert für beide Richtungen, also auch, was darin eingerechnet wird: die Tabelle des Mittels erstellen (--direction mean)</translation>
     </message>
     <message>
         <source>a table over position and temperature is for a drive, which has one value for both directions (--direction mean)</source>
@@ -6539,7 +6539,7 @@
     </message>
     <message>
         <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>was an Achse {measured} gemessen wurde, wird nicht mit {name} verbunden, das zu Achse {axis} gehört: die Tabelle der gemessenen Achse nehmen</translation>
+        <translation>was an Achse {measured} gemessen wurde, wird nicht in {name} eingerechnet, das zu Achse {axis} gehört: die Tabelle der gemessenen Achse nehmen</translation>
     </message>
     <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
@@ -8019,15 +8019,15 @@
     </message>
     <message>
         <source>the axis had other sources with {name}, so that its values may belong to other positions: merge onto nothing (leave out --onto), since with the raw positions on file the values are the whole error</source>
-        <translation>mit {name} hatte die Achse andere Quellen, sodass deren Werte zu anderen Positionen gehören können: mit nichts verbinden (--onto weglassen), denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
+        <translation>mit {name} hatte die Achse andere Quellen, sodass deren Werte zu anderen Positionen gehören können: in keine Tabelle einrechnen (--onto weglassen), denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
     </message>
     <message>
         <source>a gain is for residuals that are merged onto a table (--onto); here the values are the whole error</source>
-        <translation>ein Faktor ist für Restabweichungen, die mit einer Tabelle verbunden werden (--onto); hier sind die Werte der ganze Fehler</translation>
+        <translation>ein Faktor ist für Restabweichungen, die in eine Tabelle eingerechnet werden (--onto); hier sind die Werte der ganze Fehler</translation>
     </message>
     <message>
         <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>was entlang einer Achse gemessen wurde, wird mit einer Tabelle von einer Dimension verbunden; {name} hat {dimensions}</translation>
+        <translation>was entlang einer Achse gemessen wurde, wird in eine Tabelle von einer Dimension eingerechnet; {name} hat {dimensions}</translation>
     </message>
     <message>
         <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
@@ -8035,7 +8035,7 @@
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
-        <translation>über der Temperatur wird nichts zusammengeführt: --onto weglassen, denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
+        <translation>über der Temperatur wird nichts eingerechnet: --onto weglassen, denn mit den Rohpositionen in der Datei sind die Werte der ganze Fehler</translation>
     </message>
     <message>
         <source>a unit that is not stated</source>
@@ -8131,7 +8131,7 @@
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
-        <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Stand hinterlassen: sie wird nicht aktiviert. Den Schreibvorgang mit &apos;axiscomp recover --finish&apos; abschließen, mit &apos;axiscomp recover --undo&apos; rückgängig machen, oder neu schreiben. Der alte Stand ist aufbewahrt in {backup}</translation>
+        <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Zustand hinterlassen: sie wird nicht aktiviert. Den Schreibvorgang mit &apos;axiscomp recover --finish&apos; vollenden, mit &apos;axiscomp recover --undo&apos; rückgängig machen, oder neu schreiben. Der alte Zustand ist aufbewahrt in {backup}</translation>
     </message>
     <message>
         <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
@@ -8477,11 +8477,11 @@
     </message>
     <message>
         <source>Where the table is 0: home, first (the first target), mean, keep, or a position; home where it is known and measured, else first, unless given</source>
-        <translation>Wo die Tabelle 0 ist: home, first (erste Zielposition), mean, keep oder eine Position; ohne Angabe home, wenn die Referenzposition bekannt und gemessen ist, sonst first</translation>
+        <translation>Wo die Tabelle 0 ist: home, first (erste Zielposition), mean, keep oder eine Position; ohne Angabe home, wenn der Referenzpunkt bekannt und gemessen ist, sonst first</translation>
     </message>
     <message>
         <source>Home position of the axis</source>
-        <translation>Referenzposition der Achse</translation>
+        <translation>Referenzpunkt der Achse</translation>
     </message>
     <message>
         <source>Take the slope out, for straightness: lsq (least squares) or ends</source>
@@ -8505,7 +8505,7 @@
     </message>
     <message>
         <source>Merge residuals onto the table that was active: its file, or drive for the one that the axis uses (--drive, --axis)</source>
-        <translation>Restabweichungen mit der Tabelle verbinden, die aktiv war: ihre Datei, oder drive für die, die die Achse verwendet (--drive, --axis)</translation>
+        <translation>Restabweichungen in die Tabelle einrechnen, die aktiv war: ihre Datei, oder drive für die, die die Achse verwendet (--drive, --axis)</translation>
     </message>
     <message>
         <source>Factor for the residuals before they are merged (1); below 1, such as 0.7, where the machine responds sluggishly</source>
@@ -9205,7 +9205,7 @@
     </message>
     <message>
         <source>Activate the compensation, and compare the drive&apos;s output with the table</source>
-        <translation>Die Kompensation aktivieren und die Ausgabe des Antriebs mit der Tabelle vergleichen</translation>
+        <translation>Die Kompensation aktivieren und den Ausgang des Antriebs mit der Tabelle vergleichen</translation>
     </message>
     <message>
         <source>Deactivate the compensation</source>
@@ -9530,7 +9530,7 @@
     </message>
     <message>
         <source>a track without targets</source>
-        <translation>eine Aufzeichnung ohne Zielpositionen</translation>
+        <translation>eine Bahn ohne Zielpositionen</translation>
     </message>
     <message>
         <source>points of a plane or space</source>
@@ -9570,7 +9570,7 @@
     </message>
     <message>
         <source>merged onto {name} with gain {gain}: a value changes by at most {change}, at {place}</source>
-        <translation>mit {name} verbunden, Faktor {gain}: ein Wert ändert sich um höchstens {change}, bei {place}</translation>
+        <translation>in {name} eingerechnet, Faktor {gain}: ein Wert ändert sich um höchstens {change}, bei {place}</translation>
     </message>
     <message>
         <source>the table improves little: {figure} from {before} to {after}, less than a fifth</source>
@@ -9602,7 +9602,7 @@
     </message>
     <message>
         <source>{table} adds {value} at the home position {home}</source>
-        <translation>{table} addiert an der Referenzposition {home} {value}</translation>
+        <translation>{table} addiert am Referenzpunkt {home} {value}</translation>
     </message>
     <message>
         <source>over a turn, from {from} to {to}, {table} ends {jump} above where it begins</source>
@@ -9642,11 +9642,11 @@
     </message>
     <message>
         <source>{table} explains {share} % of the variance of {count} values; {rms} rms remains</source>
-        <translation>{table} erklärt {share} % der Varianz von {count} Werten; {rms} (quadratisches Mittel) bleiben</translation>
+        <translation>{table} erklärt {share} % der Varianz von {count} Werten; {rms} (Effektivwert) bleiben</translation>
     </message>
     <message>
         <source>{table} explains little: values that were left out are foretold with {left} rms, and they are {values} rms themselves</source>
-        <translation>{table} erklärt wenig: weggelassene Werte werden auf {left} vorhergesagt (quadratisches Mittel), selbst sind die Werte {values} groß</translation>
+        <translation>{table} erklärt wenig: weggelassene Werte werden auf {left} vorhergesagt (Effektivwert), selbst sind die Werte {values} groß</translation>
     </message>
     <message numerus="yes">
         <source>{count} values lie outside the grid and were left out</source>
@@ -9726,7 +9726,7 @@
     </message>
     <message>
         <source>what is left follows the slope of the error before: the table is shifted by about {shift} against the axis; look at the home position and the source of the table</source>
-        <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzposition und Quelle der Tabelle prüfen</translation>
+        <translation>was bleibt, folgt der Steigung des Fehlers vorher: die Tabelle ist um etwa {shift} gegen die Achse verschoben; Referenzpunkt und Quelle der Tabelle prüfen</translation>
     </message>
     <message>
         <source>not known</source>
@@ -9850,7 +9850,7 @@
     </message>
     <message>
         <source>from {from} to {to} nothing was measured, {gap} of a turn of {turn}: there the table is guessed, and no figure knows of it; measure the whole turn</source>
-        <translation>von {from} bis {to} wurde nichts gemessen, {gap} einer Umdrehung von {turn}: dort ist die Tabelle geraten, und keine Kenngröße weiß davon; messen Sie die ganze Umdrehung</translation>
+        <translation>von {from} bis {to} wurde nichts gemessen, {gap} einer Umdrehung von {turn}: dort ist die Tabelle geraten, und kein Kennwert weiß davon; messen Sie die ganze Umdrehung</translation>
     </message>
     <message>
         <source>most of this error is reversal, which no table removes: the table is for one direction, and up to {reversal} remains in the other</source>
@@ -9862,11 +9862,11 @@
     </message>
     <message>
         <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für die Lage des Normals und den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
+        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für die Lage des Prüfkörpers und den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
     </message>
     <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
-        <translation>jede Kenngröße, vorher und vorhergesagt, ist die größte eines thermischen Zustands und aller Läufe zusammen</translation>
+        <translation>jeder Kennwert, vorher und vorhergesagt, ist der größte eines thermischen Zustands und aller Durchläufe zusammen</translation>
     </message>
     <message>
         <source>{constant} was taken out of all values of both tables for their zero</source>
@@ -9987,7 +9987,7 @@
     </message>
     <message>
         <source>the grid is incomplete</source>
-        <translation>das Raster ist unvollständig</translation>
+        <translation>das Gitter ist unvollständig</translation>
     </message>
     <message>
         <source>the positions are not evenly spaced</source>
@@ -9995,7 +9995,7 @@
     </message>
     <message>
         <source>resample the data onto an even grid</source>
-        <translation>die Daten auf ein gleichmäßiges Raster umrechnen</translation>
+        <translation>die Daten auf ein gleichmäßiges Gitter umrechnen</translation>
     </message>
     <message>
         <source>there are too few points</source>
@@ -10007,7 +10007,7 @@
     </message>
     <message>
         <source>choose a coarser grid, or split the file</source>
-        <translation>ein gröberes Raster wählen oder die Datei aufteilen</translation>
+        <translation>ein gröberes Gitter wählen oder die Datei aufteilen</translation>
     </message>
     <message>
         <source>this is not a text file</source>
@@ -10027,7 +10027,7 @@
     </message>
     <message>
         <source>the even grid is used; print more decimals if that is not meant</source>
-        <translation>verwendet wird das gleichmäßige Raster; ist das nicht gemeint, mehr Nachkommastellen ausgeben</translation>
+        <translation>verwendet wird das gleichmäßige Gitter; ist das nicht gemeint, mehr Nachkommastellen ausgeben</translation>
     </message>
     <message>
         <source>a value loses precision when it is stored as float32</source>
@@ -10382,7 +10382,7 @@
     </message>
     <message>
         <source>drift taken out for the table, not for figures</source>
-        <translation>Drift für die Tabelle entfernt, nicht für Kenngrößen</translation>
+        <translation>Drift für die Tabelle entfernt, nicht für Kennwerte</translation>
     </message>
     <message>
         <source>smooth grid of scattered points</source>
@@ -10582,7 +10582,7 @@
     </message>
     <message>
         <source>Figures of ISO 230-2:2014 in {unit}</source>
-        <translation>Kenngrößen nach ISO 230-2:2014 in {unit}</translation>
+        <translation>Kennwerte nach ISO 230-2:2014 in {unit}</translation>
     </message>
     <message>
         <source>predicted</source>
@@ -10610,7 +10610,7 @@
     </message>
     <message>
         <source>Uncertainty U, k = 2</source>
-        <translation>Unsicherheit U, k = 2</translation>
+        <translation>Messunsicherheit U, k = 2</translation>
     </message>
     <message>
         <source>value</source>
@@ -10622,7 +10622,7 @@
     </message>
     <message>
         <source>uncertainty U, k = 2</source>
-        <translation>Unsicherheit U, k = 2</translation>
+        <translation>Messunsicherheit U, k = 2</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -10702,7 +10702,7 @@
     </message>
     <message>
         <source>Made by Axis Compensation Wizard {version}. Figures that the values do not define are not defined; what is not on record is not stated.</source>
-        <translation>Erstellt von Axis Compensation Wizard {version}. Kenngrößen, die sich aus den Werten nicht ergeben, sind nicht definiert; was nicht im Protokoll steht, ist nicht angegeben.</translation>
+        <translation>Erstellt von Axis Compensation Wizard {version}. Kennwerte, die sich aus den Werten nicht ergeben, sind nicht definiert; was nicht im Protokoll steht, ist nicht angegeben.</translation>
     </message>
     <message>
         <source>Targets before, in {unit}</source>
@@ -11194,7 +11194,7 @@
     </message>
     <message>
         <source>Deletes the axis&apos;s table from the drive and frees its slot</source>
-        <translation>Löscht die Tabelle der Achse vom Antrieb und gibt ihren Slot frei</translation>
+        <translation>Löscht die Tabelle der Achse vom Antrieb und gibt ihren Tabellenplatz frei</translation>
     </message>
     <message>
         <source>Evaluate, restore a backup, or delete the table</source>
@@ -11401,7 +11401,7 @@
     </message>
     <message>
         <source>This axis has no unfinished write.</source>
-        <translation>Diese Achse hat keinen unvollendeten Schreibvorgang.</translation>
+        <translation>Diese Achse hat keinen unterbrochenen Schreibvorgang.</translation>
     </message>
     <message>
         <source>Completes the interrupted write.</source>
@@ -11449,7 +11449,7 @@
     </message>
     <message>
         <source>finishing the write</source>
-        <translation>Schreiben wird abgeschlossen</translation>
+        <translation>Schreibvorgang wird vollendet</translation>
     </message>
     <message>
         <source>undoing the write</source>
@@ -12782,7 +12782,7 @@
     </message>
     <message>
         <source>The even grid may end beyond the last position</source>
-        <translation>Das gleichmäßige Raster darf hinter der letzten Position enden</translation>
+        <translation>Das gleichmäßige Gitter darf hinter der letzten Position enden</translation>
     </message>
     <message>
         <source>choose the format</source>
@@ -13536,7 +13536,7 @@
     </message>
     <message>
         <source>Slot</source>
-        <translation>Platz</translation>
+        <translation>Tabellenplatz</translation>
     </message>
     <message>
         <source>Sources</source>
@@ -14292,7 +14292,7 @@
     </message>
     <message>
         <source>the table that is merged onto</source>
-        <translation>der Tabelle, mit der verbunden wird</translation>
+        <translation>der Tabelle, in die eingerechnet wird</translation>
     </message>
     <message>
         <source>the table of a file…</source>
@@ -14300,7 +14300,7 @@
     </message>
     <message>
         <source>Merge onto</source>
-        <translation>Verbinden mit</translation>
+        <translation>Einrechnen in</translation>
     </message>
     <message>
         <source>The table to which residuals are added, that was active while they were measured</source>
@@ -14328,7 +14328,7 @@
     </message>
     <message>
         <source>Method</source>
-        <translation>Methode</translation>
+        <translation>Verfahren</translation>
     </message>
     <message>
         <source>The curve through or near the means</source>
@@ -14492,11 +14492,11 @@
     </message>
     <message>
         <source>home, else first target</source>
-        <translation>Referenz, sonst erste Zielposition</translation>
+        <translation>Referenzpunkt, sonst erste Zielposition</translation>
     </message>
     <message>
         <source>at the home position</source>
-        <translation>an der Referenzposition</translation>
+        <translation>am Referenzpunkt</translation>
     </message>
     <message>
         <source>at the first target</source>
@@ -14524,11 +14524,11 @@
     </message>
     <message>
         <source>Home</source>
-        <translation>Referenz</translation>
+        <translation>Referenzpunkt</translation>
     </message>
     <message>
         <source>The home position of the axis</source>
-        <translation>Die Referenzposition der Achse</translation>
+        <translation>Der Referenzpunkt der Achse</translation>
     </message>
     <message>
         <source>not known</source>
@@ -14592,7 +14592,7 @@
     </message>
     <message>
         <source>How the artefact lay is no error of the machine</source>
-        <translation>Wie das Normal lag, ist kein Fehler der Maschine</translation>
+        <translation>Wie der Prüfkörper lag, ist kein Fehler der Maschine</translation>
     </message>
     <message>
         <source>Far points</source>
@@ -14634,7 +14634,7 @@
     <name>axiscomp::ui::FitPage</name>
     <message>
         <source>Merge onto</source>
-        <translation>Verbinden mit</translation>
+        <translation>Einrechnen in</translation>
     </message>
     <message>
         <source>Measured with</source>
@@ -14756,7 +14756,7 @@
     </message>
     <message>
         <source>What remains, rms</source>
-        <translation>Was bleibt, quadratisches Mittel</translation>
+        <translation>Was bleibt, Effektivwert</translation>
     </message>
     <message>
         <source>What remains, largest</source>
@@ -14776,7 +14776,7 @@
     </message>
     <message>
         <source>Held out</source>
-        <translation>Ohne sie</translation>
+        <translation>Ausgelassen</translation>
     </message>
     <message>
         <source>Warning: %1</source>
@@ -14812,7 +14812,7 @@
     </message>
     <message>
         <source>Held out: each target foretold without it, which is the one to believe between the targets.</source>
-        <translation>Ohne sie: jede Zielposition ohne sie selbst vorhergesagt; dem ist zwischen den Zielpositionen zu glauben.</translation>
+        <translation>Ausgelassen: jede Zielposition ohne sie selbst vorhergesagt; dem ist zwischen den Zielpositionen zu glauben.</translation>
     </message>
     <message>
         <source>Figures before and foretold</source>
@@ -15650,7 +15650,7 @@
     </message>
     <message>
         <source>Slot</source>
-        <translation>Platz</translation>
+        <translation>Tabellenplatz</translation>
     </message>
     <message>
         <source>What will be written</source>
@@ -15730,15 +15730,15 @@
     <name>axiscomp::ui::Outcome</name>
     <message>
         <source>The drive holds the complete old state.</source>
-        <translation>Der Antrieb hat vollständig den alten Stand.</translation>
+        <translation>Der Antrieb hat vollständig den alten Zustand.</translation>
     </message>
     <message>
         <source>It is stored in flash.</source>
-        <translation>Er ist im Flash-Speicher abgelegt.</translation>
+        <translation>Die Tabelle ist im Flash-Speicher abgelegt.</translation>
     </message>
     <message>
         <source>It is volatile: a reboot of the drive restores the stored state.</source>
-        <translation>Sie ist flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
+        <translation>Die Tabelle ist flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
     </message>
     <message>
         <source>Written and verified: the drive holds the new state. %1</source>
@@ -15774,7 +15774,7 @@
     </message>
     <message>
         <source>Restored: the drive holds the state from before the write of %1.</source>
-        <translation>Wiederhergestellt: der Antrieb hat den Stand vor dem Schreiben vom %1.</translation>
+        <translation>Wiederhergestellt: der Antrieb hat den Zustand vor dem Schreiben vom %1.</translation>
     </message>
     <message>
         <source>The drive holds the complete new state; nothing more to do.</source>
@@ -15786,7 +15786,7 @@
     </message>
     <message>
         <source>%1 The write is still unfinished.</source>
-        <translation>%1 Der Schreibvorgang ist weiterhin unvollendet.</translation>
+        <translation>%1 Der Schreibvorgang ist weiterhin unterbrochen.</translation>
     </message>
     <message>
         <source>Finished and verified: the drive holds the complete new state.</source>
@@ -15798,7 +15798,7 @@
     </message>
     <message>
         <source>The drive holds the complete new state, but its parameters may not be saved.</source>
-        <translation>Der Antrieb hat den vollständigen neuen Stand, aber seine Parameter sind möglicherweise nicht gespeichert.</translation>
+        <translation>Der Antrieb hat den vollständigen neuen Zustand, aber seine Parameter sind möglicherweise nicht gespeichert.</translation>
     </message>
     <message>
         <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>
@@ -15838,11 +15838,11 @@
     </message>
     <message>
         <source>Restored: the drive holds the state in the backup file of %1, made of the drive with the serial number %2.</source>
-        <translation>Wiederhergestellt: der Antrieb hat den Stand in der Sicherungsdatei vom %1; sie ist von dem Antrieb mit der Seriennummer %2.</translation>
+        <translation>Wiederhergestellt: der Antrieb hat den Zustand in der Sicherungsdatei vom %1; sie ist von dem Antrieb mit der Seriennummer %2.</translation>
     </message>
     <message>
         <source>Restored: the drive holds the state in the backup file of %1.</source>
-        <translation>Wiederhergestellt: der Antrieb hat den Stand in der Sicherungsdatei vom %1.</translation>
+        <translation>Wiederhergestellt: der Antrieb hat den Zustand in der Sicherungsdatei vom %1.</translation>
     </message>
     <message>
         <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
@@ -17212,7 +17212,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Brings all axes of %1 back to the backup in %2, one after the other. All writes are checked before the first one begins; each one makes a backup and is verified. No compensation is switched on.</source>
-        <translation>Bringt alle Achsen von %1 nacheinander auf den Stand der Sicherung in %2. Alle Schreibvorgänge werden geprüft, bevor der erste beginnt; jeder legt eine Sicherung an und wird verifiziert. Keine Kompensation wird eingeschaltet.</translation>
+        <translation>Bringt alle Achsen von %1 nacheinander auf den Zustand der Sicherung in %2. Alle Schreibvorgänge werden geprüft, bevor der erste beginnt; jeder legt eine Sicherung an und wird verifiziert. Keine Kompensation wird eingeschaltet.</translation>
     </message>
     <message>
         <source>The backup is of &amp;another drive, which this one replaces</source>
@@ -17824,7 +17824,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Output %1 · Index %2</source>
-        <translation>Ausgabe %1 · Index %2</translation>
+        <translation>Ausgang %1 · Index %2</translation>
     </message>
     <message>
         <source>The state of the compensation of this axis</source>
@@ -17832,7 +17832,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Live values of the drive: the compensation output and the table index</source>
-        <translation>Live-Werte des Antriebs: die Ausgabe der Kompensation und der Tabellenindex</translation>
+        <translation>Live-Werte des Antriebs: der Ausgang der Kompensation und der Tabellenindex</translation>
     </message>
     <message>
         <source>since %1</source>
@@ -18582,7 +18582,7 @@ B - A: %3</translation>
     </message>
     <message>
         <source>This is the state in the backup file of %1.</source>
-        <translation>Das ist der Stand in der Sicherungsdatei vom %1.</translation>
+        <translation>Das ist der Zustand in der Sicherungsdatei vom %1.</translation>
     </message>
 </context>
 </TS>

@@ -35,8 +35,8 @@ private Q_SLOTS:
                 {{"reason", inner}, {"rollback", aFolder}, {"backup", Verbatim{"/tmp/b.json"}}},
                 {}}),
             QStringLiteral(
-                "Achse 0 muss zuerst referenziert werden; auch das Zurückstellen des alten Stands "
-                "ist fehlgeschlagen (das ist ein Ordner). Die Achse nicht aktivieren, sondern "
+                "Achse 0 muss zuerst referenziert werden; auch das Zurückstellen des alten "
+                "Zustands ist fehlgeschlagen (das ist ein Ordner). Die Achse nicht aktivieren, sondern "
                 "wiederherstellen aus /tmp/b.json."));
     }
 
