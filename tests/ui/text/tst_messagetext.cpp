@@ -36,8 +36,8 @@ private Q_SLOTS:
                 {}}),
             QStringLiteral(
                 "Achse 0 muss zuerst referenziert werden; auch das Zurückstellen des alten "
-                "Zustands ist fehlgeschlagen (das ist ein Ordner). Die Achse nicht aktivieren, sondern "
-                "wiederherstellen aus /tmp/b.json."));
+                "Zustands ist fehlgeschlagen (das ist ein Ordner). Die Achse nicht aktivieren, "
+                "sondern wiederherstellen aus /tmp/b.json."));
     }
 
     void numbersHaveTheDecimalSignOfTheLanguageAndNamesKeepTheirs()
