@@ -4,6 +4,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
 #include "core/text/number_text.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -140,6 +141,7 @@ private:
     void assign(const Token& name, const Token& value);
     void assignParameter(const Token& name, const Token& value);
     void assignElement(const Token& name, const Token& value);
+    void checkComma(const Token& value, const Token& word);
     void checkEndOfValue(const Token& value, const Token& word);
     void scan();
     [[nodiscard]] NeutralTable table(const Definition& definition);
@@ -235,6 +237,16 @@ void Reader::assign(const Token& name, const Token& value)
         assignElement(name, value);
 }
 
+/// Behind a value and a comma: of "0,1" the 0 alone would be another number.
+void Reader::checkComma(const Token& value, const Token& word)
+{
+    if (word.text.front() >= '0' && word.text.front() <= '9')
+        m_diagnostics.error(DiagnosticCode::NotANumber, value.line, value.column,
+            Verbatim{
+                excerpt(std::string(value.text) + ',' + std::string(word.text), Encoding::Utf8)},
+            AXISCOMP_TEXT("Error", "a number with a decimal point"));
+}
+
 /// Behind a value: of "2*UM" the 2 alone would be another number.
 void Reader::checkEndOfValue(const Token& value, const Token& word)
 {
@@ -248,11 +260,15 @@ void Reader::scan()
 {
     Token last;
     Token value; ///< directly before the word
+    Token valueBeforeComma; ///< when the comma is directly before the word
     while (const auto word = m_words.next()) {
         if (m_reading.isStopped())
             return;
+        if (valueBeforeComma)
+            checkComma(valueBeforeComma, *word);
         if (value)
             checkEndOfValue(value, *word);
+        valueBeforeComma = word->text == "," ? value : Token{};
         value = {};
         if (sameLetters(word->text, parameterType)) {
             begin(Inside::Parameters, *word);
