@@ -2,6 +2,7 @@
 #include "core/formats/aerotech/aerotech_file.h"
 
 #include "core/formats/units.h"
+#include "core/text/decimal_comma.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -44,7 +45,9 @@ void takeDirective(const Token& line, Block& block, DiagnosticList& diagnostics)
             continue;
         }
         const std::size_t begin = skip(next + 1);
-        const std::size_t stop = std::min(text.find_first_of(blanks, begin), text.size());
+        std::size_t stop = std::min(text.find_first_of(" \t", begin), text.size());
+        if (commasBetweenDigits(text.substr(begin, stop - begin)) == 0)
+            stop = std::min(text.find_first_of(blanks, begin), stop);
         if (!word || begin == stop) {
             diagnostics.error(DiagnosticCode::Syntax, line.line, line.column + at,
                 quoted(text.substr(at)), AXISCOMP_TEXT("Error", "KEY=VALUE"));
@@ -76,6 +79,7 @@ private:
     void takeStart(const Token& line);
     void takeEnd(const Token& line);
     void takeValues(const Token& line);
+    void checkCommas();
     [[nodiscard]] bool isOpen() const { return m_isOpen; }
 
     const TextReading& m_reading;
@@ -83,6 +87,7 @@ private:
     std::vector<Block> m_blocks;
     std::vector<Token> m_tokens;
     std::vector<std::string> m_notes;
+    DecimalCommaCheck m_commas;
     bool m_isOpen = false;
 };
 
@@ -130,10 +135,21 @@ void BlockReader::takeValues(const Token& line)
         m_blocks.back().start = line;
     }
     Block& block = m_blocks.back();
+    m_commas.take(line);
     splitTokens(line, blanks, m_tokens);
     readNumbers(
         m_tokens, AXISCOMP_TEXT("Error", "a correction"), block.values, m_reading.diagnostics);
     block.lines.push_back({line.line, m_tokens.size()});
+}
+
+void BlockReader::checkCommas()
+{
+    if (const Token number = m_commas.doubtful())
+        m_reading.diagnostics.error(DiagnosticCode::NotANumber, number.line, number.column,
+            quoted(number.text),
+            AXISCOMP_TEXT("Error",
+                "decimal points, and blanks between the numbers; nobody can tell a decimal comma "
+                "from one that separates two numbers"));
 }
 
 std::vector<Block> BlockReader::read()
@@ -167,6 +183,7 @@ std::vector<Block> BlockReader::read()
             takeValues(line);
         }
     }
+    checkCommas();
     if (m_isOpen)
         m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             AXISCOMP_TEXT("Error", ":END of the table that begins in line {line}")
@@ -234,6 +251,9 @@ std::optional<double> numberOption(
     if (!option->value)
         diagnostics.error(DiagnosticCode::Syntax, place.line, place.column, quoted(place.text),
             AXISCOMP_TEXT("Error", "{key}= and a number").with("key", key));
+    else if (commasBetweenDigits(place.text) > 0)
+        reportNotANumber(
+            place, AXISCOMP_TEXT("Error", "a number with a decimal point"), diagnostics);
     else
         return readNumber(
             place, AXISCOMP_TEXT("Error", "the number of {key}").with("key", key), diagnostics);

@@ -2,6 +2,7 @@
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
 #include "core/formats/klipper/klipper_config.h"
+#include "core/text/decimal_comma.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -125,7 +126,9 @@ std::vector<double> valuesOf(const Entry& entry, DiagnosticList& diagnostics)
 {
     std::vector<double> values;
     std::vector<Token> cells;
+    DecimalCommaCheck commas;
     for (const Token& line : entry) {
+        commas.take(line);
         splitCells(line, ',', cells);
         if (cells.size() > 1 && !cells.back() && &line != &entry.back())
             cells.pop_back(); // the list goes on in the next line
@@ -133,6 +136,12 @@ std::vector<double> valuesOf(const Entry& entry, DiagnosticList& diagnostics)
             values.push_back(readNumber(cell, AXISCOMP_TEXT("Error", "a value in mm"), diagnostics)
                                  .value_or(0.0));
     }
+    if (const Token number = commas.doubtful())
+        diagnostics.error(DiagnosticCode::NotANumber, number.line, number.column,
+            Verbatim{excerpt(number.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error",
+                "decimal points, and a comma with a blank between the values; nobody can tell a "
+                "decimal comma from one that separates two values"));
     return values;
 }
 

@@ -3,6 +3,7 @@
 #include "core/metrology/formats/measurement_csv.h"
 #include "core/metrology/formats/measurement_formats.h"
 #include "core/metrology/formats/run_assembly.h"
+#include "core/text/decimal_comma.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
@@ -85,16 +86,6 @@ std::optional<Entry> entryOf(const Token& line)
     if (colon == std::string_view::npos)
         return std::nullopt;
     return Entry{trimmed(line.text.substr(0, colon)), trimmedToken(line.part(colon + 1))};
-}
-
-/// "25,31" may be two numbers, or one with a decimal comma.
-bool hasCommaBetweenDigits(std::string_view text)
-{
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    for (std::size_t i = 1; i + 1 < text.size(); ++i)
-        if (text[i] == ',' && isDigit(text[i - 1]) && isDigit(text[i + 1]))
-            return true;
-    return false;
 }
 
 bool areFlags(const std::vector<Token>& flags, std::initializer_list<std::string_view> expected)
@@ -248,7 +239,7 @@ void Reader::takeNumbers(const Token& text)
     std::vector<Token> tokens;
     splitTokens(text, " \t", tokens);
     for (const Token& token : tokens)
-        if (!m_doubtfulTarget && hasCommaBetweenDigits(token.text))
+        if (!m_doubtfulTarget && commasBetweenDigits(token.text) > 0)
             m_doubtfulTarget = token;
     splitTokens(text, " \t,", tokens);
     for (const Token& token : tokens)

@@ -51,6 +51,13 @@ void describe(test::FormatSample& sample)
     sample.warning("home offset and unknown options", homed,
         {"3:47 UnknownKey COLOUR|", "3:18 Assumption HOMEOFFSET 2|"});
 
+    // Commas that can only separate: of numbers with points, of three numbers, before a blank.
+    sample.warning("commas between numbers with points", with("1 2\n", "0.5,1.5\n"), {});
+    sample.warning("commas between whole numbers", with("1 2\n", "1,2,3\n5,6\n"), {});
+    sample.warning("commas and blanks", with("1 2\n", "1, 2,\n"), {});
+    sample.warning(
+        "commas between options", with("SAMPLEDIST=5 POSUNIT", "SAMPLEDIST=5,POSUNIT"), {});
+
     const NeutralTable noted =
         changed(ownTable("2", 11), [](NeutralTable& table) { table.notes = {"warm machine"}; });
     const NeutralTable rotary = test::commandTable(
@@ -116,6 +123,10 @@ void describe(test::FormatSample& sample)
     row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
         "3:18 Contradiction OFFSET a second time|each option once");
     row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
+    row("decimal commas", with("1 2\n  -4", "0,5 1,5\n  -4,5"),
+        "4:1 NotANumber 0,5|decimal points, and blanks between the numbers");
+    row("a distance with a decimal comma", with("SAMPLEDIST=5", "SAMPLEDIST=10,5"),
+        "2:21 NotANumber 10,5|a number with a decimal point");
     row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 correction|");
     row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
         "2:0 LimitExceeded a correction that is too large");

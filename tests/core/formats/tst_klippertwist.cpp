@@ -58,6 +58,8 @@ void describe(test::FormatSample& sample)
     sample.warning("ends of the first firmware",
         "[axis_twist_compensation]\nz_compensations: 1,\n  2,\n  4\nstart_x: 0\nend_x = 10\n",
         {"5:0 Assumption start_x and end_x as the ends"});
+    sample.warning("values between commas without blanks",
+        with("-0.050833, -0.005208, 0.056042", "-0.050833,0.005208,0.056042"), {});
     sample.warning("an entry twice",
         autosaved
             + "#*# [axis_twist_compensation]\n"
@@ -80,6 +82,8 @@ void describe(test::FormatSample& sample)
         "1:0 TooFewPoints 0 values|at least 2");
     row("a value that is none", with("-0.005208", "-0.005208mm"),
         "10:34 NotANumber -0.005208mm|a value in mm");
+    row("decimal commas", with("-0.050833, -0.005208, 0.056042", "-0,05, -0,005, 0,056"),
+        "10:24 NotANumber -0,05|decimal points, and a comma with a blank between the values");
     row("a value is missing", with("-0.005208,", ","), "10:34 NotANumber |a value in mm");
     row("start is end", with("= 210.0", "= 30"), "12:0 NotMonotonic 30 after 30|an end above");
     row("an end that is none", with("= 210.0", "= right"), "12:26 NotANumber right|a position");
