@@ -37,9 +37,15 @@ std::string chosenUnit(const NeutralTable& table, const SettingValues& settings)
 
 } // namespace
 
-void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
+void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics,
+    std::string_view stated)
 {
-    const std::string unit = settings.text(settings.has(positionKey) ? positionKey : valueKey);
+    const std::string set = settings.text(settings.has(positionKey) ? positionKey : valueKey);
+    const std::string unit = set.empty() ? std::string(stated) : set;
+    if (!stated.empty() && !isSameUnit(unit, stated))
+        diagnostics.error(DiagnosticCode::Contradiction, 0, 0,
+            AXISCOMP_TEXT("Error", "numbers in {unit}, as the file says").with("unit", stated),
+            AXISCOMP_TEXT("Error", "{unit}, as the setting says").with("unit", unit));
     for (SourceAxis& axis : table.axes)
         axis.unit = unit;
     for (CompensationColumn& column : table.columns) {

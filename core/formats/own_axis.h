@@ -10,8 +10,10 @@ namespace axiscomp {
 // correction, which the controller adds to it, have one unit, which they do not say either.
 
 /// Reading: the unit is what position-unit or value-unit says, or a warning that nobody says it;
-/// a Contradiction when they say different units.
-void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+/// a Contradiction when they say different units. stated: the unit that the file itself says; a
+/// Contradiction when a setting says another one.
+void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics,
+    std::string_view stated = {});
 
 /// Writing: the table as such a format holds it, without names, in the unit of the settings or
 /// else that of its positions, which is added to remarks. Errors: those of checkOwnAxis;

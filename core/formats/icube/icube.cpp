@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/header.h"
 #include "core/formats/format_reader.h"
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
 #include "core/formats/wrap_range.h"
+#include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
@@ -62,17 +64,72 @@ bool isPair(const std::vector<Token>& cells)
     return cells.size() == 2 && numberOf(cells[0].text) && numberOf(cells[1].text);
 }
 
-/// Whether a header begins as a row would: perhaps it was meant to be one.
-bool looksLikeRow(const Token& line)
+/// Whether a header begins as a row would, or has no words but digits, as with a Unicode minus or
+/// in quotation marks: perhaps it was meant to be one.
+bool looksLikeRow(const Token& line, const std::vector<Token>& cells)
 {
+    constexpr std::string_view digits = "0123456789";
     const Token first = trimmedToken(line);
-    return first && std::string_view("0123456789+-.").find(first.text[0]) != std::string_view::npos;
+    const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
+    return digits.find(first.text[0]) != std::string_view::npos
+        || std::string_view("+-.").find(first.text[0]) != std::string_view::npos
+        || (cells.size() > 1 && line.text.find_first_of(digits) != std::string_view::npos
+            && std::ranges::none_of(line.text, isLetter));
+}
+
+/// The leading lines that are not two numbers.
+struct Headers {
+    Token row; ///< the first one that may be a point
+    std::size_t rows = 0; ///< how many may be points
+    std::string positionUnit;
+    std::string offsetUnit;
+};
+
+void takeHeader(
+    const Token& line, const std::vector<Token>& cells, Headers& headers, TextReading& source)
+{
+    if (looksLikeRow(line, cells)) {
+        headers.row = headers.rows++ == 0 ? line : headers.row;
+        return;
+    }
+    if (cells.size() != 2 || !headers.positionUnit.empty() || !headers.offsetUnit.empty())
+        return;
+    const auto unitIn = [](const Token& cell) {
+        const std::string unit =
+            csv::columnName(excerpt(trimmedToken(cell).text, Encoding::Utf8)).unit;
+        return isPositionUnit(unit) ? unit : std::string();
+    };
+    headers.positionUnit = unitIn(cells[0]);
+    headers.offsetUnit = unitIn(cells[1]);
+    const std::string& unit = headers.positionUnit;
+    if (!unit.empty() && !headers.offsetUnit.empty() && !isSameUnit(unit, headers.offsetUnit))
+        source.diagnostics.error(DiagnosticCode::Contradiction, line.line, 0,
+            Verbatim{excerpt(line.text, Encoding::Utf8)},
+            AXISCOMP_TEXT("Error",
+                "one unit for positions and offsets, which the controller adds; a calibration file "
+                "is read with --from {format}")
+                .with("format", Verbatim{"csv"}));
+}
+
+void reportRowsInHeader(const Headers& headers, TextReading& source)
+{
+    const Verbatim found{excerpt(headers.row.text, Encoding::Utf8)};
+    source.diagnostics.warning(DiagnosticCode::Assumption, headers.row.line, 0,
+        headers.rows == 1
+            ? AXISCOMP_TEXT("Error", "\"{line}\", which is taken to be a header")
+                  .with("line", found)
+            : AXISCOMP_TEXT(
+                "Error", "{count} lines that are taken to be headers, the first of them \"{line}\"")
+                  .with("count", headers.rows)
+                  .with("line", found),
+        AXISCOMP_TEXT("Error", "{expected}, if it is a point").with("expected", twoNumbers));
 }
 
 struct Points {
     std::vector<double> positions;
     std::vector<double> offsets;
     std::vector<std::size_t> lines;
+    std::string unit; ///< that the header says
 };
 
 void takeRow(const std::vector<Token>& cells, Points& points, TextReading& source)
@@ -102,7 +159,7 @@ Points pointsOf(TextReading& source)
     Points points;
     TextLines lines(source.text);
     std::vector<Token> cells;
-    Token rowInHeader;
+    Headers headers;
     bool isInHeader = true;
     while (const auto line = lines.next()) {
         if (trimmedToken(*line).text.empty())
@@ -113,17 +170,17 @@ Points pointsOf(TextReading& source)
         isInHeader = isInHeader && !isPair(cells);
         if (!isInHeader)
             takeRow(cells, points, source);
-        else if (!rowInHeader && looksLikeRow(*line))
-            rowInHeader = *line;
+        else
+            takeHeader(*line, cells, headers, source);
     }
-    const Verbatim found{excerpt(rowInHeader.text, Encoding::Utf8)};
     if (isInHeader)
-        source.error(invalidFormat, DiagnosticCode::Syntax, rowInHeader.line, 0, found,
+        source.error(invalidFormat, DiagnosticCode::Syntax, headers.row.line, 0,
+            Verbatim{excerpt(headers.row.text, Encoding::Utf8)},
             AXISCOMP_TEXT("Error", "lines of {expected}").with("expected", twoNumbers));
-    else if (rowInHeader)
-        source.diagnostics.warning(DiagnosticCode::Assumption, rowInHeader.line, 0,
-            AXISCOMP_TEXT("Error", "\"{line}\", which is taken to be a header").with("line", found),
-            AXISCOMP_TEXT("Error", "{expected}, if it is a point").with("expected", twoNumbers));
+    else if (headers.rows > 0)
+        reportRowsInHeader(headers, source);
+    // Of the offsets alone it says nothing of the positions.
+    points.unit = headers.positionUnit;
     return points;
 }
 
@@ -149,7 +206,9 @@ Quantity sumAt(
 
 bool checkDirection(const Points& points, TextReading& source)
 {
-    const auto& [positions, offsets, lines] = points;
+    const std::vector<double>& positions = points.positions;
+    const std::vector<double>& offsets = points.offsets;
+    const std::vector<std::size_t>& lines = points.lines;
     if (positions.size() < 2) {
         source.error(invalidFormat, DiagnosticCode::TooFewPoints, lines.front(), 0,
             AXISCOMP_TEXT("Error", "1 point"), AXISCOMP_TEXT("Error", "at least 2"));
@@ -222,7 +281,7 @@ std::vector<NeutralTable> parse(TextReading& source)
     }
     table.axes[0].knots = std::move(points.positions);
     table.columns[0].values = std::move(points.offsets);
-    takeOneUnit(table, source.settings, source.diagnostics);
+    takeOneUnit(table, source.settings, source.diagnostics, points.unit);
     return {std::move(table)};
 }
 

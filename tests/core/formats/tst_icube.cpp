@@ -46,6 +46,21 @@ void describe(test::FormatSample& sample)
     sample.applies({{{0.5}, 0.15}}, headers);
     sample.warning("leading lines that are not two numbers are headers", headers, {});
     sample.warning("a header that may be a point", "0,0.1,7\n1,0.1\n2,0.2\n", {"1:0 Assumption"});
+    sample.warning("a point with a Unicode minus", "\u221210,0.1\n0,0\n10,0.2\n",
+        {"1:0 Assumption \"\u221210,0.1\", which is taken to be a header"});
+    sample.warning("points in quotation marks", "\"0\",\"0.1\"\n\"1\",\"0.1\"\n2,0\n3,0\n",
+        {"1:0 Assumption 2 lines that are taken to be headers, the first of them"});
+    sample.warning(
+        "a unit in the header", "Position [um],Offset (um)\n0,0.1\n1,0.2\n", {}, FormatSettings());
+    sample.warning(
+        "a unit of the positions", "Position [um],Offset\n0,0.1\n1,0.2\n", {}, FormatSettings());
+    sample.warning("a unit of the offsets alone", "Position,Offset [um]\n0,0.1\n1,0.2\n",
+        {"0:0 UnitNotGiven"}, FormatSettings());
+    sample.problem("two units in the header", "Position [mm],Offset [um]\n0,0.1\n1,0.2\n",
+        "1:0 Contradiction Position [mm],Offset [um]|one unit for positions and offsets");
+    sample.problem("another unit in the header than in the settings",
+        "Position [um],Offset [um]\n0,0.1\n1,0.2\n",
+        "0:0 Contradiction numbers in um, as the file says|mm, as the setting says");
     sample.warning("a unit that nobody says", example, {"0:0 UnitNotGiven"}, FormatSettings());
 
     const FormatSettings twoUnits{{"position-unit", "mm"}, {"value-unit", "um"}};
