@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace axiscomp {
 
@@ -75,6 +77,33 @@ void TextReading::error(std::string_view number, DiagnosticCode code, std::size_
         .found = std::move(found),
         .expected = std::move(expected),
         .controllerError = std::string(number)});
+}
+
+void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& diagnostics)
+{
+    constexpr unsigned positive = 1;
+    constexpr unsigned negative = 2;
+    std::map<std::string, unsigned> directionsOf;
+    std::set<std::string> named;
+    for (const NeutralTable& table : tables)
+        for (const CompensationColumn& column : table.columns) {
+            std::string axes;
+            for (const SourceAxis& axis : table.axes)
+                axes += axis.name + '\n';
+            axes += column.target;
+            const unsigned directions = column.direction == Direction::Both ? positive | negative
+                : column.direction == Direction::Positive                   ? positive
+                                                                            : negative;
+            unsigned& before = directionsOf[axes];
+            if ((before & directions) != 0 && named.insert(axes).second)
+                diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
+                    AXISCOMP_TEXT("Error", "several tables of {axes}")
+                        .with("axes", columnText(table, column)),
+                    AXISCOMP_TEXT("Error",
+                        "their sum, since the controller adds them; a table that is converted "
+                        "alone is a part of it"));
+            before |= directions;
+        }
 }
 
 Result<TableReading> readText(const FormatFacts& facts, std::string_view text,

@@ -4,6 +4,8 @@
 #include "core/formats/table_format.h"
 #include "core/text/diagnostic.h"
 
+#include <span>
+
 namespace axiscomp {
 
 /// What a reader of a text has at hand.
@@ -18,6 +20,10 @@ struct TextReading {
     void error(std::string_view number, DiagnosticCode code, std::size_t line, std::size_t column,
         Text found, Text expected);
 };
+
+/// A warning for each axis that several tables of a file correct over the same sources and in the
+/// same direction, where the controller adds them: one alone is a part of what acts on the machine.
+void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& diagnostics);
 
 /// Reads a text with a format's own `parse`, whose tables count unless there was an error or a
 /// stop. What every reader does round it: settings, binary and oversized files, problems. Errors:

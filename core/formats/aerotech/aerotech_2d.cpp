@@ -221,6 +221,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
     for (aerotech::Block& block : aerotech::readBlocks(reading, directive))
         if (auto table = tableOf(block, reading))
             tables.push_back(std::move(*table));
+    warnOfAddedTables(tables, reading.diagnostics);
     return tables;
 }
 

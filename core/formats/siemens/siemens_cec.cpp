@@ -264,6 +264,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
             add(tables, std::move(*table));
     if (!tables.empty())
         tables.front().notes = std::move(notes);
+    warnOfAddedTables(tables, reading.diagnostics);
     return tables;
 }
 

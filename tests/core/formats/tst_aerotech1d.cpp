@@ -51,6 +51,10 @@ void describe(test::FormatSample& sample)
     sample.warning("home offset and unknown options", homed,
         {"3:47 UnknownKey COLOUR|", "3:18 Assumption HOMEOFFSET 2|"});
 
+    sample.warning("two tables of one axis, which the controller adds", file + file,
+        {"0:0 Assumption several tables of 1"});
+    sample.warning("tables of two axes", file + with(":START 1 ", ":START 2 "), {});
+
     // Commas that can only separate: of numbers with points, of three numbers, before a blank.
     sample.warning("commas between numbers with points", with("1 2\n", "0.5,1.5\n"), {});
     sample.warning("commas between whole numbers", with("1 2\n", "1,2,3\n5,6\n"), {});

@@ -54,6 +54,8 @@ void describe(test::FormatSample& sample)
     // values may flow freely
     sample.applies({{{0, -10}, 0.005}}, with("1 -1  2 -2  3 -3\n4 -4", "1 -1\n2 -2 3\n-3 4 -4"));
     sample.warning("nothing to complain of", turned, {});
+    sample.warning("two tables of the same axes, which the controller adds", file + file,
+        {"0:0 Assumption several tables of 1", "0:0 Assumption several tables of 1"});
     sample.recognises(Recognition::Certain, {file});
     sample.recognises(Recognition::No, {":START 1 SAMPLEDIST=5\n", "X,Y\n1,2\n"});
 

@@ -74,6 +74,12 @@ void describe(test::FormatSample& sample)
         {"1:1 LimitExceeded"});
     sample.applies({{{400}, 0.03}}, weight + "1.0 ; as it is\n" + program);
     const std::string others = "$AN_CEC_INPUT_NCU[0]=1\n$AA_ENC_COMP[0,0,X]=1\n" + program;
+    const auto twoTables = [](const char* first, const char* second) {
+        return "CHANDATA(1)\n" + tableText("0", first) + tableText("1", second) + "M17\n";
+    };
+    sample.warning("two tables of one axis, which the controller adds", twoTables("0", "1"),
+        {"0:0 Assumption several tables of AX2 to AX1"});
+    sample.warning("a table of each direction", twoTables("1", "-1"), {});
     sample.warning(
         "an unknown variable and another format", others, {"1:1 UnknownKey", "2:1 Assumption"});
     sample.applies({{{400}, 0.03}}, others);
