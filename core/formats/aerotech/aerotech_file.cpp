@@ -223,6 +223,11 @@ void checkOptions(
                 AXISCOMP_TEXT("Error", "{what} a second time")
                     .with("what", quoted(option.key.text)),
                 AXISCOMP_TEXT("Error", "each option once"));
+        if (option.value && sameLetters(option.key.text, "NEGCOR"))
+            diagnostics.error(DiagnosticCode::Syntax, option.value.line, option.value.column,
+                quoted(option.value.text),
+                AXISCOMP_TEXT("Error", "{key} without a value, or no {key}")
+                    .with("key", quoted(option.key.text)));
     }
 }
 

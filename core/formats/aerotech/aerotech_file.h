@@ -36,7 +36,8 @@ struct Block {
 /// The blocks of a file; directive: ":START" or ":START2D". Every block has an end and readable
 /// values, or there is an error.
 [[nodiscard]] std::vector<Block> readBlocks(const TextReading& reading, std::string_view directive);
-/// A warning for each option that is none of these, an error for one that is there twice.
+/// A warning for each option that is none of these, an error for one that is there twice and for
+/// NEGCOR with a value, which might be meant to switch it off.
 void checkOptions(
     const Block& block, std::span<const std::string_view> known, DiagnosticList& diagnostics);
 [[nodiscard]] Recognition recogniseFile(std::string_view text, std::string_view directive);

@@ -131,6 +131,8 @@ void describe(test::FormatSample& sample)
         "4:1 NotANumber 0,5|decimal points, and blanks between the numbers");
     row("a distance with a decimal comma", with("SAMPLEDIST=5", "SAMPLEDIST=10,5"),
         "2:21 NotANumber 10,5|a number with a decimal point");
+    row("NEGCOR with a value", with("OFFSET=10", "OFFSET=10 NEGCOR=0"),
+        "3:25 Syntax 0|NEGCOR without a value, or no NEGCOR");
     row("one value", ":START 1 SAMPLEDIST=5\n7\n:END\n", "1:0 TooFewPoints 1 correction|");
     row("values beyond a double", with("METRIC/1000", "METRIC/1e-310"),
         "2:0 LimitExceeded a correction that is too large");

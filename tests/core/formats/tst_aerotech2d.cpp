@@ -123,6 +123,8 @@ void describe(test::FormatSample& sample)
     row("decimal commas of one row that fit the count",
         with("1 -1  2 -2  3 -3\n4 -4  5 -5  6 -6\n", "1,5 -1,5  2,5 -2,5  3,5 -3,5\n"),
         "5:1 NotANumber 1,5|decimal points, and blanks between the numbers");
+    row("NEGCOR with a value", with("OFFSETCOL=5", "OFFSETCOL=5 NEGCOR = FALSE"),
+        "4:31 Syntax FALSE|NEGCOR without a value, or no NEGCOR");
     row("no end", with(":END\n", ""), "0:0 Syntax |:END of the table that begins in line 2");
 }
 
