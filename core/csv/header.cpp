@@ -39,6 +39,17 @@ std::optional<ColumnName> withUnitInBrackets(std::string_view text)
     return std::nullopt;
 }
 
+/// With ( and ) for the full-width brackets of Japanese and Chinese texts.
+std::string withPlainBrackets(std::string_view text)
+{
+    std::string plain(text);
+    for (const auto& [wide, narrow] : {std::pair<std::string_view, char>("\uff08", '('),
+             {"\uff09", ')'}, {"\uff3b", '('}, {"\uff3d", ')'}, {"\u3010", '('}, {"\u3011", ')'}})
+        for (std::size_t at = plain.find(wide); at != std::string::npos; at = plain.find(wide, at))
+            plain.replace(at, wide.size(), 1, narrow);
+    return plain;
+}
+
 /// "x / mm" (ISO 80000-1), "X error in um"
 std::optional<ColumnName> withUnitBehind(std::string_view text)
 {
@@ -51,6 +62,32 @@ std::optional<ColumnName> withUnitBehind(std::string_view text)
             return ColumnName{std::string(trimmed(text.substr(0, at))), std::string(unit)};
     }
     return std::nullopt;
+}
+
+/// What stands in brackets at the end of a name: "furlong" of "X (furlong)".
+std::string_view lastBrackets(std::string_view plain)
+{
+    const std::size_t open = plain.find_last_of("({");
+    if (open == std::string_view::npos || !(plain.ends_with(')') || plain.ends_with('}')))
+        return {};
+    return trimmed(plain.substr(open + 1, plain.size() - open - 2));
+}
+
+/// Numbers in a unit that is not known would be taken in that of the axis.
+void warnOfUnknownUnits(const Header& header, std::size_t lineNumber, DiagnosticList& diagnostics)
+{
+    for (std::size_t i = 0; i < header.columns.size(); ++i) {
+        const ColumnName& column = header.columns[i];
+        const std::string plain = withPlainBrackets(column.name);
+        const std::string_view text = lastBrackets(plain);
+        if (column.unit.empty() && !text.empty() && looksLikeUnknownUnit(text))
+            diagnostics.warning(DiagnosticCode::Assumption, lineNumber, i + 1,
+                AXISCOMP_TEXT("Error", "\"{name}\", which is taken to be a name without a unit")
+                    .with("name", Verbatim{column.name}),
+                AXISCOMP_TEXT("Error",
+                    "a unit such as mm, um, inch, deg or arcsec, if {unit} is meant as one")
+                    .with("unit", Verbatim{std::string(text)}));
+    }
 }
 
 bool isNumber(const Cell& cell)
@@ -116,6 +153,8 @@ ColumnName columnName(std::string_view header)
             shownText(trimmed(all.substr(open + 1, all.size() - open - 2)))};
     auto found = withUnitInBrackets(all);
     if (!found)
+        found = withUnitInBrackets(withPlainBrackets(all));
+    if (!found)
         found = withUnitBehind(all);
     return found ? ColumnName{shownText(found->name), shownText(found->unit)}
                  : ColumnName{shownText(all), ""};
@@ -175,6 +214,7 @@ std::optional<Header> readHeader(std::string_view line, std::size_t lineNumber, 
                 line, count));
         return std::nullopt;
     }
+    warnOfUnknownUnits(*header, lineNumber, diagnostics);
     nameTables(header->columns, positions);
     return header;
 }

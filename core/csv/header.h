@@ -11,7 +11,8 @@ struct Header {
 };
 
 /// The name and the unit of a column: a text in brackets at its end, or a unit of length, angle or
-/// temperature elsewhere: "X error (um)", "X error [um] (mean)", "x / mm", "X error in um".
+/// temperature elsewhere: "X error (um)", "X error [um] (mean)", "x / mm", "X error in um"; the
+/// brackets may be full-width.
 [[nodiscard]] ColumnName columnName(std::string_view header);
 
 /// The names and units of the columns of a header line as they stand there. None: it cannot be

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/position_unit.h"
 
+#include "core/text/edit_distance.h"
+
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -52,6 +54,42 @@ constexpr std::array units{
     Unit{"rev", Kind::Angle, 2.0 * std::numbers::pi},
     Unit{"arcmin", Kind::Angle, degree / 60.0},
     Unit{"arcsec", Kind::Angle, degree / 3600.0},
+    Unit{"micrometer", Kind::Length, 1e-6},
+    Unit{"micrometers", Kind::Length, 1e-6},
+    Unit{"micrometre", Kind::Length, 1e-6},
+    Unit{"micrometres", Kind::Length, 1e-6},
+    Unit{"micron", Kind::Length, 1e-6},
+    Unit{"microns", Kind::Length, 1e-6},
+    Unit{"\u339b", Kind::Length, 1e-6}, // one character
+    Unit{"\u5fae\u7c73", Kind::Length, 1e-6},
+    Unit{"millimeters", Kind::Length, 1e-3},
+    Unit{"millimetre", Kind::Length, 1e-3},
+    Unit{"millimetres", Kind::Length, 1e-3},
+    Unit{"\u339c", Kind::Length, 1e-3}, // one character
+    Unit{"\u6beb\u7c73", Kind::Length, 1e-3},
+    Unit{"meters", Kind::Length, 1.0},
+    Unit{"metre", Kind::Length, 1.0},
+    Unit{"metres", Kind::Length, 1.0},
+    Unit{"thou", Kind::Length, 25.4e-6},
+    Unit{"mils", Kind::Length, 25.4e-6},
+    Unit{"uin", Kind::Length, 25.4e-9},
+    Unit{"\u00b5in", Kind::Length, 25.4e-9},
+    Unit{"\u03bcin", Kind::Length, 25.4e-9},
+    Unit{"microinch", Kind::Length, 25.4e-9},
+    Unit{"microinches", Kind::Length, 25.4e-9},
+    Unit{"inches", Kind::Length, 0.0254},
+    Unit{"zoll", Kind::Length, 0.0254},
+    Unit{"radians", Kind::Angle, 1.0},
+    Unit{"degrees", Kind::Angle, degree},
+    Unit{"'", Kind::Angle, degree / 60.0},
+    Unit{"\u2032", Kind::Angle, degree / 60.0}, // prime
+    Unit{"arcminute", Kind::Angle, degree / 60.0},
+    Unit{"arcminutes", Kind::Angle, degree / 60.0},
+    Unit{"\"", Kind::Angle, degree / 3600.0},
+    Unit{"\u2033", Kind::Angle, degree / 3600.0}, // double prime
+    Unit{"''", Kind::Angle, degree / 3600.0},
+    Unit{"arcsecond", Kind::Angle, degree / 3600.0},
+    Unit{"arcseconds", Kind::Angle, degree / 3600.0},
 };
 
 std::string inSmallLetters(std::string_view text)
@@ -91,6 +129,26 @@ std::optional<double> unitFactor(std::string_view from, std::string_view to)
 bool isPositionUnit(std::string_view unit)
 {
     return unitNamed(unit) != nullptr;
+}
+
+bool looksLikeUnknownUnit(std::string_view text)
+{
+    constexpr std::array<std::string_view, 27> others{"dm", "km", "pm", "ft", "feet", "foot", "yd",
+        "tenths", "grad", "grads", "gon", "mgon", "rpm", "count", "counts", "cts", "inc", "incs",
+        "increments", "inkremente", "pulse", "pulses", "steps", "lsb", "ppm", "ms", "hz"};
+    constexpr std::size_t fewestLetters = 5; // of shorter ones other words are as near
+    const std::string small = inSmallLetters(text);
+    const bool isPhrase = text.find_first_of(" 0123456789") != std::string_view::npos; // "at 20 °C"
+    if (isPhrase || isPositionUnit(text) || isTemperatureUnit(text))
+        return false;
+    const bool hasSign = std::ranges::any_of(
+        std::array<std::string_view, 5>{"\u00b5", "\u03bc", "\u00b0", "\u2032", "\u2033"},
+        [&](std::string_view sign) { return small.find(sign) != std::string::npos; });
+    return hasSign || std::ranges::find(others, small) != others.end()
+        || std::ranges::any_of(units, [&](const Unit& unit) {
+               return unit.spelling.size() >= fewestLetters
+                   && editDistance(small, unit.spelling, LetterCase::Matters, 2) < 2;
+           });
 }
 
 bool isTemperatureUnit(std::string_view unit)

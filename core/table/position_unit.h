@@ -23,6 +23,10 @@ namespace axiscomp {
 /// "°C", "degC" ...: the one that a register of a temperature is taken to be in.
 [[nodiscard]] bool isCelsius(std::string_view unit);
 
+/// Whether a text is likely to be a unit, or one misspelled, that nothing here knows: "ft",
+/// "milimeter", "µm/m"; not "mean" or "C".
+[[nodiscard]] bool looksLikeUnknownUnit(std::string_view text);
+
 /// The same unit, perhaps spelled in another way; units that are not known are compared as texts.
 [[nodiscard]] bool isSameUnit(std::string_view a, std::string_view b);
 

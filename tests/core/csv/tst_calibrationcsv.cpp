@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace tst_calibrationcsv {
 
 using namespace axiscomp;
@@ -94,6 +96,13 @@ private Q_SLOTS:
         QTest::newRow("brackets without a unit")
             << QByteArray("X (left),E (mean),E (um) [nm]")
             << QByteArrayList{"X (left)|", "E (mean)|", "E (um)|nm"};
+        QTest::newRow("full-width brackets")
+            << QByteArray("X\uff08mm\uff09,E\uff3bum\uff3d,E\u3010\u5e73\u5747\u3011")
+            << QByteArrayList{"X|mm", "E|um", "E\u3010\u5e73\u5747\u3011|"};
+        QTest::newRow("spellings of shops and of this program")
+            << QByteArray("X (inches),A (microns),B (thou),C (Zoll),D (\u2033),E ('),F (\u339c)")
+            << QByteArrayList{
+                   "X|inches", "A|microns", "B|thou", "C|Zoll", "D|\u2033", "E|'", "F|\u339c"};
         QTest::newRow("the name of an axis where a unit may stand")
             << QByteArray("Position (C),Error (C),E/C [deg]")
             << QByteArrayList{"Position (C)|", "Error (C)|", "E/C|deg"};
@@ -109,13 +118,41 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, header);
         QFETCH(QByteArrayList, expected);
-        const CsvReading reading = parse(header + "\n0,0,0.001\n1,0.002,0\n", 1);
+        const auto tables = static_cast<int>(expected.size()) - 1;
+        const QByteArray more = QByteArray(",0").repeated(tables - 2);
+        const CsvReading reading =
+            parse(header + "\n0,0,0.001" + more + "\n1,0.002,0" + more + '\n', 1);
         QVERIFY2(reading.data, describe(reading).join('\n').constData());
         const GridAxis& axis = reading.data->grid.axes[0];
         QByteArrayList found{QByteArray::fromStdString(axis.name + '|' + axis.unit)};
         for (const CompensationTable& table : reading.data->tables)
             found += QByteArray::fromStdString(table.name + '|' + table.unit);
         QCOMPARE(found, expected);
+    }
+
+    void bracketsWithAUnitThatIsNotKnownAreNamed_data()
+    {
+        QTest::addColumn<QByteArray>("header");
+        QTest::addColumn<int>("column"); // 0: none is named
+        QTest::newRow("feet") << QByteArray("X (ft),E [um]") << 1;
+        QTest::newRow("a letter too few") << QByteArray("X [mm],E (milimeter)") << 2;
+        QTest::newRow("for each length") << QByteArray("X [mm],E \uff08\u00b5m/m\uff09") << 2;
+        QTest::newRow("mean") << QByteArray("X [mm],E (mean)") << 0;
+        QTest::newRow("an axis") << QByteArray("Position (X),Error (C)") << 0;
+        QTest::newRow("a direction") << QByteArray("X [mm],E (upwards)") << 0;
+        QTest::newRow("a temperature") << QByteArray("X [mm],E (at 20 \u00b0C)") << 0;
+        QTest::newRow("not at the end") << QByteArray("X [mm],E (ft) left") << 0;
+    }
+    void bracketsWithAUnitThatIsNotKnownAreNamed()
+    {
+        QFETCH(QByteArray, header);
+        QFETCH(int, column);
+        const CsvReading reading = parse(header + "\n0,0\n1,0.002\n", 1);
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        const auto named =
+            std::ranges::find(reading.diagnostics, DiagnosticCode::Assumption, &Diagnostic::code);
+        const bool isNamed = named != reading.diagnostics.end();
+        QCOMPARE(isNamed ? static_cast<int>(named->column) : 0, column);
     }
 
     void aSeparatorInsideQuotesSeparatesNothing()

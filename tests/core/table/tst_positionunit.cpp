@@ -39,6 +39,12 @@ private Q_SLOTS:
         row("m", "um", 1e6);
         row("deg", "Radian", 0.017453292519943295);
         row("arcsec", "°", 1.0 / 3600.0);
+        row("inches", "mm", 25.4);
+        row("thou", "mil", 1.0);
+        row("uin", "in", 1e-6);
+        row("microns", "\u339b", 1.0);
+        row("\u2033", "arcsec", 1.0);
+        row("'", "arcminutes", 1.0);
         row("mm", "deg", 0.0);
         row("mm", "Furlong", 0.0);
         row("", "mm", 0.0);
