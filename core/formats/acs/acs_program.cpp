@@ -227,8 +227,27 @@ void Program::takeStatement(const Token& statement)
         takeAxisNames(statement);
     else if (sameLetters(name.text, "CONNECT"))
         takeConnect(statement);
+    else if (sameLetters(name.text, "FILL") || sameLetters(name.text, "READ"))
+        takeFilling(statement);
     else if (isCommand(name.text))
         takeCommand(statement, name);
+}
+
+/// "FILL(0, XMAP)", "READ XMAP": all elements of an array get values.
+void Program::takeFilling(const Token& statement)
+{
+    Cursor cursor(statement);
+    const bool isFill = sameLetters(cursor.name().text, "FILL");
+    const auto inner = cursor.brackets();
+    const std::vector<Token> arguments = argumentsOf(inner ? *inner : cursor.rest());
+    const std::size_t at = isFill ? 1 : 0;
+    if (arguments.size() <= at || !isName(arguments[at].text))
+        return;
+    Assigned assigned;
+    assigned.text = statement;
+    assigned.buffer = m_buffer;
+    assigned.statement = m_statements;
+    m_variables[capitals(arguments[at].text)].assigned.push_back(assigned);
 }
 
 bool Program::takeAssignment(const Token& statement)
@@ -462,14 +481,23 @@ std::optional<Program::Extent> Program::extentOf(
     const bool isWhole = variable.isWhole(call.buffer);
     bool isGood = true;
     for (const Assigned& assigned : variable.assigned) {
-        if (!variable.isSeen(assigned.buffer, call.buffer) || assigned.indices == 0)
+        const bool isOfElement = assigned.indices > 0;
+        // What is assigned to the whole array before its elements, they replace.
+        if (!variable.isSeen(assigned.buffer, call.buffer)
+            || (!isOfElement && extent.assigned.empty()))
             continue;
         const auto refuse = [&](DiagnosticCode code, Text expected) {
             isGood = false;
             diagnostics.error(code, assigned.text.line, assigned.text.column, quoted(assigned.text),
                 std::move(expected));
         };
-        if (assigned.indices != indices)
+        if (!isOfElement)
+            refuse(DiagnosticCode::NotANumber,
+                AXISCOMP_TEXT("Error",
+                    "numbers for the elements of {name} alone; what changes the whole array behind "
+                    "them is not computed")
+                    .with("name", quoted(array)));
+        else if (assigned.indices != indices)
             refuse(DiagnosticCode::Syntax,
                 indices == 1
                     ? AXISCOMP_TEXT("Error", "one index of {name}").with("name", quoted(array))

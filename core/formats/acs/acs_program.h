@@ -97,6 +97,7 @@ private:
     void takeStatement(const Token& statement);
     [[nodiscard]] bool takeAssignment(const Token& statement);
     [[nodiscard]] bool takeDeclaration(const Token& statement);
+    void takeFilling(const Token& statement);
     void takeAxisNames(const Token& statement);
     void takeCommand(const Token& statement, const Token& name);
     void takeConnect(const Token& statement);

@@ -242,7 +242,12 @@ void Reader::take(const Token& statement)
             DiagnosticCode::UnknownKey, statement.line, statement.column, quoted(statement), {});
         return;
     }
-    definition.elements[element] = value;
+    const auto [at, isNew] = definition.elements.try_emplace(element, value);
+    if (!isNew && at->second.text != value.text)
+        m_diagnostics.warning(DiagnosticCode::DuplicateValue, statement.line, statement.column,
+            AXISCOMP_TEXT("Error", "{what} a second time").with("what", quoted(statement)),
+            AXISCOMP_TEXT("Error", "each value once; the last one counts"));
+    at->second = value;
 }
 
 std::optional<double> Reader::number(

@@ -120,14 +120,16 @@ struct Element {
 /// The two variables of one table.
 struct Definition {
     std::string name; ///< of the array
+    std::string parameters; ///< name of their variable
     std::size_t line = 0; ///< of the type's name
-    Token minimum;
-    Token maximum;
-    Token count;
+    Token minimum = {};
+    Token maximum = {};
+    Token count = {};
     bool isModulo = false;
-    std::vector<Element> elements;
+    std::vector<Element> elements = {};
     bool hasBrackets = false; ///< each element stands in brackets
     bool isNewElement = false; ///< a bracket has been opened
+    bool isChanged = false; ///< by a statement behind the declaration
 };
 
 class Reader {
@@ -141,6 +143,7 @@ private:
     void assign(const Token& name, const Token& value);
     void assignParameter(const Token& name, const Token& value);
     void assignElement(const Token& name, const Token& value);
+    void lookForChange(const Token& word);
     void checkComma(const Token& value, const Token& word);
     void checkEndOfValue(const Token& value, const Token& word);
     void scan();
@@ -155,6 +158,9 @@ private:
     bool m_isComplete = true; ///< the last declaration ended with a semicolon
     std::string m_declared; ///< the last variable before a colon
     std::vector<Definition> m_definitions;
+    Token m_named; ///< variable of a definition, when only its index or member stands behind it
+    std::size_t m_namedDefinition = 0;
+    bool m_isInIndex = false;
 };
 
 void Reader::begin(Inside inside, const Token& type)
@@ -162,7 +168,7 @@ void Reader::begin(Inside inside, const Token& type)
     m_inside = inside;
     m_isComplete = false;
     if (inside == Inside::Parameters) {
-        m_definitions.push_back({{}, type.line, {}, {}, {}, false, {}});
+        m_definitions.push_back({{}, m_declared, type.line});
         m_isOpen = true;
         return;
     }
@@ -170,7 +176,7 @@ void Reader::begin(Inside inside, const Token& type)
         m_diagnostics.error(DiagnosticCode::Syntax, type.line, type.column, quoted(type),
             AXISCOMP_TEXT("Error", "a variable of the type {type} in front of the elements")
                 .with("type", Verbatim{std::string(parameterType)}));
-        m_definitions.push_back({{}, type.line, {}, {}, {}, false, {}});
+        m_definitions.push_back({{}, {}, type.line});
     }
     m_definitions.back().name = m_declared;
     m_isOpen = false;
@@ -237,6 +243,33 @@ void Reader::assign(const Token& name, const Token& value)
         assignElement(name, value);
 }
 
+/// Outside of declarations: "stTab[2].Compensation := 0.5".
+void Reader::lookForChange(const Token& word)
+{
+    if (word.text == "[" || word.text == "]") {
+        m_isInIndex = word.text == "[";
+        return;
+    }
+    if (m_named && word.text == ":=" && !m_definitions[m_namedDefinition].isChanged) {
+        m_definitions[m_namedDefinition].isChanged = true;
+        m_diagnostics.warning(DiagnosticCode::Assumption, m_named.line, m_named.column,
+            AXISCOMP_TEXT("Error", "{name}, which is changed by a statement of the program")
+                .with("name", quoted(m_named)),
+            AXISCOMP_TEXT("Error",
+                "the declaration alone; the table is that of the declaration, since statements are "
+                "not computed"));
+    }
+    if (m_isInIndex || (m_named && word.text.starts_with('.')))
+        return;
+    m_named = {};
+    const Token variable = word.part(0, word.text.find('.'));
+    for (std::size_t n = 0; variable && n < m_definitions.size() && !m_named; ++n)
+        if (isOneOf(variable, {m_definitions[n].name, m_definitions[n].parameters})) {
+            m_named = variable;
+            m_namedDefinition = n;
+        }
+}
+
 /// Behind a value and a comma: of "0,1" the 0 alone would be another number.
 void Reader::checkComma(const Token& value, const Token& word)
 {
@@ -264,6 +297,8 @@ void Reader::scan()
     while (const auto word = m_words.next()) {
         if (m_reading.isStopped())
             return;
+        if (m_inside == Inside::Nothing)
+            lookForChange(*word);
         if (valueBeforeComma)
             checkComma(valueBeforeComma, *word);
         if (value)

@@ -98,6 +98,12 @@ void describeProblems(test::FormatSample& sample)
 {
     const auto row = sample.problemRow();
     row("no map", values, "0:0 Syntax |a statement ERRORMAP1D, or CONNECT with MAP");
+    row("the whole array is scaled behind its elements", program + "XMAP=XMAP*0.001\n",
+        "13:6 NotANumber XMAP*0.001|numbers for the elements of XMAP alone");
+    row("the whole array is filled behind its elements", program + "FILL(0, xmap)\n",
+        "13:1 NotANumber FILL(0, xmap)|numbers for the elements of XMAP alone");
+    row("the whole array is read behind its elements", program + "READ XMAP\n",
+        "13:1 NotANumber READ XMAP|numbers for the elements of XMAP alone");
     row("an index is missing", with("XMAP(2)=0.0035\n", ""),
         "10:30 MissingPoint no XMAP(2)|a number for each element");
     row("a huge index", with("XMAP(4)", "XMAP(2000000000)"), "2:20 Contradiction XMAP(5)|XMAP(2");
@@ -193,6 +199,8 @@ void describe(test::FormatSample& sample)
             "CONNECT RPOS(0) = APOS(0) + MAP2(APOS(0), APOS(1), M)\n"});
     sample.recognises(Recognition::Possible,
         {program + "CONNECT RPOS(0) = APOS(0) + MAP2(APOS(0), APOS(1), M)\n"});
+    sample.warning("the whole array is filled before its elements",
+        with("XMAP(0)= 0", "FILL(7, XMAP); XMAP = 0; XMAP(0)= 0"), {});
     sample.warning("declared longer", with("XMAP(5)", "XMAP(47)"),
         {"2:20 Assumption XMAP(47) with elements for XMAP(5)|a value for each element"});
     sample.applies({{{-51}, 0.001575}, {{100}, -0.0042}}, with("XMAP(5)", "XMAP(47)"));

@@ -51,6 +51,9 @@ void describe(test::FormatSample& sample)
     sample.recognises(Recognition::Certain, {file, "comptable[3].nx[0]=2\n"});
     sample.recognises(
         Recognition::No, {"// CompTable[0]\n", "DEFINE COMP 4,#1D,#2,4000\n", "0,0\n1,1\n"});
+    sample.warning("another span further on", file + "CompTable[0].Dx[0] = 100000;\n",
+        {"9:1 DuplicateValue CompTable[0].Dx[0] = 100000 a second time|each value once"});
+    sample.warning("the same span again", file + "CompTable[0].Dx[0] = 200000;\n", {});
     // Data may be continued, and names are written in either case.
     const std::string continued = with("Data[0] = 0,12.5,-3,4,8",
         "data[0]=0,12.5,-3\n"

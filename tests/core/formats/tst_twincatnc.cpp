@@ -56,6 +56,16 @@ void describe(test::FormatSample& sample)
         "(fPos := 0, fCompensation := 0), (fPos := 10, fCompensation := 0.25), (fPos := 20, "
         "fCompensation := 0.5);\n");
     sample.warning("a unit that nobody says", file, {"0:0 UnitNotGiven"}, FormatSettings());
+    sample.warning("statements that change the table and its parameters",
+        file + "stTab[2].Compensation := 0.5;\nsttab[i].Compensation:=1;\nstPar.Modulo := TRUE;\n",
+        {"8:1 Assumption stTab, which is changed by a statement"});
+    sample.warning("a statement that changes the parameters", file + "STPAR.Modulo := TRUE;\n",
+        {"8:1 Assumption STPAR, which is changed by a statement"});
+    sample.warning("statements that use the table",
+        file
+            + "fb(Enable := TRUE, Table := ADR(stTab), Parameter := stPar, n := 4);\n"
+              "IF stTab[2].Compensation > 0 THEN x := stTab[2].Position; END_IF\n",
+        {});
     sample.warning("an unknown member", with("Modulo:=FALSE", "Ramp:=5, Modulo:=FALSE"),
         {"3:57 UnknownKey Ramp|"});
 
