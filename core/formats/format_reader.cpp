@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 
-#include "core/text/token_scanner.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -104,6 +102,14 @@ void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& dia
                         "alone is a part of it"));
             before |= directions;
         }
+}
+
+void warnOfSwitchedOff(const Token& statement, DiagnosticList& diagnostics)
+{
+    diagnostics.warning(DiagnosticCode::Assumption, statement.line, statement.column,
+        AXISCOMP_TEXT("Error", "\"{statement}\", which switches a table of the file off")
+            .with("statement", quoted(statement)),
+        AXISCOMP_TEXT("Error", "tables that are in use; this one does not act on the machine"));
 }
 
 Result<TableReading> readText(const FormatFacts& facts, std::string_view text,

@@ -3,6 +3,7 @@
 
 #include "core/formats/table_format.h"
 #include "core/text/diagnostic.h"
+#include "core/text/token_scanner.h"
 
 #include <span>
 
@@ -24,6 +25,9 @@ struct TextReading {
 /// A warning for each axis that several tables of a file correct over the same sources and in the
 /// same direction, where the controller adds them: one alone is a part of what acts on the machine.
 void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& diagnostics);
+
+/// A warning for a statement that switches tables of the file off, or deletes them.
+void warnOfSwitchedOff(const Token& statement, DiagnosticList& diagnostics);
 
 /// Reads a text with a format's own `parse`, whose tables count unless there was an error or a
 /// stop. What every reader does round it: settings, binary and oversized files, problems. Errors:

@@ -72,6 +72,7 @@ Token takeAddress(Token line, std::string& addressed)
 /// One DEFINE COMP with its entries.
 struct Definition {
     Token place;
+    std::string owner; ///< the motor that was addressed
     std::array<std::size_t, 2> sizes{1, 0}; ///< intervals along the first and second source
     std::array<std::int64_t, 2> spans{}; ///< in counts
     std::array<std::string, 2> sources;
@@ -139,12 +140,14 @@ private:
     void begin(const Token& line, const Token& arguments);
     [[nodiscard]] bool readArguments(Definition& definition, std::vector<Token> cells);
     void takeEntries(const Token& line);
+    void checkSwitchedOff(const Token& line);
     void takeCommand(const Token& line);
     void finish();
 
     TextReading& m_reading;
     std::size_t m_dimensions;
     std::string m_addressed;
+    Token m_switchedOff; ///< "I51=0", unless it is switched on behind it
     std::vector<Definition> m_definitions;
     std::vector<Token> m_tokens;
     std::vector<std::string> m_notes;
@@ -189,6 +192,7 @@ bool Reader::readArguments(Definition& definition, std::vector<Token> cells)
     for (std::size_t n = 0; n < m_dimensions; ++n)
         definition.sources[n] = motors[n];
     definition.target = motors[m_dimensions];
+    definition.owner = m_addressed.empty() ? definition.target : m_addressed;
     return true;
 }
 
@@ -263,10 +267,25 @@ void Reader::takeEntries(const Token& line)
     }
 }
 
+/// "I51=0" and "DELETE COMP" behind the table.
+void Reader::checkSwitchedOff(const Token& line)
+{
+    if (const auto value = behindWord(line, "I51"); value && value->text.starts_with('='))
+        m_switchedOff = wholeNumberOf(trimmedToken(value->part(1)).text) == 0 ? line : Token{};
+    auto deleted = behindWord(line, "DELETE");
+    if (!deleted)
+        deleted = behindWord(line, "DEL");
+    const bool isOwned = deleted && behindWord(*deleted, "COMP")
+        && std::ranges::find(m_definitions, m_addressed, &Definition::owner) != m_definitions.end();
+    if (isOwned)
+        warnOfSwitchedOff(line, m_reading.diagnostics);
+}
+
 void Reader::takeCommand(const Token& line)
 {
     finish();
     const bool isDefine = behindWord(line, "DEF").has_value();
+    checkSwitchedOff(line);
     const bool isExpected = std::ranges::any_of(std::array{"CLOSE", "DELETE", "DEL", "I51", "END"},
         [&](std::string_view word) { return behindWord(line, word).has_value(); });
     if (!isExpected)
@@ -301,6 +320,8 @@ std::vector<Definition> Reader::read()
             takeEntries(line);
     }
     finish();
+    if (m_switchedOff && !m_definitions.empty())
+        warnOfSwitchedOff(m_switchedOff, m_reading.diagnostics);
     if (m_definitions.empty() && !m_reading.diagnostics.hasErrors())
         m_reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             m_dimensions == 1

@@ -144,6 +144,16 @@ std::optional<Index> indexAt(const Token& token)
     return Index{*number, token.part(end + 1)};
 }
 
+constexpr std::string_view tablesInUse = "Sys.CompEnable";
+
+/// "Sys.CompEnable = 1": 1.
+std::optional<std::int64_t> countOfTablesInUse(std::string_view statement)
+{
+    const std::size_t equals = statement.find('=');
+    return equals == std::string_view::npos ? std::nullopt
+                                            : wholeNumberOf(trimmed(statement.substr(equals + 1)));
+}
+
 class Reader {
 public:
     explicit Reader(TextReading& reading) : m_reading(reading) { }
@@ -170,6 +180,7 @@ private:
     TextReading& m_reading;
     DiagnosticList& m_diagnostics = m_reading.diagnostics;
     std::map<std::int64_t, Definition> m_definitions;
+    Token m_inUse; ///< the last statement that says how many tables are
 };
 
 /// What is looked at; the second and the third source do not count where Nx of theirs is 0.
@@ -204,6 +215,10 @@ void Reader::takeData(Definition& definition, std::int64_t first, const Token& l
 
 void Reader::take(const Token& statement)
 {
+    if (startsWith(statement.text, tablesInUse)) {
+        m_inUse = statement;
+        return;
+    }
     if (!startsWith(statement.text, prefix)) {
         const bool isNumber = statement
             && std::string_view("0123456789+-.,").find(statement.text.front())
@@ -429,6 +444,9 @@ std::vector<NeutralTable> Reader::read()
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             AXISCOMP_TEXT("Error", "assignments to {name}").with("name", Verbatim{"CompTable[0]"}));
     std::vector<NeutralTable> tables;
+    const auto inUse = countOfTablesInUse(m_inUse.text);
+    if (inUse && !m_definitions.empty() && m_definitions.rbegin()->first >= *inUse)
+        warnOfSwitchedOff(m_inUse, m_diagnostics);
     for (const auto& [number, definition] : m_definitions) {
         auto one = table(number, definition);
         if (!one)

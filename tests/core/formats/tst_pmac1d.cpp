@@ -72,6 +72,12 @@ void describe(test::FormatSample& sample)
         Recognition::Certain, {with("DEFINE COMP 4,#1D,#2,4000", "DEFINE COMP 4 #1D,#2,4000")});
     sample.applies({{{0.5}, 0.005}, {{4.5}, 0.005}},
         with("DEFINE COMP 4,#1D,#2,4000", "DEFINE COMP 4 #1D, #2\t,4000"));
+    sample.warning("tables that are switched off", with("I51=1", "I51=0"),
+        {"9:1 Assumption \"I51=0\", which switches a table of the file off"});
+    sample.warning("switched on behind it", with("I51=1", "I51=0\nI51=1"), {});
+    sample.warning("a table that is deleted behind its definition", file + "#1 DELETE COMP\n",
+        {"10:4 Assumption \"DELETE COMP\", which switches a table of the file off"});
+    sample.warning("the table of another motor is deleted", file + "#2 DELETE COMP\n", {});
     const std::string others = "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file;
     sample.warning("other commands", others, {"1:1 UnknownKey", "2:1 UnknownKey"});
     sample.applies({{{0.5}, 0.005}}, others);

@@ -51,6 +51,8 @@ void describe(test::FormatSample& sample)
     sample.recognises(Recognition::Certain, {file, "comptable[3].nx[0]=2\n"});
     sample.recognises(
         Recognition::No, {"// CompTable[0]\n", "DEFINE COMP 4,#1D,#2,4000\n", "0,0\n1,1\n"});
+    sample.warning("tables that are switched off", with("Enable = 1", "Enable = 0"),
+        {"8:1 Assumption \"Sys.CompEnable = 0\", which switches a table of the file off"});
     sample.warning("another span further on", file + "CompTable[0].Dx[0] = 100000;\n",
         {"9:1 DuplicateValue CompTable[0].Dx[0] = 100000 a second time|each value once"});
     sample.warning("the same span again", file + "CompTable[0].Dx[0] = 200000;\n", {});
