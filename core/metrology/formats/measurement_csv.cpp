@@ -143,10 +143,7 @@ bool MeasurementCsv::readHeader()
     while (!m_lines.atEnd()) {
         const std::size_t lineNumber = m_lines.lineNumber();
         const std::string_view line = m_lines.next();
-        const std::string_view content = trimmed(line);
-        if (content.starts_with("//"))
-            takeComment(trimmed(content.substr(2)), lineNumber);
-        if (isCsvComment(line))
+        if (takeIfComment(line, lineNumber))
             continue;
         m_headerLine = lineNumber;
         auto header =
@@ -158,6 +155,11 @@ bool MeasurementCsv::readHeader()
         m_isKnown.assign(m_columns.size(), false);
         m_isUnitRefused.assign(m_columns.size(), false);
         m_cells.begin(header->separator, m_columns.size(), lineNumber);
+        for (LineReader ahead = m_lines; !ahead.atEnd(); m_lines = ahead) {
+            const std::size_t number = ahead.lineNumber();
+            if (!takeIfComment(ahead.next(), number))
+                break;
+        }
         return !m_diagnostics.hasErrors();
     }
     if (m_inspection.body().find_first_not_of(" \t\r\n") == std::string_view::npos) {
@@ -272,13 +274,8 @@ bool MeasurementCsv::next()
         if ((m_line & 0xfffU) == 0 && m_options.stop.stop_requested())
             return false;
         const std::string_view line = m_lines.next();
-        if (isCsvComment(line)) {
-            const std::string_view content = trimmed(line);
-            if (!content.empty())
-                takeComment(trimmed(content.substr(2)), m_line);
-        } else if (m_cells.take(line, m_line)) {
+        if (!takeIfComment(line, m_line) && m_cells.take(line, m_line))
             return true;
-        }
     }
     return false;
 }
@@ -345,6 +342,21 @@ void MeasurementCsv::error(DiagnosticCode code, std::size_t column, Text found, 
         code, m_line == 0 ? m_headerLine : m_line, column, std::move(found), std::move(expected));
 }
 
+void MeasurementCsv::settleValues(std::optional<bool> isReference, bool haveSign)
+{
+    m_settledReference = isReference;
+    m_isSignSettled = haveSign;
+}
+
+bool MeasurementCsv::takeIfComment(std::string_view line, std::size_t lineNumber)
+{
+    if (!isCsvComment(line))
+        return false;
+    if (const std::string_view content = trimmed(line); !content.empty())
+        takeComment(trimmed(content.substr(2)), lineNumber);
+    return true;
+}
+
 void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
 {
     constexpr std::size_t mostNoteBytes = std::size_t{1} << 20U;
@@ -377,20 +389,44 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
         else
             refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
     } else if (sameLetters(key, "values")) {
-        m_comments.holdsReference = sameLetters(value, "reference");
-        if (!*m_comments.holdsReference && !sameLetters(value, "deviation"))
-            refuse(line, value, AXISCOMP_TEXT("Error", "values: deviation, or values: reference"));
+        takeValues(value, line);
     } else if (sameLetters(key, "sign")) {
-        m_comments.holdsCorrections = sameLetters(value, "correction");
-        if (!m_comments.holdsCorrections && !sameLetters(value, "deviation"))
-            refuse(line, value,
-                AXISCOMP_TEXT("Error",
-                    "sign: deviation (reference minus target), or sign: correction (its "
-                    "opposite)"));
+        takeSign(value, line);
     } else {
         return false;
     }
     return true;
+}
+
+void MeasurementCsv::takeValues(const std::string& value, std::size_t line)
+{
+    const bool isReference = sameLetters(value, "reference");
+    if (!isReference && !sameLetters(value, "deviation"))
+        refuse(line, value, AXISCOMP_TEXT("Error", "values: deviation, or values: reference"));
+    else if (m_settledReference && *m_settledReference != isReference)
+        refuseLate(line, "values: " + value);
+    else
+        m_comments.holdsReference = isReference;
+}
+
+void MeasurementCsv::takeSign(const std::string& value, std::size_t line)
+{
+    const bool isCorrection = sameLetters(value, "correction");
+    if (!isCorrection && !sameLetters(value, "deviation"))
+        refuse(line, value,
+            AXISCOMP_TEXT("Error",
+                "sign: deviation (reference minus target), or sign: correction (its "
+                "opposite)"));
+    else if (m_isSignSettled && m_comments.holdsCorrections != isCorrection)
+        refuseLate(line, "sign: " + value);
+    else
+        m_comments.holdsCorrections = isCorrection;
+}
+
+void MeasurementCsv::refuseLate(std::size_t line, std::string_view statement)
+{
+    refuse(line, statement,
+        AXISCOMP_TEXT("Error", "this statement before the header, since it holds for every line"));
 }
 
 bool MeasurementCsv::takeText(std::string_view key, const std::string& value)

@@ -39,7 +39,8 @@ public:
     MeasurementCsv(std::string_view text, const MeasurementReadOptions& options,
         Measurement& measurement, DiagnosticList& diagnostics);
 
-    /// Reads up to the header line. False: there is none that can be used, which is reported.
+    /// Reads up to the first data line. False: there is no header that can be used, which is
+    /// reported.
     bool readHeader();
     [[nodiscard]] const std::vector<csv::ColumnName>& columns() const { return m_columns; }
     [[nodiscard]] std::size_t headerLine() const { return m_headerLine; }
@@ -78,14 +79,23 @@ public:
     [[nodiscard]] std::string shown(std::string_view text) const;
 
     void error(DiagnosticCode code, std::size_t column, Text found, Text expected);
+    /// After this a comment that says otherwise is refused: it would hold for some of the lines
+    /// only, or for none. isReference: as "values" was understood; nothing where it does not
+    /// decide. haveSign: whether "sign" decides.
+    void settleValues(std::optional<bool> isReference, bool haveSign);
     [[nodiscard]] const MeasurementComments& comments() const { return m_comments; }
 
 private:
+    /// False: the line is no comment, and not blank.
+    bool takeIfComment(std::string_view line, std::size_t lineNumber);
     void takeComment(std::string_view comment, std::size_t line);
     bool takeStatement(std::string_view key, const std::string& value, std::size_t line);
     bool takeText(std::string_view key, const std::string& value);
     bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
     void takeCompensation(const std::string& value, std::size_t line);
+    void takeValues(const std::string& value, std::size_t line);
+    void takeSign(const std::string& value, std::size_t line);
+    void refuseLate(std::size_t line, std::string_view statement);
     void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
     [[nodiscard]] std::optional<double> inBase(
         std::size_t column, std::span<const ScaleOfUnit> units, const TextPattern& expected);
@@ -101,6 +111,8 @@ private:
     std::vector<bool> m_isUnitRefused;
     std::vector<std::string> m_askedRoles;
     MeasurementComments m_comments;
+    std::optional<bool> m_settledReference;
+    bool m_isSignSettled = false;
     std::size_t m_headerLine = 0;
     std::size_t m_line = 0;
     std::size_t m_noteBytes = 0;

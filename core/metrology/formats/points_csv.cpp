@@ -185,6 +185,8 @@ bool Reader::readPoint()
 
 void Reader::readPoints()
 {
+    m_csv.settleValues(std::nullopt,
+        std::ranges::any_of(m_values, [](const ValueColumn& one) { return !one.axis; }));
     m_points.positions.resize(m_axes.size());
     m_points.values.resize(m_values.size());
     while (m_csv.next())

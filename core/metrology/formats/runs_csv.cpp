@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 7> rules{
     "Comments // KEY: VALUE say what was measured: machine, axis, instrument, serial, operator, "
     "date, feed, dwell, compensation (off, on, or crc: and the checksum of the table), air "
     "temperature, material temperature, expansion, corrected (none or 20C), values (deviation or "
-    "reference), sign (deviation or correction).",
+    "reference), sign (deviation or correction). The last two stand before the first value.",
     "Any other CSV is read with --columns 'target=1,direction=3,deviation=5', by number or name.",
 };
 
@@ -117,6 +117,9 @@ void Reader::decideValues()
     m_isReference = reference != 0 || m_csv.comments().holdsReference.value_or(false);
     if (m_options.values != MeasurementReadOptions::Values::AsFileSays)
         m_isReference = m_options.values == MeasurementReadOptions::Values::Reference;
+    const bool isUpToFile =
+        reference == 0 && m_options.values == MeasurementReadOptions::Values::AsFileSays;
+    m_csv.settleValues(isUpToFile ? std::optional(m_isReference) : std::nullopt, !m_isReference);
 }
 
 bool Reader::findUnits()

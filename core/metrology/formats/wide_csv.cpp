@@ -73,7 +73,7 @@ std::optional<bool> holdsReference(MeasurementCsv& csv, const MeasurementReadOpt
         csv.error(DiagnosticCode::MissingColumn, 0,
             AXISCOMP_TEXT("Error", "columns of runs that are either deviations or positions"),
             AXISCOMP_TEXT("Error",
-                "which it is: // values: deviation or // values: reference in the file, or "
+                "which it is: // values: deviation or // values: reference before the header, or "
                 "--values"));
     return csv.comments().holdsReference;
 }
@@ -96,6 +96,9 @@ std::vector<RawRunValue> valuesOf(std::string_view text, const MeasurementReadOp
     if (!targetUnit || !isReference || diagnostics.hasErrors())
         return {};
     measurement.isAngular = targetUnit->isAngular;
+    csv.settleValues(
+        options.values == MeasurementReadOptions::Values::AsFileSays ? isReference : std::nullopt,
+        !*isReference);
     std::vector<RawRunValue> values;
     while (csv.next()) {
         const auto position = csv.number(target);

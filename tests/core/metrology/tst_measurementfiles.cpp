@@ -308,6 +308,78 @@ private Q_SLOTS:
         QVERIFY(std::abs(deviations[1].back() - 0.004) < 1e-12);
     }
 
+    void statementsBehindTheValuesThatChangeNothingAreNoFault_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* name, const char* format, const char* text) {
+            QTest::newRow(name) << QString::fromLatin1(format) << QByteArray(text);
+        };
+        row("said again", "runs",
+            "// sign: correction\n// values: deviation\ntarget [mm],direction,value [um]\n"
+            "0,+,1\n10,+,2\n// sign: correction\n// values: deviation\n");
+        row("as it is without them", "runs",
+            "target [mm],direction,deviation [um]\n0,+,1\n// sign: deviation\n10,+,2\n"
+            "// values: deviation\n");
+        row("positions by the name of the column", "runs",
+            "target [mm],direction,reference [mm]\n0,+,0.001\n10,+,10.002\n"
+            "// values: reference\n// sign: correction\n");
+        row("columns of runs", "wide",
+            "// values: reference\ntarget [mm],up1 [mm]\n0,0.001\n10,10.002\n"
+            "// values: reference\n// sign: correction\n");
+        row("points of the reference", "points",
+            "X [mm],Y [mm],Xr [mm]\n0,0,0.001\n10,0,10.002\n// sign: correction\n"
+            "// values: reference\n");
+        row("notes and temperatures", "runs",
+            "target [mm],direction,deviation [um]\n0,+,1\n// a truck went by\n10,+,2\n"
+            "// material temperature: 20.9\n// corrected: none\n// compensation: off\n");
+    }
+    void statementsBehindTheValuesThatChangeNothingAreNoFault()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        const MeasurementReading reading = test::readAs(format.toStdString(), text.toStdString());
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY2(reading.diagnostics.empty(), test::describe(reading).join('\n').constData());
+    }
+
+    /// What the user states counts before the file, wherever it stands there.
+    void aStatedKindOfValuesCountsBeforeALateComment()
+    {
+        MeasurementReadOptions options;
+        options.values = MeasurementReadOptions::Values::Reference;
+        for (const char* format : {"runs", "wide"}) {
+            const std::string column = format == std::string("runs") ? "direction,value" : "up1";
+            const std::string way = format == std::string("runs") ? ",+" : "";
+            const MeasurementReading reading = test::readAs(format,
+                "target [mm]," + column + " [mm]\n0" + way + ",0.001\n10" + way
+                    + ",10.002\n// values: deviation\n",
+                options);
+            VERIFY_MEASUREMENT(reading);
+            QVERIFY(std::abs(reading.measurement->values[1].deviation - 0.002) < 1e-12);
+        }
+    }
+
+    void commentsBetweenHeaderAndValuesHoldForAllValues()
+    {
+        const std::string head = "target [mm],direction,value [mm]\n";
+        const MeasurementReading turned =
+            test::readAs("runs", head + "// sign: correction\n\n0,+,0.25\n100,+,0.5\n");
+        VERIFY_MEASUREMENT(turned);
+        QCOMPARE(turned.measurement->values[0].deviation, -0.25);
+        QCOMPARE(turned.measurement->values[1].deviation, -0.5);
+        const MeasurementReading positions =
+            test::readAs("runs", head + "// values: reference\n0,+,0.25\n100,+,100.5\n");
+        VERIFY_MEASUREMENT(positions);
+        QCOMPARE(positions.measurement->values[1].deviation, 0.5);
+        const MeasurementReading wide = test::readAs("wide",
+            "target [mm],up1 [mm]\n// values: reference\n0,0.25\n// the second\n100,100.5\n");
+        VERIFY_MEASUREMENT(wide);
+        QCOMPARE(wide.measurement->values[1].deviation, 0.5);
+        QCOMPARE(wide.measurement->values[1].line, std::size_t{5});
+        QCOMPARE(wide.measurement->notes, std::vector<std::string>{"the second"});
+    }
+
     void pointsOfAnglesAreDegrees()
     {
         const MeasurementReading reading = test::readAs(

@@ -89,6 +89,27 @@ private Q_SLOTS:
             {"1:0 Syntax perhaps|compensation: off, on, or crc:"});
         row("not a sign", "runs", "// sign: minus\n" + head + "0,+,1,1\n1,+,1,1\n",
             {"1:0 Syntax minus|sign: deviation"});
+        row("a sign behind the values", "runs", head + "0,+,1,1\n1,+,1,1\n// sign: correction\n",
+            {"4:0 Syntax sign: correction|this statement before the header"});
+        row("a sign between the values", "runs",
+            "// sign: correction\n" + head + "0,+,1,1\n// Sign: Deviation\n1,+,1,1\n",
+            {"4:0 Syntax sign: Deviation|this statement before the header"});
+        row("a sign within columns of runs", "wide",
+            "// values: deviation\ntarget [mm],up1 [um]\n0,1\n// sign: correction\n1,1\n",
+            {"4:0 Syntax sign: correction|this statement before the header"});
+        row("a sign behind points", "points",
+            "X [mm],Y [mm],dX [um]\n0,0,1\n1,0,1\n// sign: correction\n",
+            {"4:0 Syntax sign: correction|this statement before the header"});
+        row("positions, which is said behind them", "runs",
+            "target [mm],direction,value [mm]\n0,+,0\n10,+,10\n// values: reference\n",
+            {"4:0 Syntax values: reference|this statement before the header"});
+        row("positions, which is said between them", "wide",
+            "// values: deviation\ntarget [mm],up1 [mm]\n0,0\n// values: reference\n10,10\n",
+            {"4:0 Syntax values: reference|this statement before the header"});
+        row("a kind behind the values", "wide",
+            "target [mm],up1 [um]\n0,1\n1,1\n// values: deviation\n",
+            {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
+             "is: // values: deviation or // values: reference before the header"});
         row("not a kind", "wide", "target [mm],up1 [um],down1 [um]\n0,1,1\n1,1,1\n",
             {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
              "is: // values:"});
