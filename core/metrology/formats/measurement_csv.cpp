@@ -4,6 +4,7 @@
 #include "core/base/wall_time.h"
 #include "core/csv/fields.h"
 #include "core/table/position_unit.h"
+#include "core/table/target_axis.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
@@ -214,6 +215,60 @@ std::size_t MeasurementCsv::column(
     return found.empty() ? 0 : found.front();
 }
 
+void MeasurementCsv::findAxis()
+{
+    if (!m_options.columns.empty())
+        m_axisColumn = column("axis", {});
+    for (std::size_t i = 0; i < m_columns.size() && m_axisColumn == 0; ++i)
+        if (!m_isKnown[i] && m_columns[i].unit.empty() && sameLetters(m_columns[i].name, "axis")) {
+            m_axisColumn = i + 1;
+            markKnown(i + 1);
+        }
+}
+
+/// Empty cells are as the line before.
+void MeasurementCsv::checkAxis()
+{
+    const std::string_view axis = text(m_axisColumn);
+    if (axis.empty() || sameLetters(axis, m_axisOfLines))
+        return;
+    if (!m_axisOfLines.empty()) {
+        refuseAxis(m_line, m_axisColumn, shown(axis), shown(m_axisOfLines), m_axisOfLinesLine);
+        return;
+    }
+    m_axisOfLines = axis;
+    m_axisOfLinesLine = m_line;
+    std::string& stated = m_measurement.header.axis;
+    if (stated.empty())
+        stated = shown(axis);
+    else if (areDifferentAxes(stated, axis))
+        refuseAxis(m_line, m_axisColumn, shown(axis), stated, m_statedAxisLine);
+}
+
+/// Once, whatever number of lines it concerns.
+void MeasurementCsv::refuseAxis(std::size_t line, std::size_t column, std::string_view axis,
+    std::string_view before, std::size_t lineBefore)
+{
+    if (!m_isAxisRefused)
+        m_diagnostics.error(DiagnosticCode::Contradiction, line, column,
+            AXISCOMP_TEXT("Error", "axis {axis}, and axis {before} in line {line}")
+                .with("axis", Verbatim{std::string(axis)})
+                .with("before", Verbatim{std::string(before)})
+                .with("line", lineBefore),
+            AXISCOMP_TEXT("Error", "the measurement of one axis; make a file for each axis"));
+    m_isAxisRefused = true;
+}
+
+void MeasurementCsv::takeAxis(const std::string& value, std::size_t line)
+{
+    if (!m_axisOfLines.empty() && areDifferentAxes(value, m_axisOfLines)) {
+        refuseAxis(line, 0, value, shown(m_axisOfLines), m_axisOfLinesLine);
+        return;
+    }
+    m_measurement.header.axis = value;
+    m_statedAxisLine = line;
+}
+
 void MeasurementCsv::checkMapping()
 {
     for (const ColumnMapping& mapping : m_options.columns)
@@ -274,8 +329,11 @@ bool MeasurementCsv::next()
         if ((m_line & 0xfffU) == 0 && m_options.stop.stop_requested())
             return false;
         const std::string_view line = m_lines.next();
-        if (!takeIfComment(line, m_line) && m_cells.take(line, m_line))
-            return true;
+        if (takeIfComment(line, m_line) || !m_cells.take(line, m_line))
+            continue;
+        if (m_axisColumn != 0)
+            checkAxis();
+        return true;
     }
     return false;
 }
@@ -388,6 +446,8 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
             m_measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
         else
             refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
+    } else if (sameLetters(key, "axis")) {
+        takeAxis(value, line);
     } else if (sameLetters(key, "values")) {
         takeValues(value, line);
     } else if (sameLetters(key, "sign")) {
@@ -437,7 +497,6 @@ bool MeasurementCsv::takeText(std::string_view key, const std::string& value)
         std::string MeasurementHeader::*member;
     };
     constexpr std::array entries{Entry{"machine", &MeasurementHeader::machine},
-        Entry{"axis", &MeasurementHeader::axis},
         Entry{"instrument", &MeasurementHeader::instrument},
         Entry{"serial", &MeasurementHeader::serial},
         Entry{"operator", &MeasurementHeader::operatorName},

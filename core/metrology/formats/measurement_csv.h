@@ -48,6 +48,10 @@ public:
     /// The column of a role: the one that the user mapped, or the only one with one of these names.
     /// 0: there is none. Two of a kind are reported.
     std::size_t column(std::string_view role, std::initializer_list<std::string_view> names);
+    /// Finds the column axis, also where others are mapped. The axis of its lines is that of the
+    /// measurement: lines of another one are refused. After the other columns were asked for.
+    void findAxis();
+    [[nodiscard]] bool isAxis(std::size_t column) const { return column == m_axisColumn; }
     /// What was mapped must be among what was asked for by column(); otherwise it is reported.
     void checkMapping();
     /// Columns that nobody asked for, and that are no part of a measurement, become a note.
@@ -93,6 +97,10 @@ private:
     bool takeText(std::string_view key, const std::string& value);
     bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
     void takeCompensation(const std::string& value, std::size_t line);
+    void takeAxis(const std::string& value, std::size_t line);
+    void checkAxis();
+    void refuseAxis(std::size_t line, std::size_t column, std::string_view axis,
+        std::string_view before, std::size_t lineBefore);
     void takeValues(const std::string& value, std::size_t line);
     void takeSign(const std::string& value, std::size_t line);
     void refuseLate(std::size_t line, std::string_view statement);
@@ -111,6 +119,11 @@ private:
     std::vector<bool> m_isUnitRefused;
     std::vector<std::string> m_askedRoles;
     MeasurementComments m_comments;
+    std::size_t m_axisColumn = 0;
+    std::string m_axisOfLines; ///< of the column axis, as the file has it; empty: none yet
+    std::size_t m_axisOfLinesLine = 0;
+    std::size_t m_statedAxisLine = 0;
+    bool m_isAxisRefused = false;
     std::optional<bool> m_settledReference;
     bool m_isSignSettled = false;
     std::size_t m_headerLine = 0;

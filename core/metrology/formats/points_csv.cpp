@@ -116,7 +116,8 @@ void Reader::findMappedValues()
     for (const ColumnMapping& mapping : m_options.columns) {
         const bool isAxis = std::ranges::any_of(axisNames,
             [&mapping](std::string_view name) { return sameLetters(name, mapping.role); });
-        const std::size_t column = isAxis ? 0 : m_csv.column(mapping.role, {});
+        const std::size_t column =
+            isAxis || sameLetters(mapping.role, "axis") ? 0 : m_csv.column(mapping.role, {});
         if (column != 0)
             addValues(column, mapping.role, axisOfReference(mapping.role));
     }
@@ -133,11 +134,13 @@ std::optional<std::size_t> Reader::axisOfReference(std::string_view name) const
 
 bool Reader::findValues()
 {
+    m_csv.findAxis();
     if (!m_options.columns.empty())
         findMappedValues();
     for (std::size_t i = 0; i < m_csv.columns().size() && m_options.columns.empty(); ++i) {
         const std::string& name = m_csv.columns()[i].name;
-        if (!name.empty() && std::ranges::find(m_axes, i + 1) == m_axes.end())
+        if (!name.empty() && !m_csv.isAxis(i + 1)
+            && std::ranges::find(m_axes, i + 1) == m_axes.end())
             addValues(i + 1, name, axisOfReference(name));
     }
     if (m_values.empty())

@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 7> rules{
     "direction (+ or -, up or down, fwd or bwd, forward or backward, positive or negative, 1 or "
     "-1); run or cycle; and either deviation (also error or value) or reference (also actual or "
     "measured).",
-    "Further columns: encoder (the raw position), output (what the drive added), time (in s, ms, "
+    "Further columns: encoder (the raw position), output (what the drive added), axis (the same in "
+    "every line), time (in s, ms, "
     "min or h as its brackets say, s without; or ISO 8601), temperature (in C, K or F as its "
     "brackets say, C without), use (0: kept, not used). Others are named in a note.",
     "A deviation is the reference position minus the target: positive when the axis went too far.",
@@ -84,6 +85,7 @@ bool Reader::findColumns()
     m_temperature = m_csv.column("temperature", {});
     m_use = m_csv.column("use", {});
     decideValues();
+    m_csv.findAxis();
     m_csv.checkMapping();
     if (m_target == 0)
         m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column target"),

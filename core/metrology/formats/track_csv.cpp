@@ -101,6 +101,7 @@ bool Reader::findColumns()
     m_reference = m_csv.column("reference", {"actual", "measured"});
     m_direction = m_csv.column("direction", {"dir"});
     m_time = m_csv.column("time", {});
+    m_csv.findAxis();
     m_csv.checkMapping();
     if (m_encoder == 0 || m_reference == 0) {
         m_csv.error(DiagnosticCode::MissingColumn, 0,

@@ -92,6 +92,7 @@ std::vector<RawRunValue> valuesOf(std::string_view text, const MeasurementReadOp
     }
     const auto targetUnit = csv.unit(target, options.unit);
     const std::vector<RunColumn> columns = runColumns(csv, options, targetUnit);
+    csv.findAxis();
     const auto isReference = holdsReference(csv, options);
     if (!targetUnit || !isReference || diagnostics.hasErrors())
         return {};

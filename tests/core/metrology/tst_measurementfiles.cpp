@@ -380,6 +380,29 @@ private Q_SLOTS:
         QCOMPARE(wide.measurement->notes, std::vector<std::string>{"the second"});
     }
 
+    void theColumnAxisNamesTheAxis()
+    {
+        const auto axisOf = [](const char* format, const std::string& text,
+                                const MeasurementReadOptions& options = {}) {
+            const MeasurementReading reading = test::readAs(format, text, options);
+            return reading.measurement && reading.measurement->notes.empty()
+                ? reading.measurement->header.axis
+                : test::describe(reading).join('\n').toStdString();
+        };
+        const std::string runs = "Axis,target [mm],direction,deviation [um]\n";
+        QCOMPARE(axisOf("runs", runs + "X,0,+,1\nx,9,+,2\n,20,+,3\n"), "X");
+        QCOMPARE(axisOf("runs", "// axis: Y axis\n" + runs + "Y,0,+,1\nY,9,+,2\n"), "Y axis");
+        QCOMPARE(axisOf("runs", "// axis: X\n" + runs + "1,0,+,1\n1,9,+,2\n"), "X");
+        QCOMPARE(
+            axisOf("wide", "// values: deviation\ntarget [mm],axis,up1 [um]\n0,Z,1\n9,Z,1\n"), "Z");
+        QCOMPARE(axisOf("points", "X [mm],Y [mm],axis,dX [um]\n0,0,X,1\n9,0,X,1\n"), "X");
+        MeasurementReadOptions mapped;
+        mapped.columns = *columnMappingFromText("target=2,direction=3,deviation=4");
+        QCOMPARE(axisOf("runs", runs + "X,0,+,1\nX,9,+,2\n", mapped), "X");
+        mapped.columns = *columnMappingFromText("target=2,direction=3,deviation=4,axis=1");
+        QCOMPARE(axisOf("runs", "Name,Pos [mm],Way,Error [um]\nX,0,+,1\nX,9,+,2\n", mapped), "X");
+    }
+
     void pointsOfAnglesAreDegrees()
     {
         const MeasurementReading reading = test::readAs(

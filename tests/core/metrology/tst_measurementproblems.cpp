@@ -110,6 +110,18 @@ private Q_SLOTS:
             "target [mm],up1 [um]\n0,1\n1,1\n// values: deviation\n",
             {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
              "is: // values: deviation or // values: reference before the header"});
+        const std::string ofAxes = "axis,target [mm],direction,deviation [um]\n";
+        row("lines of two axes", "runs", ofAxes + "X,0,+,1\nx,9,+,2\nY,0,+,11\nY,9,+,12\n",
+            {"4:1 Contradiction axis Y, and axis X in line 2|the measurement of one axis; make"});
+        row("lines of two numbers of axes", "wide",
+            "// values: deviation\ntarget [mm],axis,up1 [um]\n0,1,1\n9,,1\n0,2,1\n",
+            {"5:2 Contradiction axis 2, and axis 1 in line 3|"});
+        row("points of two axes", "points", "X [mm],Y [mm],axis,dX [um]\n0,0,X,1\n9,0,Y,1\n",
+            {"3:3 Contradiction axis Y, and axis X in line 2|"});
+        row("lines of another axis", "runs", "// axis: X\n" + ofAxes + "Y,0,+,1\nY,9,+,2\n",
+            {"3:1 Contradiction axis Y, and axis X in line 1|"});
+        row("another axis behind the lines", "runs", ofAxes + "Y,0,+,1\nY,9,+,2\n// axis: X\n",
+            {"4:0 Contradiction axis X, and axis Y in line 2|"});
         row("not a kind", "wide", "target [mm],up1 [um],down1 [um]\n0,1,1\n1,1,1\n",
             {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
              "is: // values:"});
