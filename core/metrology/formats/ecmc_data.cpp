@@ -149,7 +149,7 @@ void Reader::takeReference(const Key& key, const Token& value, Approach directio
 void Reader::takeOther(const Token& line, const Key& key, const Token& value)
 {
     const Text whole = AXISCOMP_TEXT("Error", "a whole number");
-    if (key.name == "UNIT") {
+    if (sameLetters(key.name, "UNIT")) {
         m_unit = std::string(value.text);
     } else if (key.name == "CYCLES") {
         m_cycles = readWholeNumber(value, whole, m_diagnostics);

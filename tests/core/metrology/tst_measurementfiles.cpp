@@ -403,6 +403,19 @@ private Q_SLOTS:
         QCOMPARE(axisOf("runs", "Name,Pos [mm],Way,Error [um]\nX,0,+,1\nX,9,+,2\n", mapped), "X");
     }
 
+    void theUnitOfEcmcDataIsNamedInAnyLetters()
+    {
+        for (const char* key : {"UNIT", "unit", "Unit"}) {
+            const MeasurementReading reading = test::readAs("ecmc",
+                std::string(key)
+                    + "=um\nTGT_DATA[1]=0\nTGT_DATA[2]=5000\nREF_DATA_FWD[1,1]=0\n"
+                      "REF_DATA_FWD[2,1]=5002\n");
+            VERIFY_MEASUREMENT(reading);
+            QVERIFY(std::abs(reading.measurement->targets.back() - 5.0) < 1e-12);
+            QVERIFY(std::abs(reading.measurement->values[1].deviation - 0.002) < 1e-12);
+        }
+    }
+
     void pointsOfAnglesAreDegrees()
     {
         const MeasurementReading reading = test::readAs(
