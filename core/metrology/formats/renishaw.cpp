@@ -115,6 +115,7 @@ public:
     void run(std::string_view text);
 
 private:
+    void warnOfFurtherSections(TextLines& lines);
     void takeLine(const Token& line);
     void takeHeader(const Token& line);
     void takeTargets(const Token& line);
@@ -456,6 +457,20 @@ std::vector<RawRunValue> Reader::values()
     return values;
 }
 
+/// Programs that append a measurement to the file of another.
+void Reader::warnOfFurtherSections(TextLines& lines)
+{
+    while (const auto line = lines.next()) {
+        const auto name = sectionName(line->text);
+        if (!name || sameLetters(*name, "EOF"))
+            continue;
+        m_diagnostics.warning(DiagnosticCode::LeftOut, line->line, 0,
+            AXISCOMP_TEXT("Error", "further sections behind EOF::"),
+            AXISCOMP_TEXT("Error", "one measurement in a file; make a file of each"));
+        return;
+    }
+}
+
 void Reader::run(std::string_view text)
 {
     TextLines lines(text);
@@ -466,6 +481,7 @@ void Reader::run(std::string_view text)
         if (sameLetters(m_section, "EOF"))
             break;
     }
+    warnOfFurtherSections(lines);
     checkCounts();
     checkTargets();
     if (!m_diagnostics.hasErrors())

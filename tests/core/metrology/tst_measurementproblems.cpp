@@ -204,6 +204,10 @@ private Q_SLOTS:
             "X [mm],Y [mm],dX [um],dY [mm]\n0,0,1,0.001\n10,0,2,0\n0,20,1,20\n10,20,2,19.999\n",
             "1:4 ValuesLookLikePositions values that rise by 0.99995 with the position|deviations",
             "points");
+        row("a second data set",
+            rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n") + "\nEOF::\n\x1A\n"
+                + rtl("1 1 9\n1 2 9\n2 2 9\n2 1 9\n"),
+            "19:0 LeftOut further sections behind EOF::|one measurement in a file", "renishaw");
         row("too large at points", "X [mm],Y [mm],dX [um]\n0,0,1\n10,0,201\n0,20,1\n10,20,1\n",
             "1:3 UnitSuspicious a largest deviation of 0.201 mm over 20 mm|at most 1 % of the "
             "travel",
