@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,29 @@ std::string readableArgument(std::string argument)
     return argument;
 }
 
+/// The command that the words name, before they are read: "axiscomp write".
+std::string commandNamed(const CLI::App& app, std::span<char* const> words)
+{
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        if (std::ranges::find(words, std::string_view(command->get_name())) != words.end())
+            return app.get_name() + " " + command->get_name();
+    return app.get_name();
+}
+
+/// CLI11 would take the word after it for the value of `--output=`: a file to be read was written.
+Result<void> checkValues(const CLI::App& app, std::span<char* const> words)
+{
+    for (const std::string_view word : words) {
+        if (word == "--")
+            break;
+        if (word.starts_with("--") && word.find('=') + 1 == word.size())
+            return wrongUsage(
+                std::string(word.substr(0, word.size() - 1)) + " has no value after the =",
+                commandNamed(app, words));
+    }
+    return {};
+}
+
 /// Every user of the computer can read the arguments of a running program.
 void hidePassword(std::string_view argument, char* place)
 {
@@ -88,6 +112,7 @@ Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& conso
         reversed.push_back(readableArgument(argv[i]));
     for (int i = 1; i < argc; ++i)
         hidePassword(argv[i], argv[i]);
+    AXISCOMP_CHECK(checkValues(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {

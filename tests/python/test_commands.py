@@ -99,6 +99,17 @@ class Commands(unittest.TestCase):
         with self.assertRaises(ValueError):
             axiscomp.example(dims=1, output="x.csv\0.txt")
 
+    def test_an_empty_list_is_no_option_and_an_empty_text_an_error(self):
+        for nothing in ({"exclude": []}, {"exclude": numpy.array([])}, {"tolerance": {}}):
+            self.assertEqual(axiscomp.judge(RUNS, **nothing), axiscomp.judge(RUNS), msg=repr(nothing))
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / name for name in ("a.csv", "b.csv")]
+            for file in files:
+                file.write_bytes(RUNS.read_bytes())
+            with self.assertRaisesRegex(axiscomp.RequestError, "--output has no value"):
+                axiscomp.runs(files, output="")
+            self.assertEqual(files[0].read_bytes(), RUNS.read_bytes())
+
     def test_a_file_named_as_an_option_is_a_file(self):
         with tempfile.TemporaryDirectory() as folder:
             there = os.getcwd()

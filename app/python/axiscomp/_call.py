@@ -118,6 +118,8 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
         return []
     if value is True:
         return [name]
+    if (isinstance(value, dict) or _is_list(value)) and len(value) == 0:
+        return []
     if isinstance(value, dict):  # tolerance={"A": "10um"}, set_in={"axis": 1}
         if parameter in ("tolerance", "columns"):
             return [name + "=" + ",".join(f"{key}={_text(element)}" for key, element in value.items())]

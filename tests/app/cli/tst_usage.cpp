@@ -195,6 +195,33 @@ private Q_SLOTS:
         QVERIFY(!error.value("message").toString().isEmpty());
     }
 
+    void anEmptyValueTakesNoOtherArgument_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<QStringList>("before");
+        QTest::newRow("runs") << "--output" << QStringList{"runs"};
+        QTest::newRow("fit") << "--output" << QStringList{"fit", "--lookup-at", "encoder"};
+        QTest::newRow("list") << "--exclude" << QStringList{"judge"};
+    }
+    void anEmptyValueTakesNoOtherArgument()
+    {
+        QFETCH(const QString, option);
+        QFETCH(const QStringList, before);
+        const Sandbox box;
+        QFile data(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/tests/data/metrology/b02_x.csv"));
+        QVERIFY(data.open(QIODevice::ReadOnly));
+        const QByteArray content = data.readAll();
+        const QString a = box.file("a.csv", content);
+        const QString b = box.file("b.csv", content);
+        const ProgramRun run = box.run(before + QStringList{option + "=", a, b});
+        VERIFY_CODE(run, 2);
+        const QByteArray reason =
+            (option + " has no value after the = (see axiscomp " + before.first() + " --help)")
+                .toUtf8();
+        QVERIFY2(run.err.contains(reason), run.err.constData());
+        QCOMPARE(box.content("a.csv"), content);
+    }
+
     void wrongEndpointsAreNamedWithoutThePassword_data()
     {
         QTest::addColumn<QString>("endpoint");
