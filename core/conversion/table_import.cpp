@@ -41,18 +41,25 @@ public:
         chooseFormat();
         if (m_result.refusal)
             return std::move(m_result);
-        if (m_result.format == &calibration_csv::format())
-            readCsv();
-        else if (m_result.format == &tam_table::format())
-            readTamTable();
-        else
+        if (!isTriamec(*m_result.format))
             readOther();
+        else if (auto known = knownSettings(); !known)
+            refuse(known.error());
+        else if (m_result.format == &calibration_csv::format())
+            readCsv();
+        else
+            readTamTable();
         return std::move(m_result);
     }
 
 private:
     void chooseFormat();
     [[nodiscard]] Result<Bytes> bytes(std::uint64_t limit);
+    /// Other formats check them where they read. Errors: InvalidArgument.
+    [[nodiscard]] Result<SettingValues> knownSettings() const
+    {
+        return SettingValues::of(m_result.format->facts, m_request.choices.settings, false);
+    }
     void readCsv();
     void readTamTable();
     void readOther();

@@ -3,6 +3,7 @@
 #include "core/machine/machine_plan.h"
 #include "core/machine/machine_tables.h"
 #include "core/machine/snapshot.h"
+#include "core/table/tam_table.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -180,6 +181,45 @@ private Q_SLOTS:
         const MachineTable ofDrive = read();
         QVERIFY(
             ofDrive.table.has_value() || ofDrive.problem->code == ErrorCode::SignNotConvertible);
+    }
+
+    /// "value_unit" left the numbers in the unit of the axis: 0.2 mm in place of 0.2 um.
+    void aSettingThatTheFormatDoesNotHaveIsAnError_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<bool>("isKnown");
+        for (const char* file : {"x.csv", "x.TAMtbl"})
+            for (const bool isKnown : {false, true})
+                QTest::addRow("%s, %s", file, isKnown ? "known" : "unknown") << file << isKnown;
+    }
+    void aSettingThatTheFormatDoesNotHaveIsAnError()
+    {
+        QFETCH(const QString, file);
+        QFETCH(const bool, isKnown);
+        Machine machine;
+        machine.context.folder = machine.bench.folder.path().toStdString();
+        MachineAxis& axis = machine.drive.axes[0];
+        axis.file = file.toStdString();
+        axis.sources = std::vector<std::string>{test::masterX};
+        axis.choices.settings = {{isKnown ? "value-unit" : "value_unit", "um"}};
+        const auto bytes = encodeTamTable(test::exampleTable(1), false, genericTableLayout());
+        QVERIFY(bytes.has_value());
+        std::ofstream stream(machine.context.folder / axis.file, std::ios::binary);
+        if (axis.file == "x.csv")
+            stream << "X,X error\n0,0\n10,0.2\n20,0\n";
+        else
+            stream << asText(*bytes);
+        stream.close();
+        const MachineTable table =
+            readMachineTable(axis, machine.context.folder, genericTableLayout(), std::nullopt);
+        QCOMPARE(table.table.has_value(), isKnown);
+        QCOMPARE(table.problem.has_value(), !isKnown);
+        if (isKnown)
+            QCOMPARE(table.table->unit, "um");
+        else
+            QVERIFY2(
+                sentence(*table.problem).find("has no setting value_unit") != std::string::npos,
+                sentence(*table.problem).c_str());
     }
 
     void aLargeCorrectionIsConfirmedInTheFileAndNowhereElse()
