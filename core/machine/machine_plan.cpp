@@ -195,9 +195,11 @@ Result<void> DrivePlanner::keepTable(WriteRequest& request, AxisPlan& plan)
     return {};
 }
 
-/// Whether the drive's table is that of the file but for this much.
+/// Whether the drive's table is that of the file but for this much, and in the slot that is named.
 Result<bool> DrivePlanner::isWithinTolerance(const ValueTolerance& tolerance, const AxisPlan& plan)
 {
+    if (const auto& slot = plan.request.slot; slot && *slot != plan.before.setup.slot)
+        return false;
     const CompensationTable& wanted = *plan.plan.table;
     const auto& header = plan.before.table;
     if (!header || !sameSpans(header->grid, wanted.grid))

@@ -222,6 +222,28 @@ private Q_SLOTS:
                 sentence(*table.problem).c_str());
     }
 
+    void aToleranceIsOfTheValuesAndNotOfTheSlot()
+    {
+        Machine machine;
+        VERIFY_RESULT(machine.bench.compensator.write(0, test::exampleRequest(2)));
+        const auto status = machine.bench.compensator.status(0);
+        VERIFY_RESULT(status);
+        MachineAxis& axis = machine.drive.axes[0];
+        axis.tolerance = ValueTolerance{1000.0, "mm"};
+        axis.acceptsLarge = true;
+        axis.slot = status->setup.slot;
+        const auto same = machine.plan();
+        VERIFY_RESULT(same);
+        QVERIFY(!same->axes.at(0).problem);
+        QVERIFY(!same->differs());
+        axis.slot = status->setup.slot == "Small5" ? "Small6" : "Small5";
+        const auto other = machine.plan();
+        VERIFY_RESULT(other);
+        QVERIFY(!other->axes.at(0).problem);
+        QVERIFY(other->axes[0].writes());
+        QCOMPARE(other->axes[0].plan.after.slot, axis.slot);
+    }
+
     void aLargeCorrectionIsConfirmedInTheFileAndNowhereElse()
     {
         Machine machine;
