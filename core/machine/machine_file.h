@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,6 +48,9 @@ struct MachineDrive {
     std::int32_t serialNumber = 0; ///< another drive at this endpoint is refused
     std::vector<MachineAxis> axes; ///< at least one
     std::size_t line = 0;
+    /// Slots that axes name which are left out of this run, and each of these: no other axis gets
+    /// them, or the whole file would be impossible from then on.
+    std::map<std::string, std::string> reservedSlots = {};
 
     friend bool operator==(const MachineDrive&, const MachineDrive&) = default;
 };

@@ -95,6 +95,7 @@ Result<DrivePlan> DrivePlanner::plan(
         AxisPlan& plan = result.axes[n];
         plan.name = drive.axes[n].axis;
         plan.request.takenSlots = taken;
+        plan.request.reservedSlots = drive.reservedSlots;
         auto planned = planAxis(drive.axes[n], tables[n], plan);
         if (!planned && endsPlan(planned.error()))
             return fail(std::move(planned).error());

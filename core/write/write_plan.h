@@ -29,6 +29,8 @@ struct WriteRequest {
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
     std::map<std::string, int> takenSlots = {}; ///< by writes that go first, each for which axis
+    /// For other axes of the machine file, each for which one as it is named there.
+    std::map<std::string, std::string> reservedSlots = {};
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     bool deletesTable =
         false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest

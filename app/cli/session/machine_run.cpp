@@ -37,8 +37,11 @@ Result<void> select(MachineFile& machine, const MachineOptions& options)
         return {};
     for (MachineDrive& drive : machine.drives)
         std::erase_if(drive.axes, [&](const MachineAxis& axis) {
-            return std::ranges::none_of(
+            const bool isLeftOut = std::ranges::none_of(
                 options.only, [&](const std::string& only) { return names(only, drive, axis); });
+            if (isLeftOut && !axis.slot.empty())
+                drive.reservedSlots.emplace(axis.slot, axis.axis);
+            return isLeftOut;
         });
     std::erase_if(machine.drives, [](const MachineDrive& drive) { return drive.axes.empty(); });
     return {};

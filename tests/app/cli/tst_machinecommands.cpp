@@ -266,6 +266,19 @@ private Q_SLOTS:
         QVERIFY2(unknown.err.contains("Q"), unknown.err.constData());
     }
 
+    /// The whole file would be impossible from then on.
+    void anAxisThatIsLeftOutKeepsItsSlot()
+    {
+        const Machine machine;
+        machine.write(
+            axisSection(0, "first.csv") + axisSection(1, "second.csv", "slot = \"Small1\"\n"),
+            axisSection(0, "first.csv"));
+        VERIFY_CODE(machine.run({"apply", "--only", "100001/0"}), 0);
+        QCOMPARE(machine.status(machine.one, 0).value("slot").toString(), "Small2");
+        VERIFY_CODE(machine.run({"apply"}), 0);
+        QCOMPARE(machine.status(machine.one, 1).value("slot").toString(), "Small1");
+    }
+
     void anActivationIsADifferenceAndSwitchedWhenAskedFor()
     {
         const Machine machine;
