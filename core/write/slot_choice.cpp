@@ -30,8 +30,8 @@ Result<SlotChoice> namedSlot(
         return tooLarge(tableBytes, found->slot);
     if (!found->otherUser.isEmpty())
         return fail(ErrorCode::SlotInUse, {{"slot", name}, {"user", found->otherUser}});
-    return SlotChoice{
-        found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named, found->state};
+    return SlotChoice{found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named,
+        found->state, found->size == 0};
 }
 
 Text whyNot(const SlotFacts& facts, std::size_t tableBytes)
@@ -90,14 +90,15 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
         if (const SlotFacts* own = smallest([&](const SlotFacts& facts) {
                 return isPrevious(facts) && (mayBeKept || !facts.isKept);
             }))
-            return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state};
+            return SlotChoice{own->slot, SlotReason::OwnPrevious, own->state, own->size == 0};
         if (const SlotFacts* empty = smallest(
                 [](const SlotFacts& facts) { return facts.size == 0 && !facts.isCurrent; }))
-            return SlotChoice{empty->slot, SlotReason::Empty, empty->state};
+            return SlotChoice{empty->slot, SlotReason::Empty, empty->state, true};
         if (const SlotFacts* current = smallest([&](const SlotFacts& facts) {
                 return facts.isCurrent && (mayBeKept || !facts.isKept);
             }))
-            return SlotChoice{current->slot, SlotReason::OverwriteOwn, current->state};
+            return SlotChoice{
+                current->slot, SlotReason::OverwriteOwn, current->state, current->size == 0};
     }
 
     std::vector<Text> reasons;

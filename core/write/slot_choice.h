@@ -32,6 +32,7 @@ struct SlotChoice {
     TableSlot slot;
     SlotReason reason = SlotReason::Empty;
     SlotState state{}; ///< of the chosen one
+    bool isEmpty = true; ///< nothing is overwritten
 };
 
 /// docs/architecture.md, "Slots are taken in turn": the axis's own previous slot, else the smallest

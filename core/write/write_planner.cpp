@@ -425,6 +425,7 @@ Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes fil
     AXISCOMP_TRY(auto slots, slotFacts(request));
     AXISCOMP_TRY(auto choice, chooseSlot(file.size(), request.slot, slots));
     m_isSlotNamed = request.slot.has_value();
+    m_isSlotEmpty = choice.isEmpty;
     m_write.slot = choice.slot;
     m_write.slotBefore = choice.state;
     m_write.file = std::move(file);

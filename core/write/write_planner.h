@@ -88,6 +88,7 @@ private:
     SavedState m_saved;
     PreparedWrite m_write;
     bool m_isSlotNamed = false; ///< by the request: others may be free
+    bool m_isSlotEmpty = false; ///< nothing is overwritten
     bool m_isInSlot = false; ///< the new table is in its slot already
     bool m_isStored = false; ///< the new table is in the flash of its slot already
 };

@@ -69,7 +69,7 @@ void WritePlanner::warn()
                                     .with("slot", plan.after.slot));
     const bool isNamed = plan.slotReason == SlotReason::Named
         || (plan.slotReason == SlotReason::OverwriteOwn && m_isSlotNamed);
-    if (isNamed && !m_isInSlot)
+    if (isNamed && !m_isInSlot && !m_isSlotEmpty)
         plan.warnings.push_back(AXISCOMP_TEXT(
             "Error", "What {slot} holds now is overwritten. A copy is kept in the backup.")
                                     .with("slot", plan.after.slot));

@@ -235,6 +235,7 @@ private Q_SLOTS:
         QTEST(bench.status().value("slot").toString(), "used");
         if (code != 0)
             QVERIFY2(run.err.startsWith("error: SlotNotFound: "), run.err.constData());
+        QVERIFY2(!run.err.contains("is overwritten"), run.err.constData()); // nothing was in it
     }
 
     void aTableFileNeedsNoDimensions()

@@ -118,6 +118,16 @@ private Q_SLOTS:
         QCOMPARE(named->reason, SlotReason::Named);
     }
 
+    void aNamedSlotIsOverwrittenOnlyIfSomethingIsInIt()
+    {
+        const auto full = chooseSlot(500, "Small1", {small("Small1", 700)});
+        VERIFY_RESULT(full);
+        QVERIFY(!full->isEmpty);
+        const auto empty = chooseSlot(500, "Small1", {small("Small1")});
+        VERIFY_RESULT(empty);
+        QVERIFY(empty->isEmpty);
+    }
+
     void aTableThatFitsNowhereNamesItsSizeAndTheLargestSlot()
     {
         const auto choice = chooseSlot(100001, {}, {small("Small1"), large("Large1")});
