@@ -4,6 +4,7 @@
 #include "app/common/arguments.h"
 #include "app/common/guarded_program.h"
 #include "app/common/interrupt.h"
+#include "app/common/number_checks.h"
 #include "app/virtualdrive/drive_options.h"
 #include "core/io/local_file.h"
 #include "drivecomm/profile/profile_loader.h"
@@ -82,7 +83,7 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
                "given, "
                "after 10 s of the machine's time"))
         ->option_text("SECONDS")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(numberBetween(0.0, 86400.0))
         ->needs(program);
     app.add_option("--instrument", arguments.instrument,
            AXISCOMP_HELP("Help",
@@ -103,7 +104,7 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
     app.add_option("--speed", arguments.speed,
            AXISCOMP_HELP("Help", "Simulated seconds per second (1 unless given)"))
         ->option_text("FACTOR")
-        ->check(CLI::Range(0.001, 10000.0));
+        ->check(numberBetween(0.001, 10000.0));
     app.add_flag("--unhomed", arguments.unhomed,
         AXISCOMP_HELP("Help", "Start with axes that are not homed"));
     CLI::Option* user =

@@ -4,6 +4,7 @@
 #include "app/common/arguments.h"
 #include "app/common/guarded_program.h"
 #include "app/common/interrupt.h"
+#include "app/common/number_checks.h"
 #include "app/wizard/first_paint.h"
 #include "app/wizard/wizard_window.h"
 #include "core/store/drive_store.h"
@@ -54,7 +55,7 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
     app.add_option("--timeout", arguments.timeoutSeconds,
            AXISCOMP_HELP("Help", "How long one exchange with a drive may take (5 unless given)"))
         ->option_text("SECONDS")
-        ->check(CLI::Range(0.1, 3600.0));
+        ->check(numberBetween(0.1, 3600.0));
 }
 
 Result<DriveProfile> profileOf(const WizardArguments& arguments)

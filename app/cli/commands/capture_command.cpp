@@ -3,6 +3,7 @@
 #include "app/cli/input/table_input.h"
 #include "app/cli/session/command_session.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
 #include "core/capture/capture_request.h"
@@ -392,12 +393,12 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
                 "may "
                 "differ by as much (0.001 unless given)"))
         ->option_text("W")
-        ->check(CLI::Range(CaptureRules::smallestWindow, CaptureRules::largestWindow));
+        ->check(numberBetween(CaptureRules::smallestWindow, CaptureRules::largestWindow));
     command
         .add_option("--dwell", options.dwellSeconds,
             AXISCOMP_HELP("Help", "So many seconds, before anything is taken (1 unless given)"))
         ->option_text("S")
-        ->check(CLI::Range(Seconds(CaptureRules::shortestDwell).count(),
+        ->check(numberBetween(Seconds(CaptureRules::shortestDwell).count(),
             Seconds(CaptureRules::longestDwell).count()));
     command
         .add_option("--average", options.readings,
@@ -408,7 +409,7 @@ void addRuleOptions(CLI::App& command, CaptureOptions& options)
         .add_option("--rate", options.rateHz,
             AXISCOMP_HELP("Help", "Readings per second, 10 to 50 (20 unless given)"))
         ->option_text("HZ")
-        ->check(CLI::Range(10.0, 50.0));
+        ->check(numberBetween(10.0, 50.0));
 }
 
 /// One below the other, as they are typed.

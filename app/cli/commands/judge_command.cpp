@@ -2,10 +2,10 @@
 #include "app/cli/commands/command_line.h"
 #include "app/cli/input/judging_options.h"
 #include "app/cli/input/measurement_input.h"
-#include "app/cli/input/number_checks.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "core/metrology/judge/judgement.h"
 
 namespace axiscomp::app {

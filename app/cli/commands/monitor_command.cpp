@@ -2,6 +2,7 @@
 #include "app/cli/commands/command_line.h"
 #include "app/cli/output/drive_json.h"
 #include "app/cli/session/command_session.h"
+#include "app/common/number_checks.h"
 #include "app/common/number_text.h"
 
 #include <condition_variable>
@@ -164,7 +165,7 @@ void addMonitorCommand(CommandLine& line)
         ->add_option("--rate", options->rateHz,
             AXISCOMP_HELP("Help", "Lines per second, 1 to 100 (10 unless given)"))
         ->option_text("HZ")
-        ->check(CLI::Range(1.0, 100.0));
+        ->check(numberBetween(1.0, 100.0));
     command
         ->add_option("--count", options->count,
             AXISCOMP_HELP("Help", "Number of lines; without end unless given"))

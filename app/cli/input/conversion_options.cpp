@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/conversion_options.h"
 
-#include "app/cli/input/number_checks.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/judging_options.h"
 
-#include "app/cli/input/number_checks.h"
 #include "app/cli/output/fine_text.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "core/io/local_file.h"
 #include "core/metrology/record/calibration_record.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/measurement_input.h"
 
-#include "app/cli/input/number_checks.h"
 #include "app/cli/input/table_input.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "app/common/number_text.h"
 #include "app/common/standard_streams.h"
 #include "core/base/sha256.h"

@@ -4,6 +4,7 @@
 #include "app/cli/input/table_input.h"
 #include "app/cli/output/status_text.h"
 #include "app/common/arguments.h"
+#include "app/common/number_checks.h"
 #include "core/io/local_file.h"
 #include "core/io/system.h"
 #include "core/text/token_scanner.h"
@@ -52,7 +53,7 @@ void addTimeoutOption(CLI::App& command, DriveOptions& options, const std::strin
 {
     command.add_option("--timeout", options.timeoutSeconds, description)
         ->option_text("SECONDS")
-        ->check(CLI::Range(shortestTimeoutSeconds, longestTimeoutSeconds));
+        ->check(numberBetween(shortestTimeoutSeconds, longestTimeoutSeconds));
 }
 
 void addConnectionOptions(CLI::App& command, DriveOptions& options)

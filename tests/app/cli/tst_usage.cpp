@@ -195,6 +195,36 @@ private Q_SLOTS:
         QVERIFY(!error.value("message").toString().isEmpty());
     }
 
+    /// It is neither below nor above any limit.
+    void whatIsNoNumberIsInNoRange_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QStringList>("arguments");
+        const QString axiscomp = test::axiscompProgram();
+        QTest::newRow("timeout") << axiscomp
+                                 << QStringList{"axes", "--drive", "demo:", "--timeout"};
+        QTest::newRow("rate") << axiscomp << QStringList{"monitor", "--drive", "demo:", "--rate"};
+        for (const char* option : {"--window", "--dwell", "--rate"})
+            QTest::addRow("capture %s", option)
+                << axiscomp << QStringList{"capture", "--drive", "demo:", option};
+        QTest::newRow("speed") << test::virtualDriveProgram() << QStringList{"--speed"};
+        QTest::newRow("after") << test::virtualDriveProgram()
+                               << QStringList{"--machine", "m.json", "--program", "p.csv",
+                                      "--program-after"};
+    }
+    void whatIsNoNumberIsInNoRange()
+    {
+        QFETCH(const QString, program);
+        QFETCH(const QStringList, arguments);
+        const Sandbox box;
+        for (const QString& value : QStringList{"nan", "inf"}) {
+            const ProgramRun run = box.runProgram(program, arguments + QStringList{value});
+            VERIFY_CODE(run, 2);
+            const QByteArray reason = (arguments.last() + ": " + value + " is no number").toUtf8();
+            QVERIFY2(run.err.contains(reason), run.err.constData());
+        }
+    }
+
     void anEmptyValueTakesNoOtherArgument_data()
     {
         QTest::addColumn<QString>("option");

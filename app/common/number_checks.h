@@ -11,5 +11,7 @@ namespace axiscomp::app {
 [[nodiscard]] CLI::Validator anyNumber();
 [[nodiscard]] CLI::Validator numberAboveZero();
 [[nodiscard]] CLI::Validator numberFromZero(); ///< 0 or above
+/// Both included. CLI::Range takes nan, which is neither below nor above anything.
+[[nodiscard]] CLI::Validator numberBetween(double smallest, double largest);
 
 } // namespace axiscomp::app
