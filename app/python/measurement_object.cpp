@@ -213,8 +213,8 @@ void addMeasurements(py::module_& module)
     module.def("csv_of_runs", &csvOfRuns, py::arg("targets"), py::arg("up"), py::arg("down"),
         py::arg("is_angular"), py::arg("statements"));
     module.def("runs_of_csv", &runsOfCsv, py::arg("file"));
-    module.def("predict", &predict, py::arg("file"), py::arg("table"), py::arg("lookup_at"),
-        py::arg("active"), py::arg("is_off"), py::arg("turn"));
+    module.def("predict", &predict, py::arg("file"), py::arg("table").none(false),
+        py::arg("lookup_at"), py::arg("active"), py::arg("is_off"), py::arg("turn"));
 }
 
 } // namespace axiscomp::app

@@ -117,6 +117,10 @@ class Measurements(unittest.TestCase):
             axiscomp.predict(made(), axiscomp.Table([0, 1], [(0, 1, "deg")], unit="deg"), lookup_at="encoder")
         self.assertEqual(raised.exception.code, "UnitMismatch")
 
+    def test_a_prediction_needs_a_table(self):
+        with self.assertRaises(TypeError):
+            axiscomp.predict(made(), None, lookup_at="set")
+
     def test_a_prediction_needs_units(self):
         # Numbers in um without a unit would be mm.
         known = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")
