@@ -48,6 +48,38 @@ InstrumentReading tooLong(std::size_t longest)
                           .with("count", longest));
 }
 
+/// With "-" for the minus sign of typesetters, which some programs print.
+std::string withPlainSigns(std::string_view line)
+{
+    constexpr std::string_view minusSign = "\u2212";
+    std::string plain(line);
+    for (std::size_t at = plain.find(minusSign); at != std::string::npos;
+         at = plain.find(minusSign, at))
+        plain.replace(at, minusSign.size(), "-");
+    return plain;
+}
+
+bool isSign(char c)
+{
+    return c == '-' || c == '+';
+}
+
+/// "-     0.0035" as "-0.0035": displays have the sign in the first place, and the number at the
+/// right.
+std::string withSignsAtNumbers(std::string_view line)
+{
+    std::string close;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        close += line[i];
+        if (!isSign(line[i]))
+            continue;
+        const std::size_t next = std::min(line.find_first_not_of(" \t", i + 1), line.size());
+        if (next < line.size() && (isLineDigit(line[next]) || line[next] == '.'))
+            i = next - 1;
+    }
+    return close;
+}
+
 /// Of the first number in a line; empty: there is none.
 std::string_view firstNumber(std::string_view line)
 {
@@ -80,7 +112,7 @@ std::string_view firstNumber(std::string_view line)
         if (end == first)
             end = exponent;
     }
-    if (begin > 0 && (line[begin - 1] == '-' || line[begin - 1] == '+'))
+    if (begin > 0 && isSign(line[begin - 1]))
         --begin;
     return line.substr(begin, end - begin);
 }
@@ -118,19 +150,32 @@ Result<ReferenceLineReader> ReferenceLineReader::make(
     return ReferenceLineReader(std::move(scale), wanted, std::move(finder));
 }
 
-ReferenceLineReader::Found ReferenceLineReader::find(std::string_view line) const
+/// What the pattern says, and the sign that it leaves in front of it: "[-+]?[0-9.]+" takes one only
+/// where it touches the digits.
+std::string ReferenceLineReader::foundByPattern(std::string_view line) const
 {
-    if (m_finder) {
-        std::string number = m_finder(line);
-        if (number.find('.') == std::string::npos && std::ranges::count(number, ',') == 1)
-            std::ranges::replace(number, ',', '.');
-        return {std::move(number), {}};
-    }
-    const std::string_view number = firstNumber(line);
+    std::string number = m_finder(line);
+    const std::string close = m_finder(withSignsAtNumbers(line));
+    if (!number.empty() && !close.empty() && isSign(close[0])
+        && std::string_view(close).substr(1) == number)
+        number = close;
+    number = withSignsAtNumbers(number);
+    if (number.find('.') == std::string::npos && std::ranges::count(number, ',') == 1)
+        std::ranges::replace(number, ',', '.');
+    return number;
+}
+
+ReferenceLineReader::Found ReferenceLineReader::find(std::string_view said) const
+{
+    const std::string line = withPlainSigns(said);
+    if (m_finder)
+        return {foundByPattern(line), {}};
+    const std::string close = withSignsAtNumbers(line);
+    const std::string_view number = firstNumber(close);
     if (number.empty())
         return {};
-    const auto end = static_cast<std::size_t>(number.data() - line.data()) + number.size();
-    return {std::string(number), line.substr(end)};
+    const auto end = static_cast<std::size_t>(number.data() - close.data()) + number.size();
+    return {std::string(number), close.substr(end)};
 }
 
 InstrumentReading ReferenceLineReader::read(std::string_view line) const

@@ -25,9 +25,9 @@ using Instrument = std::function<InstrumentReading(std::chrono::nanoseconds now)
 using NumberFinder = std::function<std::string(std::string_view line)>;
 
 /// Reads positions from lines of text such as "+517.3000042 mm": the first number of a line with a
-/// decimal point, and the unit behind it. Nothing is guessed: a line without a unit needs the one
-/// of the scale, and one with another unit, with a comma in its number or without a number is a
-/// problem.
+/// decimal point, with the sign before it even where blanks are between, and the unit behind it.
+/// The minus sign U+2212 is a "-". Nothing is guessed: a line without a unit needs the one of the
+/// scale, and one with another unit, with a comma in its number or without a number is a problem.
 class ReferenceLineReader {
 public:
     /// finder: where the number is; none: it is the first. Only a number that was found by it may
@@ -42,9 +42,10 @@ private:
     /// The number and what stands behind it; an empty number: there is none.
     struct Found {
         std::string number;
-        std::string_view rest;
+        std::string rest;
     };
-    [[nodiscard]] Found find(std::string_view line) const;
+    [[nodiscard]] Found find(std::string_view said) const;
+    [[nodiscard]] std::string foundByPattern(std::string_view line) const;
 
     ReferenceScale m_scale;
     std::string m_wanted; ///< "mm" or "deg"

@@ -523,6 +523,23 @@ private Q_SLOTS:
         QVERIFY(std::isnan(position) || std::abs(reading.position - position) < 1e-12);
     }
 
+    void aSignBeforeANumberBelongsToItWithBlanksBetweenAndAsAMinusSign()
+    {
+        struct Case {
+            const char* line;
+            double position;
+            const char* pattern = "";
+        };
+        for (const Case& each :
+            {Case{"-     0.0035 mm", -0.0035}, {"X +\t20.0046 mm", 20.0046}, {"- .5 mm", -0.5},
+                {"\u22120.0035 mm", -0.0035}, {"L \u2212  3.5 mm", -3.5}, {"3.5e\u22122 mm", 0.035},
+                {"P7;-   3.5", -3.5, ";.*?([-+]?[0-9.]+)"}, {"P7;-   3,5", -3.5, ";([^;]*)"},
+                {"P7;\u22123.5", -3.5, "([-+]?\\d+\\.\\d+)"}, {"P7 - 3.5", 3.5, " - ([0-9.]+)"}}) {
+            const auto reading = readerOf("mm", each.pattern).read(each.line);
+            QVERIFY2(std::abs(reading.position - each.position) < 1e-12, each.line);
+        }
+    }
+
     void signAndZeroOfAnInstrumentAreTakenOut()
     {
         ReferenceScale scale;
