@@ -82,6 +82,7 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
     made.m_scale = std::move(scale);
     AXISCOMP_CHECK(made.setUnits(status, plan));
     AXISCOMP_CHECK(made.checkReference(status));
+    AXISCOMP_CHECK(made.checkEncoder(status));
     made.choosePaths(status);
     AXISCOMP_TRY(const auto readings, link.readRegisters(made.m_paths, exchange));
     made.m_state = made.stateOf(readings);
@@ -153,6 +154,24 @@ Result<void> AxisReadings::checkReference(const AxisStatus& status) const
             "{path} follows the encoder of the axis itself: name the register of an instrument")
                                .with("path", m_registers.reference));
     return {};
+}
+
+/// Behind the compensation the axis stands at its target whatever the table does: a table made of
+/// such readings would hold what is left of the error only.
+Result<void> AxisReadings::checkEncoder(const AxisStatus& status) const
+{
+    const std::string& path = m_registers.encoder;
+    const auto axis = m_profile->axisOfPosition(path);
+    // A profile that knows no raw position leaves it to the user to know one.
+    if (!axis && m_profile->positionKinds.before.empty())
+        return {};
+    if (axis == status.axis.index && m_profile->isBeforeCompensation(path))
+        return {};
+    return notCaptured(AXISCOMP_TEXT("Error",
+        "{path} is no position of axis {axis} before its compensation: name the register of its "
+        "encoder")
+                           .with("path", path)
+                           .with("axis", axisShown(status.axis)));
 }
 
 void AxisReadings::choosePaths(const AxisStatus& status)

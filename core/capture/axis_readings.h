@@ -27,7 +27,7 @@ struct ReferenceScale {
 
 /// Which registers say where the axis is.
 struct CaptureRegisters {
-    std::string encoder; ///< raw
+    std::string encoder; ///< raw: of the axis, before its compensation
     std::string reference; ///< empty: the instrument is none of the drive's registers
 };
 
@@ -37,9 +37,9 @@ public:
     /// status: of the axis, as it is now. What is read is in the unit of the axis; a reference
     /// register is so unless `scale` names another unit. Reads once. profile must outlive what is
     /// made. Errors: InvalidArgument for
-    /// the plan of another axis, an encoder that is taken for the instrument, a register that holds
-    /// no position; UnitMismatch; NotHomed; MeasurementState while the compensation is neither on
-    /// nor off; those of readRegisters.
+    /// the plan of another axis, an encoder that is taken for the instrument, one that is no raw
+    /// position of the axis, a register that holds no position; UnitMismatch; NotHomed;
+    /// MeasurementState while the compensation is neither on nor off; those of readRegisters.
     [[nodiscard]] static Result<AxisReadings> open(DriveLink& link, const DriveProfile& profile,
         const AxisStatus& status, const MeasuringPlan& plan, CaptureRegisters registers,
         ReferenceScale scale, const Exchange& exchange);
@@ -65,6 +65,7 @@ private:
     explicit AxisReadings(const DriveProfile& profile) : m_profile(&profile) { }
     [[nodiscard]] Result<void> setUnits(const AxisStatus& status, const MeasuringPlan& plan);
     [[nodiscard]] Result<void> checkReference(const AxisStatus& status) const;
+    [[nodiscard]] Result<void> checkEncoder(const AxisStatus& status) const;
     void choosePaths(const AxisStatus& status);
     [[nodiscard]] std::string stateOf(const std::vector<RegisterReading>& readings) const;
 

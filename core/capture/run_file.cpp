@@ -17,6 +17,7 @@ namespace {
 constexpr std::string_view firstLine = "// axiscomp runs: 1";
 constexpr std::string_view stateKey = "// compensation: ";
 constexpr std::string_view referenceKey = "// reference: ";
+constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
@@ -155,11 +156,13 @@ Result<RunFile> RunFile::open(
 Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
 {
     const std::string unit = unitOf(plan);
+    const std::string encoder =
+        origin.encoder.empty() ? "" : "\n" + std::string(encoderKey) + origin.encoder;
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
         + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n"
-        + std::string(referenceKey) + origin.reference + "\n// feed: " + toText(plan.feedPerMinute)
-        + " " + unit + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan)
-        + "\n");
+        + std::string(referenceKey) + origin.reference + encoder
+        + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
+        + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan) + "\n");
 }
 
 Result<void> RunFile::goOn(
@@ -192,6 +195,8 @@ Result<void> RunFile::goOn(
             return wrong(Verbatim{std::string(stateKey) + origin.state});
         if (isOther(line, referenceKey, origin.reference))
             return wrong(Verbatim{std::string(referenceKey) + origin.reference});
+        if (isOther(line, encoderKey, origin.encoder))
+            return wrong(Verbatim{std::string(encoderKey) + origin.encoder});
         if (!hasColumns && !line.starts_with("//")) {
             if (line != columnLine(plan))
                 return wrong(Verbatim{columnLine(plan)});

@@ -16,6 +16,7 @@ struct RunOrigin {
     std::string state; ///< of the compensation: "off", "on" or "crc:1c291ca3"
     std::string reference; ///< the instrument, and how its numbers are taken
     std::string date; ///< of now, for a new file
+    std::string encoder = {}; ///< the register of the raw position
 };
 
 /// The file of the values that are being captured: the documented CSV of runs, a line for each
@@ -24,8 +25,8 @@ struct RunOrigin {
 class RunFile {
 public:
     /// A file that is there goes on where it ends; its lines must be the first steps of the plan,
-    /// its state and its reference these. One without a value begins anew. Errors: FileNotReadable
-    /// with the line, FileNotWritable.
+    /// its state, its reference and, where it names one, its encoder these. One without a value
+    /// begins anew. Errors: FileNotReadable with the line, FileNotWritable.
     [[nodiscard]] static Result<RunFile> open(
         const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin);
 

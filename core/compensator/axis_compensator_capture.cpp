@@ -69,7 +69,7 @@ Result<CaptureRun> AxisCompensator::beginCapture(
     AXISCOMP_TRY(auto file,
         RunFile::open(request.file, request.plan,
             {readings.state(), reference.text(),
-                utcText(std::chrono::floor<std::chrono::seconds>(d->clock()))}));
+                utcText(std::chrono::floor<std::chrono::seconds>(d->clock())), registers.encoder}));
     CaptureRun run(std::move(readings), std::move(file), request.plan, request.rules, status.drive);
     run.useConnection(d->connection);
     if (instrument)

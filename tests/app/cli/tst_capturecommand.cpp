@@ -172,6 +172,7 @@ private Q_SLOTS:
         const QByteArray file = fixture.box.content("runs.csv");
         QVERIFY(file.contains("\n// compensation: off\n"));
         QVERIFY(file.contains("\n// reference: Machine/Axes[0]/ReferencePosition, 0 at -17.3\n"));
+        QVERIFY(file.contains("\n// encoder: Axes[0]/Signals/PositionController/MasterPosition\n"));
         // All of it is there: nothing is taken twice, and the machine may be anywhere.
         const ProgramRun again = fixture.box.run(fixture.words() + QStringList{"--json"});
         VERIFY_CODE(again, 0);
@@ -379,6 +380,12 @@ private Q_SLOTS:
         QTest::newRow("the encoder itself")
             << QStringList{"--reference", "Axes[0]/Signals/PositionController/MasterPosition"} << 2
             << QByteArray("follows the encoder of the axis itself");
+        QTest::newRow("an encoder behind the compensation")
+            << QStringList{"--encoder", "Axes[0]/Signals/PathPlanner/Position"} << 2
+            << QByteArray("is no position of axis X before its compensation");
+        QTest::newRow("the encoder of the other axis")
+            << QStringList{"--encoder", "Axes[1]/Signals/PositionController/MasterPosition"} << 2
+            << QByteArray("is no position of axis X before its compensation");
         QTest::newRow("no such port") << QStringList{"--reference", "serial:/dev/no-such-port"} << 5
                                       << QByteArray("there is no such port");
         QTest::newRow("standard output")

@@ -629,6 +629,37 @@ private Q_SLOTS:
         QVERIFY(refusal(repeated).find("step 2 of the plan") != std::string::npos);
     }
 
+    void aFileGoesOnWithTheSameRawPositionOnly()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        RunOrigin master = origin;
+        master.encoder = "Axes[0]/MasterPosition";
+        {
+            auto runs = RunFile::open(file, plan, master).value();
+            QVERIFY(runs.append(valueOf(plan, 0)));
+        }
+        const std::string whole = contentOf(file);
+        RunOrigin other = origin;
+        other.encoder = "Axes[0]/Encoders[0]/Position";
+        const auto refused = RunFile::open(file, plan, other);
+        const std::string said = refused ? "it was taken" : sentence(refused.error());
+        QVERIFY2(said.find("\"// encoder: Axes[0]/MasterPosition\" where // encoder: "
+                           "Axes[0]/Encoders[0]/Position is expected")
+                != std::string::npos,
+            said.c_str());
+        QCOMPARE(contentOf(file), whole);
+        QCOMPARE(RunFile::open(file, plan, master).value().taken(), std::size_t{1});
+        // Those of earlier versions do not say it.
+        std::string silent = whole;
+        const std::size_t begin = silent.find("// encoder: ");
+        silent.erase(begin, silent.find('\n', begin) + 1 - begin);
+        put(file, silent);
+        QCOMPARE(RunFile::open(file, plan, other).value().taken(), std::size_t{1});
+    }
+
     void aFileWithoutAValueBeginsAnew()
     {
         const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);

@@ -362,6 +362,41 @@ private Q_SLOTS:
         QVERIFY(contains(fixture.refusal(right), "neither on nor off (the drive says Ramping)"));
     }
 
+    void theEncoderIsAPositionOfTheAxisBeforeItsCompensation()
+    {
+        CaptureFixture fixture;
+        const auto said = [&](const std::string& path) {
+            return fixture.refusal({path, referenceRegister});
+        };
+        for (const std::string path :
+            {"Axes[0]/Signals/PathPlanner/Position", // behind its compensation
+                "Axes[1]/Signals/PositionController/MasterPosition", // of the other axis
+                "Machine/Axes[0]/ReferencePosition2"}) { // of no axis, as far as it is known
+            const std::string text = said(path);
+            QVERIFY2(text.find(path + " is no position of axis X before its compensation")
+                    != std::string::npos,
+                text.c_str());
+        }
+        QCOMPARE(said(encoder), std::string("it was taken"));
+        QCOMPARE(said("Axes[0]/Signals/PositionController/Encoders[0]/Position"),
+            std::string("it was taken"));
+    }
+
+    void aProfileWithoutRawPositionsLeavesTheEncoderToTheUser()
+    {
+        CaptureFixture fixture;
+        DriveProfile profile = genericProfile();
+        profile.positionKinds.before.clear();
+        const auto status = fixture.compensator.status(0);
+        VERIFY_RESULT(status);
+        const auto open = [&](const std::string& path) {
+            return AxisReadings::open(
+                fixture.link, profile, *status, planOf(), {path, referenceRegister}, {}, {});
+        };
+        VERIFY_RESULT(open(encoder));
+        VERIFY_ERROR(open("Axes[0]/Signals/PathPlanner/Position"), ErrorCode::InvalidArgument);
+    }
+
     void aSingleSaysHowFarItsNumbersAreApart()
     {
         CaptureFixture fixture;
