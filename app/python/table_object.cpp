@@ -6,6 +6,7 @@
 #include "core/csv/calibration_csv.h"
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <pybind11/numpy.h>
@@ -66,10 +67,21 @@ py::array valuesView(const py::object& self)
     return view;
 }
 
+/// Errors: ValueError where something is masked, whose number would be taken as it stands.
+void refuseMasked(const py::object& given, const char* reason)
+{
+    const py::module_ masked = py::module_::import("numpy.ma");
+    // asarray: a list of masked arrays is not masked itself
+    if (masked.attr("is_masked")(masked.attr("asarray")(given)).cast<bool>())
+        throw py::value_error(reason);
+}
+
 /// One value for each position, on all processors and without the interpreter's lock.
 py::array_t<double> lookedUp(
-    const TableObject& object, const Numbers& positions, const std::string& outside)
+    const TableObject& object, const py::object& given, const std::string& outside)
 {
+    refuseMasked(given, "a position is masked: nothing is looked up there");
+    const Numbers positions(given);
     const CompensationTable& table = object.table;
     const Lookup lookup(table, outsideNamed(outside));
     const auto dimensions = static_cast<py::ssize_t>(table.grid.axes.size());
@@ -122,14 +134,20 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
     return axis;
 }
 
-/// Errors: of numpy, and ValueError for masked values, whose numbers would be taken for values.
+/// Errors: of numpy, and ValueError for masked values.
 Values valuesFrom(const py::object& given)
 {
-    const py::module_ masked = py::module_::import("numpy.ma");
-    // asarray: a list of masked arrays is not masked itself
-    if (masked.attr("is_masked")(masked.attr("asarray")(given)).cast<bool>())
-        throw py::value_error("a value is masked: a table has a value at each point");
+    refuseMasked(given, "a value is masked: a table has a value at each point");
     return Values(given);
+}
+
+/// Errors: ValueError for "#2" of one dimension, which no file could say.
+void checkTarget(const std::string& target, py::ssize_t dimensions)
+{
+    for (py::ssize_t n = dimensions + 1; n <= 3; ++n)
+        if (target == sourceTarget(static_cast<std::size_t>(n - 1)))
+            throw py::value_error("the target " + target
+                + " is no dimension of the table, which has " + std::to_string(dimensions));
 }
 
 TablePointer makeTable(const py::object& given, const py::sequence& axes, const std::string& name,
@@ -142,6 +160,7 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     if (static_cast<py::ssize_t>(axes.size()) != values.ndim())
         throw py::value_error("the values have " + std::to_string(values.ndim())
             + " dimensions, but there are " + std::to_string(axes.size()) + " axes");
+    checkTarget(target, values.ndim());
     auto object = std::make_shared<TableObject>();
     object->notes = notes;
     CompensationTable& table = object->table;

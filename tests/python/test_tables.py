@@ -58,6 +58,19 @@ class Tables(unittest.TestCase):
         with self.assertRaises(ValueError):
             line.lookup([1], outside="nearest")
 
+    def test_nothing_is_looked_up_at_a_masked_position(self):
+        line = axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm")
+        for positions in (numpy.ma.array([2.5, 5], mask=[False, True]), [numpy.ma.array([5], mask=[True])]):
+            with self.assertRaisesRegex(ValueError, "masked"):
+                line.lookup(positions)
+        numpy.testing.assert_allclose(line.lookup(numpy.ma.array([5.0], mask=[False])), [0.001], atol=1e-8)
+
+    def test_a_target_is_a_dimension_of_the_table(self):
+        for target in ("#2", "#3"):
+            with self.assertRaisesRegex(ValueError, "target " + target):
+                axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target=target)
+        self.assertEqual(axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target="#1").target, "#1")
+
     def test_positions_are_those_of_the_grid(self):
         numpy.testing.assert_array_equal(plane().positions(2), [-30, -10, 10, 30])
         with self.assertRaises(IndexError):
