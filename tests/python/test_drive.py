@@ -71,6 +71,13 @@ class Drives(unittest.TestCase):
         self.assertEqual(raised.exception.code, "TargetMismatch")
         self.assertIsNone(self.drive.status("X")["table"])
 
+    def test_data_without_a_table_is_an_error(self):
+        for data in ([], (), numpy.array([]), numpy.array([0, 0.01]), [table(), None]):
+            with self.assertRaisesRegex(axiscomp.RequestError, "without a table", msg=repr(data)) as raised:
+                self.drive.write(data, axis="X", source1=SOURCE)
+            self.assertEqual(raised.exception.code, "InvalidArgument")
+        self.assertFalse(any(self.drive.status("X")["sources"]))
+
     def test_a_table_is_not_written_for_the_other_side_of_the_compensation(self):
         line = axiscomp.Measurement(
             [0, 20, 40], up=[[0, 1e-3, 2e-3]] * 2, down=[[0, 1e-3, 2e-3]] * 2, axis="X", compensation="off"

@@ -165,9 +165,20 @@ def _file_of(given: Any) -> Any:
     return given
 
 
+def _check_data(given: Any) -> None:
+    """An empty list as data would be no data: the axis would keep its table, under new sources."""
+    if not _is_list(given) or (len(given) == 1 and isinstance(given[0], (str, os.PathLike))):
+        return
+    raise RequestError(
+        "InvalidArgument",
+        f"data is a {type(given).__name__} without a table: give a Table, a list of tables over the same axes, or a file",
+    )
+
+
 def _with_files(positionals: list[Any], options: dict[str, Any]) -> tuple[list[Any], dict[str, Any]]:
     positionals = [_file_of(given) for given in positionals]
     options = {parameter: _file_of(value) for parameter, value in options.items()}
+    _check_data(options.get("data"))
     for given in (*positionals, options.get("data")):
         if isinstance(given, _TableFile):  # it says its dimensions itself
             for parameter, value in (("dims", given.tables[0].dimensions), ("from_", "csv")):
