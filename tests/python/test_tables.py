@@ -145,6 +145,20 @@ class Tables(unittest.TestCase):
         back = axiscomp.read(file, from_="linuxcnc", target="#1")
         numpy.testing.assert_allclose(back.lookup([0, 10, 20]), table.lookup([0, 10, 20]), atol=2e-5)
 
+    def test_the_unit_of_the_values_is_stated_and_not_ignored(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "x.csv"
+            file.write_text("X [mm],X error\n0,1\n10,2\n")
+            stated = axiscomp.read(file, dims=1, set_in={"value-unit": "um"})
+            self.assertEqual((stated.unit, list(stated.values)), ("um", [1, 2]))
+            for act in (
+                lambda: axiscomp.read(file, dims=1, value_unit="um"),
+                lambda: axiscomp.read_all(file, dims=1, value_unit="um"),
+                lambda: axiscomp.resample(stated, points=3, value_unit="mm"),
+            ):
+                with self.assertRaisesRegex(axiscomp.RequestError, "--set-in value-unit"):
+                    act()
+
     def test_a_table_is_resampled(self):
         table = axiscomp.Table([0, 0.002, -0.001], [(0, 10, "mm", "X")], name="X error", unit="mm")
         dense = axiscomp.resample(table, points=5)

@@ -228,15 +228,22 @@ Json conversionJson(const TableConversion& table, std::optional<double> speed)
         {"positionRounding", table.positionRounding}, {"example", table.example.english()}};
 }
 
+/// Where it would be ignored. Errors: InvalidArgument with the way out, if it was given.
+Result<void> refuseValueUnit(const ConvertOptions& options, const std::string& wayOut)
+{
+    if (options.valueUnit.empty())
+        return {};
+    return wrongUsage(
+        "--value-unit is for a calibration file that becomes a .TAMtbl as it is; " + wayOut,
+        options.input.command);
+}
+
 /// Between the formats of two controllers, or with a change of the numbers.
 Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
     const TableFormat& to, const TableInput& input)
 {
     const Output output{options.output, options.input.command};
-    if (!options.valueUnit.empty())
-        return wrongUsage("--value-unit is for a calibration file that becomes a .TAMtbl as it is; "
-                          "convert in two steps",
-            options.input.command);
+    AXISCOMP_CHECK(refuseValueUnit(options, "convert in two steps"));
     AXISCOMP_TRY(const auto tables, chosenColumns(input, options, to.facts));
     AXISCOMP_TRY(auto request,
         conversionRequest(options.conversion, *input.format, to, tables.front().axes.size()));
@@ -278,6 +285,9 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     AXISCOMP_TRY(const auto to, outputFormat(options.output, options.to));
     const FormatFacts& format = to->facts;
     AXISCOMP_CHECK(checkOutput(environment, output, format.isText));
+    if (to == &calibration_csv::format())
+        AXISCOMP_CHECK(refuseValueUnit(
+            options, "--set-in value-unit=UNIT says in which unit the values of the input are"));
     if ((options.persistent || options.isVolatile) && !format.holdsPersistency)
         return wrongUsage(std::string(format.name) + " cannot say whether a table is persistent",
             options.input.command);

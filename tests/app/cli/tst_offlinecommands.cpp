@@ -242,6 +242,25 @@ private Q_SLOTS:
             box.run({"convert", "large.csv", "large.TAMtbl", "--dims", "1", "--accept-large"}), 0);
     }
 
+    /// It says the unit in a .TAMtbl; a calibration file would be written as it stands.
+    void theUnitOfTheValuesIsRefusedWhereItWouldBeIgnored()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],X error\n0,1\n10,2\n");
+        for (const QStringList& more : {QStringList{}, QStringList{"--points", "3"}}) {
+            const ProgramRun run = box.run(
+                QStringList{"convert", "x.csv", "y.csv", "--dims", "1", "--value-unit", "um"}
+                + more);
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("; --set-in value-unit=UNIT says in which unit"),
+                run.err.constData());
+            QVERIFY(!QFile::exists(box.path("y.csv")));
+        }
+        VERIFY_CODE(
+            box.run({"convert", "x.csv", "y.csv", "--dims", "1", "--set-in", "value-unit=um"}), 0);
+        QVERIFY2(box.content("y.csv").contains("X error [um]"), box.content("y.csv").constData());
+    }
+
     void convertGoesThereAndBack()
     {
         const Sandbox box;
