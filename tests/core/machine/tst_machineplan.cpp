@@ -201,12 +201,14 @@ private Q_SLOTS:
         MachineAxis& axis = machine.drive.axes[0];
         axis.file = file.toStdString();
         axis.sources = std::vector<std::string>{test::masterX};
+        if (axis.file == "x.csv")
+            axis.choices.format = &calibration_csv::format();
         axis.choices.settings = {{isKnown ? "value-unit" : "value_unit", "um"}};
         const auto bytes = encodeTamTable(test::exampleTable(1), false, genericTableLayout());
         QVERIFY(bytes.has_value());
         std::ofstream stream(machine.context.folder / axis.file, std::ios::binary);
         if (axis.file == "x.csv")
-            stream << "X,X error\n0,0\n10,0.2\n20,0\n";
+            stream << "X [mm],X error\n0,0\n10,0.2\n20,0\n";
         else
             stream << asText(*bytes);
         stream.close();
