@@ -5,6 +5,7 @@
 #include "core/csv/fields.h"
 #include "core/table/position_unit.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
@@ -424,13 +425,61 @@ void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
     const std::string value(colon == std::string::npos
             ? std::string_view()
             : trimmed(std::string_view(text).substr(colon + 1)));
-    if (colon != std::string::npos && takeStatement(key, value, line))
+    if (colon != std::string::npos && takeStatement(key, value, line)) {
+        checkSaidBefore(lowerCase(std::string(key)), value, line);
         return;
+    }
     if (colon != std::string::npos && sameLetters(key, "note"))
         text = value;
     m_noteBytes += text.size();
     if (!text.empty() && m_noteBytes <= mostNoteBytes)
         m_measurement.notes.push_back(text);
+}
+
+/// By what a statement means, so that "20.4" and "20.40 C" are one. Empty: nothing that counts.
+std::string MeasurementCsv::meaningOf(std::string_view key, const std::string& value) const
+{
+    const MeasurementHeader& header = m_measurement.header;
+    const auto number = [](const std::optional<double>& said) {
+        return said ? shortestText(*said) : std::string();
+    };
+    if (key == "axis")
+        return lowerCase(value);
+    if (key == "compensation")
+        return measuredStateText(header.compensation);
+    if (key == "corrected")
+        return header.corrected == MeasurementHeader::Corrected::NotSaid
+            ? std::string()
+            : std::to_string(static_cast<int>(header.corrected));
+    if (key == "values")
+        return m_comments.holdsReference.value_or(false) ? "reference" : "deviation";
+    if (key == "sign")
+        return m_comments.holdsCorrections ? "correction" : "deviation";
+    if (key == "air temperature")
+        return number(header.airTemperature);
+    if (key == "material temperature")
+        return number(header.materialTemperature);
+    return key == "expansion" ? number(header.expansion) : std::string();
+}
+
+void MeasurementCsv::checkSaidBefore(
+    const std::string& key, const std::string& value, std::size_t line)
+{
+    const std::string meaning = meaningOf(key, value);
+    if (meaning.empty())
+        return;
+    const auto [first, isFirst] = m_statements.try_emplace(key, Statement{meaning, value, line});
+    if (isFirst || first->second.meaning == meaning)
+        return;
+    const auto shownStatement = [&](const std::string& said) {
+        return key + ": " + excerpt(said, Encoding::Utf8);
+    };
+    m_diagnostics.error(DiagnosticCode::Contradiction, line, 0,
+        AXISCOMP_TEXT("Error", "{second}, and {first} in line {line}")
+            .with("second", shownStatement(value))
+            .with("first", shownStatement(first->second.value))
+            .with("line", first->second.line),
+        AXISCOMP_TEXT("Error", "one statement of it"));
 }
 
 bool MeasurementCsv::takeStatement(std::string_view key, const std::string& value, std::size_t line)

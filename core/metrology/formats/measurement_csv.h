@@ -7,6 +7,7 @@
 #include "core/text/line_reader.h"
 
 #include <initializer_list>
+#include <map>
 #include <span>
 
 namespace axiscomp {
@@ -94,6 +95,9 @@ private:
     bool takeIfComment(std::string_view line, std::size_t lineNumber);
     void takeComment(std::string_view comment, std::size_t line);
     bool takeStatement(std::string_view key, const std::string& value, std::size_t line);
+    /// key: in small letters.
+    void checkSaidBefore(const std::string& key, const std::string& value, std::size_t line);
+    [[nodiscard]] std::string meaningOf(std::string_view key, const std::string& value) const;
     bool takeText(std::string_view key, const std::string& value);
     bool takeNumber(std::string_view key, const std::string& value, std::size_t line);
     void takeCompensation(const std::string& value, std::size_t line);
@@ -107,6 +111,12 @@ private:
     void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
     [[nodiscard]] std::optional<double> inBase(
         std::size_t column, std::span<const ScaleOfUnit> units, const TextPattern& expected);
+
+    struct Statement {
+        std::string meaning;
+        std::string value; ///< as written
+        std::size_t line = 0;
+    };
 
     const MeasurementReadOptions& m_options;
     Measurement& m_measurement;
@@ -126,6 +136,7 @@ private:
     bool m_isAxisRefused = false;
     std::optional<bool> m_settledReference;
     bool m_isSignSettled = false;
+    std::map<std::string, Statement> m_statements; ///< the first of each key
     std::size_t m_headerLine = 0;
     std::size_t m_line = 0;
     std::size_t m_noteBytes = 0;

@@ -292,6 +292,39 @@ private Q_SLOTS:
     }
 
     /// A correction of x um at each X: the axis went too far by its opposite.
+    void twoStatementsOfOneThingMustSayTheSame()
+    {
+        const auto read = [](const std::string& first, const std::string& second) {
+            const std::string lines = "target [mm],direction,run,deviation [um]\n"
+                                      "0,+,1,0.1\n10,+,1,0.2\n20,+,1,0.3\n";
+            return test::readAs("runs", "// " + first + "\n// " + second + "\n" + lines);
+        };
+        const std::pair<const char*, const char*> different[] = {{"axis: X", "axis: Y"},
+            {"compensation: off", "compensation: on"},
+            {"compensation: crc:1c291ca3", "Compensation: crc:1c291ca4"},
+            {"corrected: none", "corrected: 20C"}, {"values: deviation", "values: reference"},
+            {"sign: correction", "sign: deviation"},
+            {"air temperature: 20.4", "air temperature: 20.5"},
+            {"material temperature: 20.4", "material temperature: 20.5"},
+            {"expansion: 11.5e-6", "expansion: 11e-6"}};
+        for (const auto& [first, second] : different) {
+            const MeasurementReading reading = read(first, second);
+            QVERIFY2(!reading.measurement, second);
+            QVERIFY2(std::ranges::any_of(reading.diagnostics,
+                         [](const Diagnostic& one) {
+                             return one.code == DiagnosticCode::Contradiction;
+                         }),
+                second);
+        }
+        const std::pair<const char*, const char*> same[] = {{"axis: X", "Axis: x"},
+            {"compensation: crc:1c291ca3", "compensation: crc:1C291CA3"},
+            {"corrected: 20C", "corrected: 20 C"},
+            {"air temperature: 20.4", "air temperature: 20.40 C"},
+            {"expansion: 11.5e-6", "expansion: 1.15e-5 1/K"}};
+        for (const auto& [first, second] : same)
+            QVERIFY2(read(first, second).measurement.has_value(), second);
+    }
+
     void correctionsAtPointsAreTheOppositeOfDeviations()
     {
         const auto valuesOf = [](const std::string& sign) {

@@ -122,6 +122,9 @@ private Q_SLOTS:
             {"3:1 Contradiction axis Y, and axis X in line 1|"});
         row("another axis behind the lines", "runs", ofAxes + "Y,0,+,1\nY,9,+,2\n// axis: X\n",
             {"4:0 Contradiction axis X, and axis Y in line 2|"});
+        row("two statements", "runs",
+            "// axis: X\n// sign: deviation\n// axis: Y\n" + head + "0,+,1,1\n1,+,1,1\n",
+            {"3:0 Contradiction axis: Y, and axis: X in line 1|one statement of it"});
         row("not a kind", "wide", "target [mm],up1 [um],down1 [um]\n0,1,1\n1,1,1\n",
             {"1:0 MissingColumn columns of runs that are either deviations or positions|which it "
              "is: // values:"});
