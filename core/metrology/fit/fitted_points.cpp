@@ -51,12 +51,15 @@ std::vector<FittedPoint> valuesOfTrack(
     const Measurement& measurement, const FitSettings& settings, const FitReport& report)
 {
     std::vector<FittedPoint> points;
+    // At the set position the axis stands without what is taken out for the zero.
+    const double removed =
+        report.lookupAt == LookupAt::Set ? report.tables.front().removedConstant : 0.0;
     for (const TrackSample& sample : measurement.track) {
         if (!isOfDirection(sample, settings.direction))
             continue;
         const auto place = pointOfReading(report.lookupAt, {&sample.encoder, 1},
             {&sample.reference, 1}, sample.reference - sample.encoder);
-        points.push_back({place.knot[0], place.value});
+        points.push_back({place.knot[0] - removed, place.value});
     }
     return points;
 }

@@ -31,6 +31,8 @@ struct Scatter {
         /// reference - encoder as it was read, without a gain and with how the artefact lay.
         ScatteredNumbers read = {};
         ScatteredNumbers body = {}; ///< how the artefact lay, which was taken out of the values
+        /// For the zero of its table, with gain 1: at the set position the axis stands without it.
+        double removed = 0.0;
     };
     std::vector<Column> columns;
     ScatteredNumbers weights = {};
@@ -53,7 +55,7 @@ Scatter scatterOfTrack(const FitInput& input)
     Scatter scatter;
     scatter.axes = {axis.empty() ? "Position" : axis};
     scatter.positions.resize(1);
-    Scatter::Column column{axis.empty() ? "Error" : "d" + axis, axis, 0, {}, {{}}};
+    Scatter::Column column{axis.empty() ? "Error" : "d" + axis, axis, 0, {}};
     const auto ups = static_cast<double>(
         std::ranges::count(measurement.track, Approach::Up, &TrackSample::direction));
     const double downs = static_cast<double>(measurement.track.size()) - ups;
@@ -64,8 +66,6 @@ Scatter scatterOfTrack(const FitInput& input)
             continue;
         scatter.positions[0].push_back(sample.encoder);
         column.values.push_back(sample.reference - sample.encoder);
-        column.places[0].push_back(
-            input.lookupAt == LookupAt::Encoder ? sample.encoder : sample.reference);
         if (isBalanced)
             scatter.weights.push_back(
                 0.5 * (ups + downs) / (sample.direction == Approach::Up ? ups : downs));
@@ -181,7 +181,8 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
     std::vector<ScatteredNumbers> moved(dimensions, ScatteredNumbers(scatter.size(), 0.0));
     for (std::size_t axis = 0; axis < dimensions; ++axis)
         if (own[axis])
-            moved[axis] = own[axis]->values;
+            for (std::size_t i = 0; i < scatter.size(); ++i)
+                moved[axis][i] = own[axis]->values[i] - own[axis]->removed;
     for (Scatter::Column& column : scatter.columns) {
         const ActiveTable active = activeFor(input, column.target);
         if (input.state.kind == FoundState::Kind::On && !active.table)
@@ -210,6 +211,15 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
         }
     }
     return {};
+}
+
+/// The same of a track.
+void placeTrack(const FitInput& input, const Scatter& scatter, Scatter::Column& column)
+{
+    column.places = scatter.positions;
+    if (input.lookupAt == LookupAt::Set)
+        for (std::size_t i = 0; i < column.read.size(); ++i)
+            column.places[0][i] += column.read[i] - column.removed;
 }
 
 /// The points of a grid that the curve through a track decides; 0: it does not.
@@ -377,12 +387,17 @@ Result<void> checkScatterSettings(const FitInput& input, std::size_t dimensions)
     return {};
 }
 
+FitZero zeroRuleOf(const FitSettings& settings)
+{
+    if (settings.zero != FitZero::Automatic)
+        return settings.zero;
+    return settings.remove == BodyRemoval::None ? FitZero::First : FitZero::Keep;
+}
+
 Result<double> zeroOf(const FitInput& input, const Grid& grid, const std::vector<double>& values)
 {
     const FitSettings& settings = input.settings;
-    FitZero zero = settings.zero;
-    if (zero == FitZero::Automatic)
-        zero = settings.remove == BodyRemoval::None ? FitZero::First : FitZero::Keep;
+    const FitZero zero = zeroRuleOf(settings);
     if (zero == FitZero::First)
         return values.front();
     if (zero == FitZero::Mean)
@@ -616,6 +631,85 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
         .with("added", fineQuantity(lookup.at(place(largest)), isAngular));
 }
 
+struct ScatterFit {
+    Scatter scatter; ///< with its places
+    ActiveTable onto; ///< of the first column
+    std::vector<FittedTable> tables; ///< of each column
+    std::vector<GridFit> fits;
+};
+
+Result<ScatterFit> fitPlaced(const FitInput& input, const Scatter& scatter)
+{
+    ScatterFit made{scatter, {}, {}, {}};
+    const bool isTrack = input.measurement.kind == MeasurementKind::Track;
+    if (!isTrack)
+        AXISCOMP_CHECK(placeColumns(input, made.scatter));
+    AXISCOMP_TRY(made.onto, ontoOf(input, made.scatter.columns.front()));
+    if (isTrack) {
+        placeTrack(input, made.scatter, made.scatter.columns.front());
+        takeShare(made.onto, input.settings.gain, made.scatter.columns.front());
+    }
+    AXISCOMP_TRY(const auto curve, curveOf(input, made.scatter, made.onto));
+    const SmoothedCurve* const smoothed = curve ? &*curve : nullptr;
+    AXISCOMP_TRY(const Grid grid, gridOf(input, made.scatter, made.onto, smoothed));
+    for (const Scatter::Column& column : made.scatter.columns) {
+        GridFit fit;
+        AXISCOMP_TRY(auto table, fitColumn(input, made.scatter, column, grid, smoothed, fit));
+        made.tables.push_back(std::move(table));
+        made.fits.push_back(std::move(fit));
+    }
+    return made;
+}
+
+/// What the zero takes out of a table with gain 1, whose places all have.
+Result<double> wholeConstant(
+    const FitInput& input, const Scatter::Column& column, const FittedTable& made)
+{
+    AXISCOMP_TRY(const ActiveTable onto, ontoOf(input, column));
+    const double gain = input.settings.gain;
+    if (gain == 1.0 || !onto.table)
+        return made.removedConstant;
+    const Grid& grid = made.table.grid;
+    const Lookup lookup(*onto.table, onto.outside);
+    std::vector<double> before;
+    for (std::size_t i = 0; i < grid.pointCount(); ++i)
+        before.push_back(lookup.at(positionOf(grid, i)));
+    AXISCOMP_TRY(const double old, zeroOf(input, grid, before));
+    return old + (made.removedConstant - old) / gain;
+}
+
+/// At the set position the axes stand without what the zeros take out, which the fit tells: places
+/// that are off move the values by their slope only.
+Result<ScatterFit> fitPlaces(const FitInput& input, Scatter scatter)
+{
+    if (input.lookupAt != LookupAt::Set || zeroRuleOf(input.settings) == FitZero::Keep)
+        return fitPlaced(input, scatter);
+    double range = 0.0;
+    for (const ScatteredNumbers& along : scatter.positions) {
+        const auto [from, to] = std::ranges::minmax(along);
+        range = std::max(range, to - from);
+    }
+    for (Scatter::Column& column : scatter.columns) // nearly all of it is the instrument's zero
+        column.removed = std::accumulate(column.values.begin(), column.values.end(), 0.0)
+            / static_cast<double>(column.values.size());
+    constexpr int mostRounds = 8;
+    constexpr double near = 1e-7; // times a slope of 0.001 it is nothing, also of float32
+    for (int round = 1;; ++round) {
+        AXISCOMP_TRY(auto made, fitPlaced(input, scatter));
+        double change = 0.0;
+        for (std::size_t i = 0; i < scatter.columns.size(); ++i) {
+            Scatter::Column& column = scatter.columns[i];
+            AXISCOMP_TRY(const double removed,
+                wholeConstant(input, made.scatter.columns[i], made.tables[i]));
+            if (column.own)
+                change = std::max(change, std::abs(removed - column.removed));
+            column.removed = removed;
+        }
+        if (change <= near * range || round == mostRounds)
+            return made;
+    }
+}
+
 } // namespace
 
 Result<FitReport> fitScattered(const FitInput& input)
@@ -630,25 +724,15 @@ Result<FitReport> fitScattered(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error", "there are no values in this direction"));
     FitReport report;
     AXISCOMP_TRY(report.removedBody, removeBody(input, scatter));
-    if (!isTrack)
-        AXISCOMP_CHECK(placeColumns(input, scatter));
-    AXISCOMP_TRY(const ActiveTable onto, ontoOf(input, scatter.columns.front()));
-    if (isTrack)
-        takeShare(onto, input.settings.gain, scatter.columns.front());
-    AXISCOMP_TRY(const auto curve, curveOf(input, scatter, onto));
-    const SmoothedCurve* const smoothed = curve ? &*curve : nullptr;
-    AXISCOMP_TRY(const Grid grid, gridOf(input, scatter, onto, smoothed));
-    for (const Scatter::Column& column : scatter.columns) {
-        GridFit fit;
-        AXISCOMP_TRY(auto made, fitColumn(input, scatter, column, grid, smoothed, fit));
-        report.tables.push_back(std::move(made));
-        remarkOfFit(input, column, fit, report);
-    }
-    if (onto.table)
-        report.merge = mergeOnto(input, *onto.table, report.tables.front().table);
+    AXISCOMP_TRY(auto made, fitPlaces(input, std::move(scatter)));
+    for (std::size_t i = 0; i < made.tables.size(); ++i)
+        remarkOfFit(input, made.scatter.columns[i], made.fits[i], report);
+    report.tables = std::move(made.tables);
+    if (made.onto.table)
+        report.merge = mergeOnto(input, *made.onto.table, report.tables.front().table);
     if (report.removedBody)
-        remarkOfBody(scatter, *report.removedBody, report);
-    report.sign = signOf(input, scatter, report.tables.front());
+        remarkOfBody(made.scatter, *report.removedBody, report);
+    report.sign = signOf(input, made.scatter, report.tables.front());
     return report;
 }
 

@@ -543,14 +543,16 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
     const bool isEncoder = input.lookupAt == LookupAt::Encoder;
     // With gain 1 the value of a knot leads from the raw position to the reference.
     double whole = largest->value;
+    double reading = isEncoder ? largest->position : largest->target;
     if (const CompensationTable* const merged = activeTable(input)) {
         const Lookup old(*merged, input.outside());
         const bool isAtTarget = !isEncoder && input.state.kind == FoundState::Kind::On;
         const double before = old.at(isAtTarget ? largest->target : largest->position);
         whole = before + (largest->value - before) / input.settings.gain;
+        if (isAtTarget)
+            reading -= before;
     }
-    const double reference = isEncoder ? largest->position + whole : largest->position;
-    const double reading = reference - whole;
+    const double reference = reading + whole;
     const double added = lookup.at(largest->position);
     const double removed = fit.removed.constant + fit.removed.slope * largest->position;
     Quantity signedAmount = fineQuantity(added, isAngular);

@@ -103,13 +103,18 @@ Result<LookupFrame> frameOf(const TableFitRequest& request)
 }
 
 /// Where the means belong. Knots are those of gain 1; what they are merged onto counts in full.
-Result<void> placeKnots(std::vector<FitKnot>& knots, const TableFitRequest& request)
+/// removed: from the table, so that the axis stands without it at the set position.
+Result<void> placeKnots(
+    std::vector<FitKnot>& knots, const TableFitRequest& request, const RemovedLine& removed)
 {
     AXISCOMP_TRY(const LookupFrame frame, frameOf(request));
     const auto onto = linesOf(request.onto);
     for (FitKnot& knot : knots) {
         AXISCOMP_TRY(const auto point, frame.atTarget(knot.target, knot.value));
         knot.position = point.knot[0];
+        if (request.lookupAt == LookupAt::Set)
+            knot.position =
+                (knot.position - removed.constant - request.laterConstant) / (1.0 + removed.slope);
         const double residual = onto ? point.value - onto->at(knot.position) : knot.value;
         knot.value = point.value - (1.0 - request.gain) * residual;
     }
@@ -227,6 +232,39 @@ RemovedLine removedLine(const TableFitRequest& request, const TableFit& fit)
     return line;
 }
 
+/// What the knots are placed without. At the set position it is found on the curve through them,
+/// which moves by what is still wrong of it times the slope of the values; the knots are those of
+/// gain 1, and so is this.
+Result<RemovedLine> lineOutOfPositions(
+    const std::vector<FitKnot>& means, const TableFitRequest& request)
+{
+    const bool isNothingTaken =
+        request.zero == ZeroRule::Keep && request.slope == SlopeRemoval::Keep;
+    if (request.removed || request.lookupAt != LookupAt::Set || isNothingTaken)
+        return request.removed.value_or(RemovedLine{});
+    TableFitRequest whole = request;
+    whole.gain = 1.0;
+    RemovedLine line;
+    if (request.zero != ZeroRule::Keep) // nearly all of it is the zero of the instrument
+        for (const FitKnot& knot : means)
+            line.constant += knot.value / static_cast<double>(means.size());
+    const double range = means.back().target - means.front().target;
+    constexpr int mostRounds = 8;
+    for (int round = 0; round < mostRounds; ++round) {
+        TableFit fit;
+        fit.knots = means;
+        AXISCOMP_CHECK(placeKnots(fit.knots, whole, line));
+        AXISCOMP_TRY(fit.curve, fitCurve(fit.knots, whole, fit));
+        const RemovedLine before = line;
+        line = removedLine(whole, fit);
+        const double change =
+            std::abs(line.constant - before.constant) + range * std::abs(line.slope - before.slope);
+        if (change <= 1e-12 * range)
+            break;
+    }
+    return line;
+}
+
 /// Slope and zero of a curve that is shown beside its table.
 FittedCurve relieved(const TableFit& fit)
 {
@@ -292,8 +330,8 @@ Result<double> tableAt(const FittedCurve& curve, const TableFitRequest& request,
 
 /// What the axis shows at each target, in the frame of the knots: all of it, whatever a gain takes
 /// of it, and the mean of both directions where the table serves both and both were measured.
-Result<std::vector<FitKnot>> wholeErrors(
-    const std::vector<TargetValues>& targets, const TableFitRequest& request)
+Result<std::vector<FitKnot>> wholeErrors(const std::vector<TargetValues>& targets,
+    const TableFitRequest& request, const RemovedLine& removed)
 {
     TableFitRequest whole = request;
     whole.gain = 1.0;
@@ -302,7 +340,7 @@ Result<std::vector<FitKnot>> wholeErrors(
     if (request.servesBoth && hasBoth)
         whole.direction = FitDirection::Mean;
     AXISCOMP_TRY(auto errors, meansOf(targets, whole));
-    AXISCOMP_CHECK(placeKnots(errors, whole));
+    AXISCOMP_CHECK(placeKnots(errors, whole, removed));
     return errors;
 }
 
@@ -433,7 +471,8 @@ Result<TableFit> fitTable(std::span<const MeasuredValue> values, const TableFitR
     AXISCOMP_TRY(const auto targets, byTargets(values));
     TableFit fit;
     AXISCOMP_TRY(fit.knots, meansOf(targets, request));
-    AXISCOMP_CHECK(placeKnots(fit.knots, request));
+    AXISCOMP_TRY(const RemovedLine line, lineOutOfPositions(fit.knots, request));
+    AXISCOMP_CHECK(placeKnots(fit.knots, request, line));
     AXISCOMP_TRY(fit.curve, fitCurve(fit.knots, request, fit));
     fit.removed = removedLine(request, fit);
     const FittedCurve curve = relieved(fit);
@@ -484,8 +523,9 @@ Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
             "Error", "there are values at {count} targets; four are needed to leave one out")
                           .with("count", targets.size()));
     AXISCOMP_TRY(auto knots, meansOf(targets, request));
-    AXISCOMP_CHECK(placeKnots(knots, request));
-    AXISCOMP_TRY(const auto errors, wholeErrors(targets, request));
+    AXISCOMP_TRY(const RemovedLine line, lineOutOfPositions(knots, request));
+    AXISCOMP_CHECK(placeKnots(knots, request, line));
+    AXISCOMP_TRY(const auto errors, wholeErrors(targets, request, line));
     const auto errorAt = [&errors](const FitKnot& knot) -> const FitKnot& {
         return *std::ranges::find(errors, knot.target, &FitKnot::target);
     };

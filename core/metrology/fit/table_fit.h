@@ -66,6 +66,8 @@ struct TableFitRequest {
     double zeroPosition = 0.0; ///< of ZeroRule::Position
     /// In place of slope and zero: that of another table, so that what is between both stays.
     std::optional<RemovedLine> removed = {};
+    /// What is taken out of this table and others later, by a zero that they have together.
+    double laterConstant = 0.0;
     LookupAt lookupAt = LookupAt::Encoder;
     /// During the measurement. The new table is this one, everywhere, and the curve through the
     /// residuals.
@@ -89,7 +91,9 @@ struct TableFitRequest {
 /// A target's mean, and where it belongs.
 struct FitKnot {
     double target = 0.0;
-    double position = 0.0; ///< of the knot (LookupFrame), gain 1
+    /// Of the knot (LookupFrame), gain 1. At the set position without what is removed from the
+    /// table, since the axis stands without it.
+    double position = 0.0;
     double value = 0.0; ///< what the table should say there, before slope and zero
     double weight = 1.0; ///< number of values
 };

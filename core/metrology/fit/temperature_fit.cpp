@@ -204,27 +204,9 @@ FitSettings settingsOfState(const FitSettings& settings, FitZero zero)
     return ofState;
 }
 
-Result<StateCurves> curvesOf(const FitInput& input, const Measurement& settled)
+/// The state nearest to 20 degrees, and what its zero takes out of all.
+Result<void> findReference(const FitInput& input, StateCurves& curves)
 {
-    StateCurves curves;
-    curves.states = statesOf(settled);
-    AXISCOMP_CHECK(checkSpan(curves.states));
-    AXISCOMP_CHECK(checkRange(curves.states, settled.isAngular));
-    const FitSettings settings = settingsOfState(input.settings, FitZero::Keep);
-    for (const ThermalState& state : curves.states) {
-        const FitInput ofState{
-            state.measurement, settings, input.state, input.lookupAt, input.stop};
-        AXISCOMP_TRY(auto request, requestOfRuns(ofState));
-        AXISCOMP_TRY(auto fit, fitTable(fitValues(state.measurement, ofState).values, request));
-        const AxisGrid& first = curves.fits.empty() ? fit.grid : curves.fits.front().grid;
-        if (fit.grid.size != first.size || fit.grid.start != first.start
-            || fit.grid.distance != first.distance)
-            return badFit(AXISCOMP_TEXT("Error",
-                "the targets differ from one thermal state to the other, so that they give no grid "
-                "together; say the grid of the table with --points or --distance"));
-        curves.fits.push_back(std::move(fit));
-        curves.requests.push_back(std::move(request));
-    }
     constexpr double referenceTemperature = 20.0;
     const auto nearest = std::ranges::min_element(curves.states, {}, [](const ThermalState& state) {
         return std::abs(state.temperature - referenceTemperature);
@@ -237,6 +219,32 @@ Result<StateCurves> curvesOf(const FitInput& input, const Measurement& settled)
     AXISCOMP_TRY(
         const auto fit, fitTable(fitValues(nearest->measurement, reference).values, request));
     curves.removedConstant = fit.removed.constant;
+    return {};
+}
+
+Result<StateCurves> curvesOf(const FitInput& input, const Measurement& settled)
+{
+    StateCurves curves;
+    curves.states = statesOf(settled);
+    AXISCOMP_CHECK(checkSpan(curves.states));
+    AXISCOMP_CHECK(checkRange(curves.states, settled.isAngular));
+    AXISCOMP_CHECK(findReference(input, curves));
+    const FitSettings settings = settingsOfState(input.settings, FitZero::Keep);
+    for (const ThermalState& state : curves.states) {
+        const FitInput ofState{
+            state.measurement, settings, input.state, input.lookupAt, input.stop};
+        AXISCOMP_TRY(auto request, requestOfRuns(ofState));
+        request.laterConstant = curves.removedConstant;
+        AXISCOMP_TRY(auto fit, fitTable(fitValues(state.measurement, ofState).values, request));
+        const AxisGrid& first = curves.fits.empty() ? fit.grid : curves.fits.front().grid;
+        if (fit.grid.size != first.size || fit.grid.start != first.start
+            || fit.grid.distance != first.distance)
+            return badFit(AXISCOMP_TEXT("Error",
+                "the targets differ from one thermal state to the other, so that they give no grid "
+                "together; say the grid of the table with --points or --distance"));
+        curves.fits.push_back(std::move(fit));
+        curves.requests.push_back(std::move(request));
+    }
     return curves;
 }
 

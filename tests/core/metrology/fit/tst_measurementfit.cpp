@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/fit_parts.h"
+#include "core/metrology/fit/fitted_points.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
@@ -73,6 +74,20 @@ double screwError(double place)
     return 12e-6 * place + 0.003 * std::sin(2.0 * pi * place / 430.0 + 0.7)
         + 0.0012 * std::sin(2.0 * pi * place / 97.0)
         + 0.0008 * std::sin(2.0 * pi * place / 10.0 + 0.3);
+}
+
+/// Of a set position S what the drive has to add where u + e(u) = S; both are 0 at 0.
+template <typename Error> double addedAt(double position, Error error)
+{
+    double raw = position;
+    for (int i = 0; i < 100; ++i) // a contraction
+        raw = position - error(raw);
+    return error(raw);
+}
+
+double slowWave(double u)
+{
+    return 0.03 * std::sin(u / 15.0);
 }
 
 /// What the table of the screw lacks.
@@ -420,6 +435,170 @@ private Q_SLOTS:
             QCOMPARE(report->tables.front().table.grid.axes.front().size, 51U); // the old grid
             QVERIFY(report->merge && report->merge->largestChange > 0.04);
             QVERIFY(hasRemark(*report, "Merged", "onto old.csv with gain 1"));
+        }
+    }
+
+    /// The zero of the instrument is arbitrary: the axis stands without it. Tables computed by
+    /// numpy, their first value 0.
+    void theZeroOfTheInstrumentMovesNoTableOfRuns_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<QList<double>>("expected");
+        QTest::newRow("residuals that are merged")
+            << static_cast<int>(FoundState::Kind::On)
+            << QList<double>{0.0, 0.022170773, 0.02987265, 0.017990627, -0.005730912, -0.025677674,
+                   -0.028750979, -0.013016975, 0.011199638, 0.028119224, 0.026643474};
+        QTest::newRow("raw readings")
+            << static_cast<int>(FoundState::Kind::Irrelevant)
+            << QList<double>{0.0, 0.022156107, 0.029839391, 0.01797557, -0.005728453, -0.025650594,
+                   -0.028722568, -0.013013384, 0.011197361, 0.02809248, 0.026622873};
+    }
+    void theZeroOfTheInstrumentMovesNoTableOfRuns()
+    {
+        QFETCH(const int, kind);
+        QFETCH(const QList<double>, expected);
+        const auto error = [](double u) { return 0.03 * std::sin(u / 12.0); };
+        const bool isMerged = static_cast<FoundState::Kind>(kind) == FoundState::Kind::On;
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.grid.axes = {{"X", "mm", 0.0, 10.0, 11}};
+        for (int i = 0; i <= 10; ++i)
+            table.values.push_back(static_cast<float>(0.8 * error(10.0 * i)));
+        const Lookup lookup(table);
+        FitSettings settings = keeping(LookupAt::Set);
+        settings.zero = FitZero::First;
+        for (const double ofInstrument : {0.0, 0.9, 17.3}) {
+            Measurement runs = runsOver(0.0, 10.0, 11, [&](double target) {
+                const double raw = isMerged ? target - lookup.at(target) : target;
+                return raw + error(raw) - target + ofInstrument;
+            });
+            if (!isMerged)
+                for (RunValue& value : runs.values)
+                    value.encoder = runs.targets[value.target];
+            const FoundState state{
+                static_cast<FoundState::Kind>(kind), isMerged ? &old : nullptr, {}, {}};
+            const auto report = fitMeasurement(runs, settings, state);
+            VERIFY_RESULT(report);
+            const auto& values = report->tables.front().table.values;
+            QCOMPARE(values.size(), std::size_t{11});
+            for (int i = 0; i < expected.size(); ++i)
+                QVERIFY(
+                    std::abs(static_cast<double>(values[static_cast<std::size_t>(i)]) - expected[i])
+                    < 5e-9);
+            QVERIFY(*(*report->predicted)[Iso230Figure::M].value < (isMerged ? 2e-5 : 1e-7));
+        }
+    }
+
+    /// u is what the encoder read, and u + e + zero what the instrument said, whatever was taken
+    /// out of the place of the knot.
+    void theSignSentenceNamesTheReferenceAsItWasRead()
+    {
+        const Measurement runs =
+            runsOver(0.0, 10.0, 11, [](double u) { return u == 60.0 ? 0.302 : 0.3; });
+        FitSettings settings = keeping(LookupAt::Set);
+        settings.zero = FitZero::First;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY2(report->sign.english().find(
+                     "where the encoder reads 60 mm the reference said 60.302 mm on average of 2 "
+                     "values; 300.000 um was taken out for the zero of the table, so the drive "
+                     "will add +1.999 um")
+                != std::string::npos,
+            report->sign.english().c_str());
+    }
+
+    /// Every 0.5 mm; the spline through them is met within 0.01 um, straight lines between the
+    /// points of a grid of 5 mm within 0.5 um.
+    void theZeroOfTheInstrumentMovesNoTableOfATrack_data()
+    {
+        QTest::addColumn<bool>("isSpline");
+        QTest::newRow("on the grid") << false;
+        QTest::newRow("by a spline") << true;
+    }
+    void theZeroOfTheInstrumentMovesNoTableOfATrack()
+    {
+        QFETCH(const bool, isSpline);
+        FitSettings settings = keeping(LookupAt::Set);
+        settings.zero = FitZero::First;
+        settings.grid = {{.points = isSpline ? std::size_t{201} : std::size_t{41}}};
+        if (isSpline)
+            settings.method = FitMethod::Smooth;
+        else
+            settings.smoothness = 1e-9;
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        for (const double ofInstrument : {0.0, 0.3, 17.3}) {
+            Measurement track;
+            track.kind = MeasurementKind::Track;
+            track.header.axis = "X";
+            for (int i = 0; i <= 400; ++i)
+                track.track.push_back(
+                    {0.5 * i, 0.5 * i + slowWave(0.5 * i) + ofInstrument, Approach::Up});
+            const auto report = fitMeasurement(track, settings, state);
+            VERIFY_RESULT(report);
+            const CompensationTable& made = report->tables.front().table;
+            for (std::uint32_t i = 2; i + 2 < made.grid.axes.front().size; ++i) {
+                const double position = made.grid.axes.front().position(i);
+                const double left =
+                    static_cast<double>(made.values[i]) - addedAt(position, &slowWave);
+                QVERIFY2(
+                    std::abs(left) < (isSpline ? 1e-5 : 5e-4), qPrintable(QString::number(left)));
+            }
+            const auto points = fittedPoints(track, settings, *report);
+            for (std::size_t i = 10; i + 10 < points.size(); ++i)
+                QVERIFY(std::abs(points[i].value - addedAt(points[i].position, &slowWave))
+                    < (isSpline ? 1e-5 : 5e-4));
+        }
+    }
+
+    /// Along X the error of a wave, along Y none: the zero of both instruments moves nothing.
+    void theZeroOfTheInstrumentMovesNoTableOfPoints_data()
+    {
+        QTest::addColumn<double>("gain");
+        QTest::newRow("the whole error") << 1.0;
+        QTest::newRow("half of the residual") << 0.5;
+    }
+    void theZeroOfTheInstrumentMovesNoTableOfPoints()
+    {
+        QFETCH(const double, gain);
+        KnownTables old{Verbatim{"old.csv"}, {{}, {}}, {1, 2}};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            CompensationTable& table = old.tables[axis];
+            table.target = axis == 0 ? "X" : "Y";
+            table.grid.axes = {{"X", "mm", 0.0, 5.0, 41}, {"Y", "mm", 0.0, 20.0, 3}};
+            table.values.assign(123, 0.0F);
+        }
+        FitSettings settings = keeping(LookupAt::Set);
+        settings.zero = FitZero::First;
+        settings.smoothness = 1e-9;
+        settings.gain = gain;
+        settings.farPoints = FarPoints::Nearest;
+        for (const double ofInstrument : {0.0, 0.9, 17.3}) {
+            Measurement plane;
+            plane.kind = MeasurementKind::Points;
+            plane.points.axes = {"X", "Y"};
+            plane.points.columns = {"dX", "dY"};
+            plane.points.positions.resize(2);
+            plane.points.values.resize(2);
+            for (int y = 0; y <= 2; ++y)
+                for (int x = 0; x <= 40; ++x) {
+                    plane.points.positions[0].push_back(5.0 * x);
+                    plane.points.positions[1].push_back(20.0 * y);
+                    plane.points.values[0].push_back(slowWave(5.0 * x) + ofInstrument);
+                    plane.points.values[1].push_back(-2.0 * ofInstrument);
+                }
+            const FoundState residuals{FoundState::Kind::On, &old, {}, {}};
+            const auto report =
+                fitMeasurement(plane, settings, gain == 1.0 ? measuredOff() : residuals);
+            VERIFY_RESULT(report);
+            QVERIFY(!hasRemark(*report, "PointsOutside"));
+            const CompensationTable& made = report->tables.front().table;
+            for (std::size_t i = 2; i + 2 < 41; ++i) {
+                const double left = static_cast<double>(made.values[41 + i])
+                    - gain * addedAt(5.0 * static_cast<double>(i), &slowWave);
+                QVERIFY2(std::abs(left) < 5e-4, qPrintable(QString::number(left)));
+            }
+            for (const float value : report->tables[1].table.values)
+                QVERIFY(std::abs(value) < 1e-8F);
         }
     }
 

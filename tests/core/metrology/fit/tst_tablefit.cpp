@@ -196,6 +196,101 @@ private Q_SLOTS:
         QVERIFY(isNear(figuresOf(*right).range, 0.0));
     }
 
+    /// The axis stands at P + r - constant. Values of an even grid over the targets, computed by
+    /// numpy; nothing is left at the targets, of 94 um.
+    void theConstantOfTheZeroMovesNoKnotAtTheSetPosition_data()
+    {
+        QTest::addColumn<int>("zero");
+        QTest::addColumn<QList<double>>("expected");
+        QTest::newRow("first") << static_cast<int>(ZeroRule::First)
+                               << QList<double>{0.0, 0.0492145656, 0.0926195083, 0.0554434661,
+                                      -0.0002226554, 0.0124338566, 0.0171534367, 0.0287268263,
+                                      0.0635148462};
+        QTest::newRow("mean") << static_cast<int>(ZeroRule::Mean)
+                              << QList<double>{-0.0352405446, 0.0139740210, 0.0573371946,
+                                     0.0195770640, -0.0357234266, -0.0231037153, -0.0183785605,
+                                     -0.0067497766, 0.0281725670};
+        QTest::newRow("at 7 mm") << static_cast<int>(ZeroRule::Position)
+                                 << QList<double>{-0.0142058593, 0.0350087063, 0.0783968115,
+                                        0.0409853166, -0.0145334150, -0.0018798973, 0.0028198460,
+                                        0.0144130268, 0.0492679766};
+    }
+    void theConstantOfTheZeroMovesNoKnotAtTheSetPosition()
+    {
+        QFETCH(const int, zero);
+        QFETCH(const QList<double>, expected);
+        TableFitRequest request;
+        request.zero = static_cast<ZeroRule>(zero);
+        request.zeroPosition = 7.0;
+        request.lookupAt = LookupAt::Set;
+        request.grid = {.points = 9, .start = -20.0, .end = 20.0};
+        request.holdsEnds = true;
+        for (const double ofInstrument : {0.0, 0.3, 17.3}) {
+            Values values = measurement("b02_x");
+            for (MeasuredValue& value : values)
+                value.deviation += ofInstrument;
+            const auto fit = fitTable(values, request);
+            VERIFY_RESULT(fit);
+            for (int i = 0; i < expected.size(); ++i)
+                QVERIFY(isNear(fit->values[static_cast<std::size_t>(i)], expected[i], 1.1e-10));
+            const auto runs = predictRuns(values, fit->table("mm"), request);
+            VERIFY_RESULT(runs);
+            QVERIFY2(
+                figuresOf(*runs).range < 1e-7, qPrintable(QString::number(figuresOf(*runs).range)));
+            const auto heldOut = predictHeldOut(values, request);
+            VERIFY_RESULT(heldOut);
+            if (request.zero == ZeroRule::First)
+                QVERIFY(isNear(heldOut->range, 0.0751568482, 1.1e-10));
+        }
+    }
+
+    /// A slope of 0.002 and 0.1 mm more in the middle, on a zero of 0.5 mm: the axis stands at S
+    /// with S + 0.002 S = 50 + 0.2 there, and the drive adds S - 50.
+    void aSlopeThatIsTakenOutMovesNoKnotAtTheSetPosition()
+    {
+        Values values;
+        for (int i = 0; i <= 10; ++i)
+            values.push_back({10.0 * i, true, 1, 0.5 + 0.002 * (10.0 * i) + (i == 5 ? 0.1 : 0.0)});
+        TableFitRequest request;
+        request.slope = SlopeRemoval::Ends;
+        request.lookupAt = LookupAt::Set;
+        request.grid = {.points = 11, .start = 0.0, .end = 100.0};
+        request.holdsEnds = true;
+        const auto fit = fitTable(values, request);
+        VERIFY_RESULT(fit);
+        QVERIFY(isNear(fit->removed.slope, 0.002, 1e-12));
+        QVERIFY(isNear(fit->removed.constant, 0.5, 1e-12));
+        QVERIFY(isNear(fit->knots[5].position, 50.2 / 1.002, 1e-12));
+        QVERIFY(isNear(fit->knots[6].position, 60.0, 1e-12));
+        QVERIFY(isNear(
+            fit->curve.at(50.2 / 1.002) - 0.5 - 0.002 * 50.2 / 1.002, 50.2 / 1.002 - 50.0, 1e-12));
+    }
+
+    /// Half of the constant is in the table, and all of it was in the readings.
+    void theConstantOfAGainMovesNoKnotAtTheSetPosition()
+    {
+        CompensationTable active;
+        active.grid.axes = {{"X", "mm", -20.0, 5.0, 9}};
+        active.values.assign(9, 0.0F);
+        Values values = measurement("b02_x");
+        TableFitRequest request;
+        request.lookupAt = LookupAt::Set;
+        request.active = {&active};
+        request.grid = {.points = 9, .start = -20.0, .end = 20.0};
+        request.holdsEnds = true;
+        const auto whole = fitTable(values, request);
+        VERIFY_RESULT(whole);
+        for (MeasuredValue& value : values)
+            value.deviation += 0.3;
+        request.gain = 0.5;
+        const auto half = fitTable(values, request);
+        VERIFY_RESULT(half);
+        for (std::size_t i = 0; i < 9; ++i) {
+            QVERIFY(isNear(half->knots[i].position, whole->knots[i].position, 1e-12));
+            QVERIFY(isNear(half->values[i], 0.5 * whole->values[i], 1e-12));
+        }
+    }
+
     void denserTablesFollowTheSpline()
     {
         const Values values = measurement("b02_x");

@@ -94,6 +94,31 @@ private Q_SLOTS:
             std::abs(lookup.at(std::vector<double>{500.0, 40.0}) - errorAt(500.0, 26.0)) < 1e-9);
     }
 
+    /// 0.05 sin(x / 80), which is 0.1 um higher for each kelvin: the axis stands without the zero
+    /// of the instrument, at every temperature.
+    void theZeroOfTheInstrumentMovesNoStateAtTheSetPosition()
+    {
+        FitSettings settings = byTemperature(FitZero::First);
+        settings.lookupAt = LookupAt::Set;
+        std::vector<float> without;
+        for (const double ofInstrument : {0.0, 0.9, 17.3}) {
+            const auto report = fitted(measured({20.0, 23.0},
+                                           [ofInstrument](double position, double temperature) {
+                                               return 0.05 * std::sin(position / 80.0)
+                                                   + 1e-4 * (temperature - 20.0) + ofInstrument;
+                                           }),
+                settings);
+            VERIFY_RESULT(report);
+            const auto& values = report->tables.front().table.values;
+            if (without.empty())
+                without = values;
+            QCOMPARE(values.size(), without.size());
+            for (std::size_t i = 0; i < values.size(); ++i)
+                QVERIFY(std::abs(values[i] - without[i]) < 1e-8F);
+            QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 1e-7);
+        }
+    }
+
     /// A drive's old table knows nothing of the temperature.
     void nothingIsMergedOverTemperature()
     {
