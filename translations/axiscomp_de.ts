@@ -5474,10 +5474,6 @@
         <translation>Spalten von Durchläufen, die Abweichungen oder Positionen sein können</translation>
     </message>
     <message>
-        <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
-        <translation>was davon: // values: deviation oder // values: reference in der Datei, oder --values</translation>
-    </message>
-    <message>
         <source>a column target before those of the runs</source>
         <translation>eine Spalte target vor denen der Durchläufe</translation>
     </message>
@@ -8144,6 +8140,114 @@
     <message>
         <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
         <translation>{endpoint} verlangt Benutzername und Passwort; anzugeben als https://benutzer:passwort@host</translation>
+    </message>
+    <message>
+        <source>{path} is no position of axis {axis} before its compensation: name the register of its encoder</source>
+        <translation>{path} ist keine Position der Achse {axis} vor ihrer Kompensation: das Register ihres Gebers nennen</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot;, which is taken to be a name without a unit</source>
+        <translation>„{name}“, als Name ohne Einheit aufgefasst</translation>
+    </message>
+    <message>
+        <source>a unit such as mm, um, inch, deg or arcsec, if {unit} is meant as one</source>
+        <translation>eine Einheit wie mm, um, inch, deg oder arcsec, falls {unit} eine sein soll</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
+        <translation>nur Zahlen für die Elemente von {name}; was danach das ganze Feld ändert, wird nicht berechnet</translation>
+    </message>
+    <message>
+        <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
+        <translation>Dezimalpunkte und Leerzeichen zwischen den Zahlen; ein Dezimalkomma lässt sich nicht von einem Komma zwischen zwei Zahlen unterscheiden</translation>
+    </message>
+    <message>
+        <source>{key} without a value, or no {key}</source>
+        <translation>{key} ohne Wert, oder kein {key}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>eine Zahl mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>several tables of {axes}</source>
+        <translation>mehrere Tabellen von {axes}</translation>
+    </message>
+    <message>
+        <source>their sum, since the controller adds them; a table that is converted alone is a part of it</source>
+        <translation>ihre Summe, da die Steuerung sie addiert; eine einzeln umgewandelte Tabelle ist nur ein Teil davon</translation>
+    </message>
+    <message>
+        <source>&quot;{statement}&quot;, which switches a table of the file off</source>
+        <translation>„{statement}“ schaltet eine Tabelle der Datei ab</translation>
+    </message>
+    <message>
+        <source>tables that are in use; this one does not act on the machine</source>
+        <translation>Tabellen, die in Gebrauch sind; diese wirkt nicht auf die Maschine</translation>
+    </message>
+    <message>
+        <source>one unit for positions and offsets, which the controller adds; a calibration file is read with --from {format}</source>
+        <translation>eine Einheit für Positionen und Offsets, die die Steuerung addiert; eine Kalibrierdatei wird mit --from {format} gelesen</translation>
+    </message>
+    <message>
+        <source>{count} lines that are taken to be headers, the first of them &quot;{line}&quot;</source>
+        <translation>{count} Zeilen, die als Kopfzeilen gelten, die erste davon „{line}“</translation>
+    </message>
+    <message>
+        <source>decimal points, and a comma with a blank between the values; nobody can tell a decimal comma from one that separates two values</source>
+        <translation>Dezimalpunkte, und zwischen den Werten ein Komma mit Leerzeichen; ein Dezimalkomma lässt sich nicht von einem Komma zwischen zwei Werten unterscheiden</translation>
+    </message>
+    <message>
+        <source>numbers in {unit}, as the file says</source>
+        <translation>Zahlen in {unit}, wie die Datei sagt</translation>
+    </message>
+    <message>
+        <source>{unit}, as the setting says</source>
+        <translation>{unit}, wie die Einstellung sagt</translation>
+    </message>
+    <message>
+        <source>{name}, which is changed by a statement of the program</source>
+        <translation>{name}, durch eine Anweisung des Programms geändert</translation>
+    </message>
+    <message>
+        <source>the declaration alone; the table is that of the declaration, since statements are not computed</source>
+        <translation>nur die Deklaration; die Tabelle ist die der Deklaration, da Anweisungen nicht berechnet werden</translation>
+    </message>
+    <message>
+        <source>axis {axis}, and axis {before} in line {line}</source>
+        <translation>Achse {axis}, und Achse {before} in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>the measurement of one axis; make a file for each axis</source>
+        <translation>die Messung einer Achse; für jede Achse eine Datei anlegen</translation>
+    </message>
+    <message>
+        <source>{second}, and {first} in line {line}</source>
+        <translation>{second}, und {first} in Zeile {line}</translation>
+    </message>
+    <message>
+        <source>one statement of it</source>
+        <translation>eine Angabe dazu</translation>
+    </message>
+    <message>
+        <source>this statement before the header, since it holds for every line</source>
+        <translation>diese Angabe vor der Kopfzeile, da sie für alle Zeilen gilt</translation>
+    </message>
+    <message>
+        <source>further sections behind EOF::</source>
+        <translation>weitere Abschnitte hinter EOF::</translation>
+    </message>
+    <message>
+        <source>one measurement in a file; make a file of each</source>
+        <translation>eine Messung in einer Datei; aus jeder eine eigene Datei machen</translation>
+    </message>
+    <message>
+        <source>which it is: // values: deviation or // values: reference before the header, or --values</source>
+        <translation>was davon: // values: deviation oder // values: reference vor der Kopfzeile, oder --values</translation>
+    </message>
+    <message>
+        <source>axis {axis} of the machine file</source>
+        <translation>Achse {axis} der Maschinendatei</translation>
     </message>
 </context>
 <context>

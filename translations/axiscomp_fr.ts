@@ -5474,10 +5474,6 @@
         <translation>des colonnes de passes qui peuvent être des écarts ou des positions</translation>
     </message>
     <message>
-        <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
-        <translation>ce dont il s&apos;agit&#xa0;: // values: deviation ou // values: reference dans le fichier, ou --values</translation>
-    </message>
-    <message>
         <source>a column target before those of the runs</source>
         <translation>une colonne target avant celles des passes</translation>
     </message>
@@ -8143,7 +8139,115 @@
     </message>
     <message>
         <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
-        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe ; les indiquer sous la forme https://utilisateur:motdepasse@hôte</translation>
+        <translation>{endpoint} demande un nom d&apos;utilisateur et un mot de passe&#xa0;; les indiquer sous la forme https://utilisateur:motdepasse@hôte</translation>
+    </message>
+    <message>
+        <source>{path} is no position of axis {axis} before its compensation: name the register of its encoder</source>
+        <translation>{path} n’est pas une position de l’axe {axis} avant sa compensation : indiquer le registre de son codeur</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot;, which is taken to be a name without a unit</source>
+        <translation>« {name} », pris pour un nom sans unité</translation>
+    </message>
+    <message>
+        <source>a unit such as mm, um, inch, deg or arcsec, if {unit} is meant as one</source>
+        <translation>une unité comme mm, um, inch, deg ou arcsec, si {unit} doit en être une</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
+        <translation>seulement des nombres pour les éléments de {name} ; ce qui modifie ensuite tout le tableau n&apos;est pas calculé</translation>
+    </message>
+    <message>
+        <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
+        <translation>des points décimaux et des espaces entre les nombres ; rien ne distingue une virgule décimale d&apos;une virgule entre deux nombres</translation>
+    </message>
+    <message>
+        <source>{key} without a value, or no {key}</source>
+        <translation>{key} sans valeur, ou pas de {key}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>un nombre avec un point décimal</translation>
+    </message>
+    <message>
+        <source>several tables of {axes}</source>
+        <translation>plusieurs tables de {axes}</translation>
+    </message>
+    <message>
+        <source>their sum, since the controller adds them; a table that is converted alone is a part of it</source>
+        <translation>leur somme, puisque la commande les additionne ; une table convertie seule n&apos;en est qu&apos;une partie</translation>
+    </message>
+    <message>
+        <source>&quot;{statement}&quot;, which switches a table of the file off</source>
+        <translation>« {statement} », qui désactive une table du fichier</translation>
+    </message>
+    <message>
+        <source>tables that are in use; this one does not act on the machine</source>
+        <translation>des tables en service ; celle-ci n&apos;agit pas sur la machine</translation>
+    </message>
+    <message>
+        <source>one unit for positions and offsets, which the controller adds; a calibration file is read with --from {format}</source>
+        <translation>une seule unité pour les positions et les décalages, que la commande additionne ; un fichier d&apos;étalonnage se lit avec --from {format}</translation>
+    </message>
+    <message>
+        <source>{count} lines that are taken to be headers, the first of them &quot;{line}&quot;</source>
+        <translation>{count} lignes, prises pour des en-têtes, dont la première est « {line} »</translation>
+    </message>
+    <message>
+        <source>decimal points, and a comma with a blank between the values; nobody can tell a decimal comma from one that separates two values</source>
+        <translation>des points décimaux, et une virgule suivie d&apos;une espace entre les valeurs ; rien ne distingue une virgule décimale d&apos;une virgule entre deux valeurs</translation>
+    </message>
+    <message>
+        <source>numbers in {unit}, as the file says</source>
+        <translation>des nombres en {unit}, selon le fichier</translation>
+    </message>
+    <message>
+        <source>{unit}, as the setting says</source>
+        <translation>{unit}, selon le réglage</translation>
+    </message>
+    <message>
+        <source>{name}, which is changed by a statement of the program</source>
+        <translation>{name}, modifié par une instruction du programme</translation>
+    </message>
+    <message>
+        <source>the declaration alone; the table is that of the declaration, since statements are not computed</source>
+        <translation>la déclaration seule ; la table est celle de la déclaration, les instructions ne sont pas calculées</translation>
+    </message>
+    <message>
+        <source>axis {axis}, and axis {before} in line {line}</source>
+        <translation>axe {axis}, et axe {before} à la ligne {line}</translation>
+    </message>
+    <message>
+        <source>the measurement of one axis; make a file for each axis</source>
+        <translation>la mesure d&apos;un seul axe ; faire un fichier par axe</translation>
+    </message>
+    <message>
+        <source>{second}, and {first} in line {line}</source>
+        <translation>{second}, et {first} à la ligne {line}</translation>
+    </message>
+    <message>
+        <source>one statement of it</source>
+        <translation>une seule indication à ce sujet</translation>
+    </message>
+    <message>
+        <source>this statement before the header, since it holds for every line</source>
+        <translation>cette indication avant l&apos;en-tête, puisqu&apos;elle vaut pour toutes les lignes</translation>
+    </message>
+    <message>
+        <source>further sections behind EOF::</source>
+        <translation>d&apos;autres sections derrière EOF::</translation>
+    </message>
+    <message>
+        <source>one measurement in a file; make a file of each</source>
+        <translation>une seule mesure par fichier ; faire un fichier de chacune</translation>
+    </message>
+    <message>
+        <source>which it is: // values: deviation or // values: reference before the header, or --values</source>
+        <translation>ce dont il s&apos;agit : // values: deviation ou // values: reference avant l&apos;en-tête, ou --values</translation>
+    </message>
+    <message>
+        <source>axis {axis} of the machine file</source>
+        <translation>axe {axis} du fichier machine</translation>
     </message>
 </context>
 <context>

@@ -5441,10 +5441,6 @@
         <translation>偏差か位置かが分からない走行の列</translation>
     </message>
     <message>
-        <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
-        <translation>どちらかの指定: ファイル内の // values: deviation または // values: reference、もしくは --values</translation>
-    </message>
-    <message>
         <source>a column target before those of the runs</source>
         <translation>走行の列の前に列 target</translation>
     </message>
@@ -8103,6 +8099,114 @@
     <message>
         <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
         <translation>{endpoint} にはユーザ名とパスワードが必要です。https://user:password@host の形で指定してください</translation>
+    </message>
+    <message>
+        <source>{path} is no position of axis {axis} before its compensation: name the register of its encoder</source>
+        <translation>{path} は軸 {axis} の補正前の位置ではありません。エンコーダのレジスタを指定してください</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot;, which is taken to be a name without a unit</source>
+        <translation>「{name}」は単位のない名前とみなした</translation>
+    </message>
+    <message>
+        <source>a unit such as mm, um, inch, deg or arcsec, if {unit} is meant as one</source>
+        <translation>{unit} が単位であれば mm、um、inch、deg、arcsec などの単位</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
+        <translation>{name} の要素の数値のみであること。その後で配列全体を変更する文は計算しない</translation>
+    </message>
+    <message>
+        <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
+        <translation>小数点にはピリオドを使い、数値の間は空白で区切ること。小数点のコンマと数値を区切るコンマは見分けられない</translation>
+    </message>
+    <message>
+        <source>{key} without a value, or no {key}</source>
+        <translation>値のない {key}、または {key} なし</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>小数点にピリオドを使った数値</translation>
+    </message>
+    <message>
+        <source>several tables of {axes}</source>
+        <translation>{axes} のテーブルが複数</translation>
+    </message>
+    <message>
+        <source>their sum, since the controller adds them; a table that is converted alone is a part of it</source>
+        <translation>制御装置が加算するので合計であること。単独で変換したテーブルはその一部にすぎない</translation>
+    </message>
+    <message>
+        <source>&quot;{statement}&quot;, which switches a table of the file off</source>
+        <translation>ファイルのテーブルを無効にする「{statement}」</translation>
+    </message>
+    <message>
+        <source>tables that are in use; this one does not act on the machine</source>
+        <translation>有効なテーブルであること。このテーブルは機械に作用しない</translation>
+    </message>
+    <message>
+        <source>one unit for positions and offsets, which the controller adds; a calibration file is read with --from {format}</source>
+        <translation>位置とオフセットは制御装置が加算するので同じ単位であること。校正ファイルは --from {format} で読み込む</translation>
+    </message>
+    <message>
+        <source>{count} lines that are taken to be headers, the first of them &quot;{line}&quot;</source>
+        <translation>見出しとみなした {count} 行（最初の行は「{line}」）</translation>
+    </message>
+    <message>
+        <source>decimal points, and a comma with a blank between the values; nobody can tell a decimal comma from one that separates two values</source>
+        <translation>小数点にはピリオドを使い、値の間はコンマと空白で区切ること。小数点のコンマと値を区切るコンマは見分けられない</translation>
+    </message>
+    <message>
+        <source>numbers in {unit}, as the file says</source>
+        <translation>ファイルの記載では数値は {unit}</translation>
+    </message>
+    <message>
+        <source>{unit}, as the setting says</source>
+        <translation>設定のとおり {unit}</translation>
+    </message>
+    <message>
+        <source>{name}, which is changed by a statement of the program</source>
+        <translation>プログラムの文で変更される {name}</translation>
+    </message>
+    <message>
+        <source>the declaration alone; the table is that of the declaration, since statements are not computed</source>
+        <translation>宣言のみであること。文は計算しないので、テーブルは宣言のもの</translation>
+    </message>
+    <message>
+        <source>axis {axis}, and axis {before} in line {line}</source>
+        <translation>軸 {axis} ({line} 行目では軸 {before})</translation>
+    </message>
+    <message>
+        <source>the measurement of one axis; make a file for each axis</source>
+        <translation>1 つの軸の測定。軸ごとにファイルを分けてください</translation>
+    </message>
+    <message>
+        <source>{second}, and {first} in line {line}</source>
+        <translation>{second}、{line} 行目は {first}</translation>
+    </message>
+    <message>
+        <source>one statement of it</source>
+        <translation>1 つの記述</translation>
+    </message>
+    <message>
+        <source>this statement before the header, since it holds for every line</source>
+        <translation>ヘッダーより前のこの指定 (すべての行に適用されるため)</translation>
+    </message>
+    <message>
+        <source>further sections behind EOF::</source>
+        <translation>EOF:: より後のセクション</translation>
+    </message>
+    <message>
+        <source>one measurement in a file; make a file of each</source>
+        <translation>1 ファイルに 1 つの測定。それぞれを別のファイルにしてください</translation>
+    </message>
+    <message>
+        <source>which it is: // values: deviation or // values: reference before the header, or --values</source>
+        <translation>どちらかの指定: ヘッダーより前の // values: deviation または // values: reference、もしくは --values</translation>
+    </message>
+    <message>
+        <source>axis {axis} of the machine file</source>
+        <translation>機械ファイルの軸 {axis}</translation>
     </message>
 </context>
 <context>

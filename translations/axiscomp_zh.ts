@@ -5441,10 +5441,6 @@
         <translation>各趟的列，可能是偏差，也可能是位置</translation>
     </message>
     <message>
-        <source>which it is: // values: deviation or // values: reference in the file, or --values</source>
-        <translation>属于哪一种：文件中写 // values: deviation 或 // values: reference，或用 --values</translation>
-    </message>
-    <message>
         <source>a column target before those of the runs</source>
         <translation>位于各趟列之前的 target 列</translation>
     </message>
@@ -8103,6 +8099,114 @@
     <message>
         <source>{endpoint} asks for a user name and a password; give them as https://user:password@host</source>
         <translation>{endpoint} 要求用户名和密码；请按 https://用户名:密码@主机 给出</translation>
+    </message>
+    <message>
+        <source>{path} is no position of axis {axis} before its compensation: name the register of its encoder</source>
+        <translation>{path} 不是轴 {axis} 补偿前的位置：请指定其编码器的寄存器</translation>
+    </message>
+    <message>
+        <source>&quot;{name}&quot;, which is taken to be a name without a unit</source>
+        <translation>“{name}”，被当作不带单位的名称</translation>
+    </message>
+    <message>
+        <source>a unit such as mm, um, inch, deg or arcsec, if {unit} is meant as one</source>
+        <translation>若 {unit} 表示单位，则用 mm、um、inch、deg 或 arcsec 等</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
+        <translation>仅给 {name} 的元素赋数值；之后对整个数组的修改不计算</translation>
+    </message>
+    <message>
+        <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
+        <translation>使用小数点，数字之间用空格分隔；无法区分小数逗号与分隔两个数字的逗号</translation>
+    </message>
+    <message>
+        <source>{key} without a value, or no {key}</source>
+        <translation>不带值的 {key}，或不写 {key}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>使用小数点的数字</translation>
+    </message>
+    <message>
+        <source>several tables of {axes}</source>
+        <translation>{axes} 有多个表</translation>
+    </message>
+    <message>
+        <source>their sum, since the controller adds them; a table that is converted alone is a part of it</source>
+        <translation>它们的和，因为控制器将其相加；单独转换的一个表只是其中一部分</translation>
+    </message>
+    <message>
+        <source>&quot;{statement}&quot;, which switches a table of the file off</source>
+        <translation>“{statement}”，它停用了文件中的表</translation>
+    </message>
+    <message>
+        <source>tables that are in use; this one does not act on the machine</source>
+        <translation>启用的表；该表对机床不起作用</translation>
+    </message>
+    <message>
+        <source>one unit for positions and offsets, which the controller adds; a calibration file is read with --from {format}</source>
+        <translation>位置和偏移须用同一单位，因为控制器将二者相加；校准文件用 --from {format} 读取</translation>
+    </message>
+    <message>
+        <source>{count} lines that are taken to be headers, the first of them &quot;{line}&quot;</source>
+        <translation>{count} 行被当作表头，其中第一行为“{line}”</translation>
+    </message>
+    <message>
+        <source>decimal points, and a comma with a blank between the values; nobody can tell a decimal comma from one that separates two values</source>
+        <translation>使用小数点，数值之间用逗号加空格分隔；无法区分小数逗号与分隔两个数值的逗号</translation>
+    </message>
+    <message>
+        <source>numbers in {unit}, as the file says</source>
+        <translation>数值的单位为 {unit}，如文件所述</translation>
+    </message>
+    <message>
+        <source>{unit}, as the setting says</source>
+        <translation>{unit}，如设置所述</translation>
+    </message>
+    <message>
+        <source>{name}, which is changed by a statement of the program</source>
+        <translation>{name}，被程序中的语句修改</translation>
+    </message>
+    <message>
+        <source>the declaration alone; the table is that of the declaration, since statements are not computed</source>
+        <translation>仅有声明；表取自声明，因为不计算语句</translation>
+    </message>
+    <message>
+        <source>axis {axis}, and axis {before} in line {line}</source>
+        <translation>轴 {axis}，而第 {line} 行为轴 {before}</translation>
+    </message>
+    <message>
+        <source>the measurement of one axis; make a file for each axis</source>
+        <translation>单个轴的测量；请为每个轴单独建立文件</translation>
+    </message>
+    <message>
+        <source>{second}, and {first} in line {line}</source>
+        <translation>{second}，而第 {line} 行为 {first}</translation>
+    </message>
+    <message>
+        <source>one statement of it</source>
+        <translation>只有一个声明</translation>
+    </message>
+    <message>
+        <source>this statement before the header, since it holds for every line</source>
+        <translation>此声明应写在标题行之前，因为它对所有行都有效</translation>
+    </message>
+    <message>
+        <source>further sections behind EOF::</source>
+        <translation>EOF:: 之后的其他段</translation>
+    </message>
+    <message>
+        <source>one measurement in a file; make a file of each</source>
+        <translation>每个文件一次测量；请将各次测量分成单独的文件</translation>
+    </message>
+    <message>
+        <source>which it is: // values: deviation or // values: reference before the header, or --values</source>
+        <translation>属于哪一种：在标题行之前写 // values: deviation 或 // values: reference，或用 --values</translation>
+    </message>
+    <message>
+        <source>axis {axis} of the machine file</source>
+        <translation>机床文件中的轴 {axis}</translation>
     </message>
 </context>
 <context>
