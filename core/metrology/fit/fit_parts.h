@@ -36,6 +36,9 @@ struct FitValues {
     std::vector<std::size_t> indices;
 };
 [[nodiscard]] FitValues fitValues(const Measurement& measurement, const FitInput& input);
+/// The targets with a value in use, ascending; all where fewer than two have one, of which no table
+/// is made.
+[[nodiscard]] std::vector<double> usedTargets(const Measurement& measurement);
 /// Of runs and tracks, whatever was active: null where nothing is merged. Errors: InvalidArgument
 /// for a table of another axis or of more dimensions; those of tableOfAxis.
 [[nodiscard]] Result<const CompensationTable*> tableToMergeOnto(const FitInput& input);

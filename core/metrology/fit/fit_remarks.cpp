@@ -268,7 +268,7 @@ void remarkOfReversal(const FitInput& input, const TableFit& fit, Remarks& remar
 
 void remarkOfPeriods(const FitInput& input, Remarks& remarks)
 {
-    const std::vector<double>& targets = input.measurement.targets;
+    const std::vector<double> targets = usedTargets(input.measurement);
     for (const double period : input.settings.periods.periods)
         remarks.say("TargetsPerPeriod",
             AXISCOMP_TEXT("Measurement", "{count} targets lie in {turns} periods of {period}")

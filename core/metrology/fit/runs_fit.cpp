@@ -81,6 +81,19 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
     return result;
 }
 
+std::vector<double> usedTargets(const Measurement& measurement)
+{
+    std::vector<bool> areUsed(measurement.targets.size(), false);
+    for (const RunValue& value : measurement.values)
+        if (value.isUsed)
+            areUsed[value.target] = true;
+    std::vector<double> used;
+    for (std::size_t i = 0; i < areUsed.size(); ++i)
+        if (areUsed[i])
+            used.push_back(measurement.targets[i]);
+    return used.size() < 2 ? measurement.targets : used;
+}
+
 namespace {
 
 /// Of those that were active the one whose CRC is on record, else the one for the axis itself;
@@ -135,14 +148,9 @@ Result<void> checkTurn(const FitInput& input)
         return {};
     const Measurement& measurement = input.measurement;
     const double turn = *input.settings.turn;
-    double first = measurement.targets.back();
-    double last = measurement.targets.front();
-    for (const RunValue& value : measurement.values) {
-        if (!value.isUsed)
-            continue;
-        first = std::min(first, measurement.targets[value.target]);
-        last = std::max(last, measurement.targets[value.target]);
-    }
+    const std::vector<double> used = usedTargets(measurement);
+    const double first = used.front();
+    const double last = used.back();
     constexpr double rounding = 1e-9;
     if (last - first > turn * (1.0 + rounding))
         return badFit(AXISCOMP_TEXT("Error",
@@ -189,7 +197,7 @@ Result<void> checkRunsSettings(const FitInput& input)
 Result<void> placeZero(const FitInput& input, TableFitRequest& request)
 {
     const FitSettings& settings = input.settings;
-    const std::vector<double>& targets = input.measurement.targets;
+    const std::vector<double> targets = usedTargets(input.measurement);
     const bool isHomeMeasured =
         settings.home && *settings.home >= targets.front() && *settings.home <= targets.back();
     switch (settings.zero) {
@@ -253,7 +261,7 @@ Result<double> distanceOf(const std::vector<double>& targets)
 Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationTable* old)
 {
     const FitSettings& settings = input.settings;
-    const std::vector<double>& targets = input.measurement.targets;
+    const std::vector<double> targets = usedTargets(input.measurement);
     AxisRequest wanted = settings.grid.empty() ? AxisRequest{} : settings.grid.front();
     const double from = targets.front();
     const double to = targets.back();
@@ -321,7 +329,7 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
         return request;
     if (areKnotsTargets) {
         if (isOpen)
-            AXISCOMP_CHECK(distanceOf(input.measurement.targets));
+            AXISCOMP_CHECK(distanceOf(usedTargets(input.measurement)));
         if (!settings.grid.empty())
             request.grid = settings.grid.front();
         return request;

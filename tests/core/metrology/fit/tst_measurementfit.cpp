@@ -1168,6 +1168,37 @@ private Q_SLOTS:
         QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()), "outside the targets"));
     }
 
+    /// The last target, and one that is off the even ones, are left out: 0 to 90 mm remain.
+    void targetsThatAreLeftOutDoNotCount()
+    {
+        Measurement runs = runsOver(0.0, 10.0, 11, [](double p) { return 1e-4 * p; });
+        runs.targets.insert(runs.targets.begin() + 4, 33.0);
+        for (RunValue& value : runs.values)
+            value.target += value.target >= 4 ? 1 : 0;
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            runs.values.push_back({4, direction, 1, 0.5});
+        sortValues(runs.values);
+        for (RunValue& value : runs.values)
+            value.isUsed = value.target != 4 && value.target != 11;
+        for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set}) {
+            FitSettings settings = keeping(lookupAt);
+            const auto report = fitMeasurement(runs, settings, measuredOff());
+            VERIFY_RESULT(report);
+            const GridAxis& axis = report->tables.front().table.grid.axes.front();
+            QCOMPARE(axis.size, 10U);
+            QCOMPARE(axis.start, 0.0);
+            QVERIFY(std::abs(axis.last() - 90.0) < 1e-9);
+            settings.zero = FitZero::Position;
+            settings.zeroPosition = {95.0};
+            QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()),
+                "outside the targets, which go from 0 mm to 90 mm"));
+            settings.zero = FitZero::Home;
+            settings.home = 95.0;
+            QVERIFY(isRefused(
+                fitMeasurement(runs, settings, measuredOff()), "95 mm is outside the targets"));
+        }
+    }
+
     void whatIsLeftOpenIsAskedFor()
     {
         Measurement runs = runsOver(0.0, 10.0, 11, [](double p) { return 0.001 * p; });
