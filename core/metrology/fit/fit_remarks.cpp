@@ -177,6 +177,14 @@ void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
                 "new points is lost; take more points")
                 .with("name", merge.onto)
                 .with("lost", remarks.fine(merge.lostDetail)));
+    if (merge.lostRange > least)
+        remarks.warn("OldRangeLost",
+            AXISCOMP_TEXT("Measurement",
+                "the new table is shorter than {name}: up to {lost} of what that has beyond the "
+                "ends of the new one is lost; ask for no grid, which keeps that of {name}, or for "
+                "one as long, or measure the whole of it")
+                .with("name", merge.onto)
+                .with("lost", remarks.fine(merge.lostRange)));
 }
 
 /// A figure that says best how good the axis is: A, else E, else M.

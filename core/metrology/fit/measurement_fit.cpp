@@ -131,6 +131,20 @@ double lostDetail(const CompensationTable& table, const Grid& grid, Outside outs
     return lost;
 }
 
+/// What a table has beyond a shorter grid, beside its value at the edge, which the drive holds.
+double lostBeyond(const CompensationTable& table, const Grid& grid)
+{
+    const Lookup exact(table, Outside::Hold);
+    double lost = 0.0;
+    for (std::size_t i = 0; i < table.values.size(); ++i) {
+        auto edge = positionOf(table.grid, i);
+        for (std::size_t axis = 0; axis < edge.size(); ++axis)
+            edge[axis] = std::clamp(edge[axis], grid.axes[axis].start, grid.axes[axis].last());
+        lost = std::max(lost, std::abs(exact.at(edge) - static_cast<double>(table.values[i])));
+    }
+    return lost;
+}
+
 } // namespace
 
 FitMerge mergeOnto(
@@ -153,6 +167,8 @@ FitMerge mergeOnto(
         }
     }
     merge.lostDetail = lostDetail(old, made.grid, input.outside());
+    if (!input.settings.turn)
+        merge.lostRange = lostBeyond(old, made.grid);
     return merge;
 }
 

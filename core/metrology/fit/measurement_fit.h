@@ -110,6 +110,8 @@ struct FitMerge {
     std::vector<double> largestAt = {}; ///< the position of it
     /// The most that the old table had between the points of the new one, which is lost.
     double lostDetail = 0.0;
+    /// The most that the old table changes beyond the ends of the new one, which is lost.
+    double lostRange = 0.0;
 };
 
 /// Something that is to be known before the table is used.

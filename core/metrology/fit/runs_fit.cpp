@@ -282,12 +282,9 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
             .start = from,
             .end = from + steps * wanted.distance};
     }
-    const double rounding = 1e-9 * (to - from);
-    if (old) {
+    if (old) { // beyond the targets it goes on, with the last residual
         const GridAxis& axis = old->grid.axes.front();
-        const bool isCovered = axis.start >= from - rounding && axis.last() <= to + rounding;
-        if (isCovered || settings.turn || settings.holdsEnds)
-            return AxisRequest{.points = axis.size, .start = axis.start, .end = axis.last()};
+        return AxisRequest{.points = axis.size, .start = axis.start, .end = axis.last()};
     }
     AXISCOMP_TRY(const double distance, distanceOf(targets));
     const double last = settings.turn ? from + *settings.turn : to;

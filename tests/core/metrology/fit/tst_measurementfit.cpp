@@ -708,6 +708,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(report->heldOut->range - 0.010 * share) < 1e-9); // nothing at the ends
     }
 
+    /// The old table goes from -50 to 150 mm, with 10 um sin(x / 20); the residual, 1 um and 0.01
+    /// um for each mm, was measured from 0 to 100 mm. Beyond it the last residual is added: 1 um
+    /// below 0 and 2 um above 100.
+    void aTableGoesOnBeyondTheResidualsThatAreMergedOntoIt()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.grid.axes = {{"X", "mm", -50.0, 10.0, 21}};
+        for (int i = 0; i <= 20; ++i)
+            table.values.push_back(static_cast<float>(0.01 * std::sin((10.0 * i - 50.0) / 20.0)));
+        const Measurement runs =
+            runsOver(0.0, 10.0, 11, [](double target) { return 0.001 + 1e-5 * target; });
+        const FoundState state{FoundState::Kind::On, &old, {}, {}};
+        const auto report = fitMeasurement(runs, keeping(), state);
+        VERIFY_RESULT(report);
+        const CompensationTable& made = report->tables.front().table;
+        QCOMPARE(made.grid.axes.front().size, 21U);
+        QCOMPARE(made.grid.axes.front().start, -50.0);
+        for (std::size_t i = 0; i <= 20; ++i) {
+            const double measured = std::clamp(10.0 * static_cast<double>(i) - 50.0, 0.0, 100.0);
+            QVERIFY(std::abs(static_cast<double>(made.values[i])
+                        - static_cast<double>(table.values[i]) - 0.001 - 1e-5 * measured)
+                < 1e-6);
+        }
+        QVERIFY(!hasRemark(*report, "OldRangeLost"));
+        // By Python: 10 um (sin 7.5 - sin 5) from 100 to 150 mm is the most.
+        FitSettings shorter = keeping();
+        shorter.grid = {{.points = 11}};
+        const auto cut = fitMeasurement(runs, shorter, state);
+        VERIFY_RESULT(cut);
+        QCOMPARE(cut->tables.front().table.values.size(), std::size_t{11});
+        QVERIFY(std::abs(cut->merge->lostRange - 0.018969242514) < 1e-8);
+        QVERIFY(hasRemark(*cut, "OldRangeLost", "up to 18.969 um of what that has beyond"));
+    }
+
     /// Every tenth point of the teeth is low, and their tops are 4 um above.
     void whatACoarserGridLosesOfTheOldTableIsSaid()
     {
