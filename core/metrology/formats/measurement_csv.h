@@ -59,6 +59,7 @@ public:
     void noteUnknownColumns();
     /// For columns that are found in another way than by column().
     void markKnown(std::size_t column) { m_isKnown[column - 1] = true; }
+    [[nodiscard]] bool isKnown(std::size_t column) const { return m_isKnown[column - 1]; }
 
     /// The unit of a column: stated, or in brackets behind the name, or "_mm" at its end. Nothing
     /// when it is missing or unknown, which is reported.

@@ -449,6 +449,21 @@ private Q_SLOTS:
         }
     }
 
+    void aDirectionAloneIsItsFirstRun()
+    {
+        const std::string text = "// values: deviation\ntarget [mm],up [um],up2 [um],Down [um]\n"
+                                 "0,1,2,3\n9,4,5,6\n";
+        const MeasurementReading reading = test::readAs("wide", text);
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->runCount(Approach::Up), 2);
+        QCOMPARE(valueAt(*reading.measurement, Approach::Up, 1, 1), 0.004);
+        QCOMPARE(valueAt(*reading.measurement, Approach::Up, 1, 2), 0.005);
+        QCOMPARE(valueAt(*reading.measurement, Approach::Down, 1, 1), 0.006);
+        const auto means = chooseMeasurementFormat("target [mm],up [um],down [um]\n", "m.csv", {});
+        VERIFY_RESULT(means);
+        QCOMPARE((*means)->facts.name, std::string_view("wide"));
+    }
+
     void pointsOfAnglesAreDegrees()
     {
         const MeasurementReading reading = test::readAs(

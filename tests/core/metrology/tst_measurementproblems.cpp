@@ -207,6 +207,13 @@ private Q_SLOTS:
             "X [mm],Y [mm],dX [um],dY [mm]\n0,0,1,0.001\n10,0,2,0\n0,20,1,20\n10,20,2,19.999\n",
             "1:4 ValuesLookLikePositions values that rise by 0.99995 with the position|deviations",
             "points");
+        row("a column that is no run",
+            "// values: deviation\ntarget [mm],up1 [um],run2 up [um],mean "
+            "[um],T\n0,1,1,,20\n9,1,,,21\n",
+            "2:3 LeftOut column run2 up|for a run its direction and number", "wide");
+        row("a direction beside its first run",
+            "// values: deviation\ntarget [mm],up [um],up1 [um],down1 [um]\n0,1,1,1\n9,1,1,1\n",
+            "2:2 LeftOut column up|for a run its direction and number", "wide");
         row("a second data set",
             rtl("1 1 1\n1 2 1\n2 2 1\n2 1 1\n") + "\nEOF::\n\x1A\n"
                 + rtl("1 1 9\n1 2 9\n2 2 9\n2 1 9\n"),
