@@ -102,8 +102,7 @@ py::bytes csvOfRuns(const Numbers& targets, const Numbers& up, const Numbers& do
 py::array_t<double> runsOf(const Measurement& measurement, Approach direction)
 {
     const auto targets = static_cast<py::ssize_t>(measurement.targets.size());
-    py::array_t<double> values(
-        {static_cast<py::ssize_t>(measurement.runCount(direction)), targets});
+    py::array_t<double> values({static_cast<py::ssize_t>(measurement.lastRun(direction)), targets});
     std::fill_n(values.mutable_data(), values.size(), std::numeric_limits<double>::quiet_NaN());
     for (const RunValue& value : measurement.values)
         if (value.direction == direction && value.isUsed)

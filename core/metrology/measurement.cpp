@@ -4,6 +4,7 @@
 #include "core/text/crc_text.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 namespace axiscomp {
@@ -59,13 +60,24 @@ double Measurement::range() const
     return high->encoder - low->encoder;
 }
 
-int Measurement::runCount(Approach direction) const
+std::vector<int> Measurement::runNumbers(Approach direction) const
 {
-    int most = 0;
+    std::set<int> runs;
     for (const RunValue& value : values)
         if (value.direction == direction)
-            most = std::max(most, value.run);
-    return most;
+            runs.insert(value.run);
+    return {runs.begin(), runs.end()};
+}
+
+int Measurement::runCount(Approach direction) const
+{
+    return static_cast<int>(runNumbers(direction).size());
+}
+
+int Measurement::lastRun(Approach direction) const
+{
+    const std::vector<int> numbers = runNumbers(direction);
+    return numbers.empty() ? 0 : numbers.back();
 }
 
 std::size_t Measurement::excludedCount() const

@@ -26,7 +26,7 @@ enum class Approach { Up, Down };
 struct RunValue {
     std::size_t target = 0; ///< index into Measurement::targets
     Approach direction = Approach::Up;
-    int run = 1; ///< from 1, counted for each direction
+    int run = 1; ///< from 1, for each direction; there may be gaps
     /// The reference position minus the target: positive when the axis went too far. In mm or deg.
     double deviation = 0.0;
     std::optional<double> encoder = {}; ///< raw position, before compensation, in mm or deg
@@ -132,8 +132,12 @@ struct Measurement {
     }
     /// The distance of the last target from the first, or of the outermost positions of a track.
     [[nodiscard]] double range() const;
-    /// The highest number of a run in this direction; 0 without any.
+    /// Of the runs in this direction, ascending; they need not begin with 1, nor be without gaps.
+    [[nodiscard]] std::vector<int> runNumbers(Approach direction) const;
+    /// How many runs there are in this direction, whatever their numbers are.
     [[nodiscard]] int runCount(Approach direction) const;
+    /// The highest number of a run in this direction; 0 without any.
+    [[nodiscard]] int lastRun(Approach direction) const;
     /// Values that are left out.
     [[nodiscard]] std::size_t excludedCount() const;
 

@@ -287,7 +287,7 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
     whole.values.clear();
     whole.published.clear();
     for (const Measurement& measurement : measurements) {
-        const int runs[] = {whole.runCount(Approach::Up), whole.runCount(Approach::Down)};
+        const int runs[] = {whole.lastRun(Approach::Up), whole.lastRun(Approach::Down)};
         for (RunValue value : measurement.values) {
             value.target = targetIndex(whole.targets, measurement.targets[value.target]);
             value.run += runs[static_cast<int>(value.direction)];

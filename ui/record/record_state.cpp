@@ -230,8 +230,10 @@ RecordState evaluated(
     state.largestByTemperature = whole->largestByTemperature;
     state.largestByDeadPath = whole->largestByDeadPath;
     const auto measurement = std::make_shared<const Measurement>(std::move(whole->measurement));
-    state.upRuns = measurement->runCount(Approach::Up);
-    state.downRuns = measurement->runCount(Approach::Down);
+    state.upRunNumbers = measurement->runNumbers(Approach::Up);
+    state.downRunNumbers = measurement->runNumbers(Approach::Down);
+    state.upRuns = static_cast<int>(state.upRunNumbers.size());
+    state.downRuns = static_cast<int>(state.downRunNumbers.size());
     state.excludedCount = measurement->excludedCount();
     state.hasRaw = hasRawReadings(*measurement);
     state.unit = unitOf(*measurement);

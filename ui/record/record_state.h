@@ -67,6 +67,8 @@ struct RecordState {
     FineUnit unit; ///< in which the deviations of measurement are shown
     int upRuns = 0; ///< of measurement
     int downRuns = 0;
+    std::vector<int> upRunNumbers = {}; ///< ascending
+    std::vector<int> downRunNumbers = {};
     std::size_t excludedCount = 0; ///< its values that are not used
     bool hasRaw = false; ///< hasRawReadings(*measurement)
     /// The table of a measurement, or of an earlier one while RecordModel::isFitting(); null: there

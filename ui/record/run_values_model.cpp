@@ -22,11 +22,11 @@ void RunValuesModel::follow()
     const RecordState& state = m_record.state();
     const bool hasTargets = state.measurement && state.measurement->hasTargets();
     const int rows = hasTargets ? static_cast<int>(state.measurement->targets.size()) : 0;
-    if (rows != m_rows || state.upRuns != m_ups || state.downRuns != m_downs) {
+    if (rows != m_rows || state.upRunNumbers != m_ups || state.downRunNumbers != m_downs) {
         beginResetModel();
         m_rows = rows;
-        m_ups = state.upRuns;
-        m_downs = state.downRuns;
+        m_ups = state.upRunNumbers;
+        m_downs = state.downRunNumbers;
         endResetModel();
         return;
     }
@@ -43,10 +43,14 @@ void RunValuesModel::retranslate()
 
 std::optional<std::pair<Approach, int>> RunValuesModel::runOfColumn(int column) const
 {
-    if (column <= targetColumn || column > m_ups + m_downs)
+    if (column <= targetColumn)
         return std::nullopt;
-    return column <= m_ups ? std::pair(Approach::Up, column)
-                           : std::pair(Approach::Down, column - m_ups);
+    const auto place = static_cast<std::size_t>(column - targetColumn - 1);
+    if (place < m_ups.size())
+        return std::pair(Approach::Up, m_ups[place]);
+    if (place < m_ups.size() + m_downs.size())
+        return std::pair(Approach::Down, m_downs[place - m_ups.size()]);
+    return std::nullopt;
 }
 
 const RunValue* RunValuesModel::valueOf(const QModelIndex& cell) const
@@ -106,7 +110,8 @@ int RunValuesModel::rowCount(const QModelIndex& parent) const
 
 int RunValuesModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() || m_rows == 0 ? 0 : 1 + m_ups + m_downs;
+    return parent.isValid() || m_rows == 0 ? 0
+                                           : 1 + static_cast<int>(m_ups.size() + m_downs.size());
 }
 
 QVariant RunValuesModel::data(const QModelIndex& index, int role) const

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -47,8 +48,8 @@ private:
     const RecordModel& m_record;
     // As announced.
     int m_rows = 0;
-    int m_ups = 0;
-    int m_downs = 0;
+    std::vector<int> m_ups; ///< numbers of the runs up
+    std::vector<int> m_downs;
 };
 
 } // namespace axiscomp::ui

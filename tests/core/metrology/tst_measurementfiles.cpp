@@ -483,6 +483,26 @@ private Q_SLOTS:
         QCOMPARE(reading.measurement->runCount(Approach::Down), 1);
     }
 
+    void runsAreCountedWhateverTheirNumbersAre()
+    {
+        // Passes that are numbered through: up 1 and 3, down 2 and 4.
+        const MeasurementReading reading = test::readAs("runs",
+            "target [mm],direction,run,deviation [um]\n0,+,1,0.1\n10,+,1,0.2\n0,-,2,0.3\n"
+            "10,-,2,0.4\n0,+,3,0.1\n10,+,3,0.3\n0,-,4,0.2\n10,-,4,0.1\n");
+        VERIFY_MEASUREMENT(reading);
+        const Measurement& one = *reading.measurement;
+        QCOMPARE(one.runCount(Approach::Up), 2);
+        QCOMPARE(one.runCount(Approach::Down), 2);
+        QVERIFY(reading.diagnostics.empty()); // no UnequalRuns
+        // Joined, no run of one file becomes part of one of the other.
+        const std::vector<Measurement> both{one, one};
+        const auto whole = joined(both);
+        VERIFY_RESULT(whole);
+        QCOMPARE(whole->runCount(Approach::Up), 4);
+        QCOMPARE(whole->lastRun(Approach::Up), 6);
+        QCOMPARE(whole->runCount(Approach::Down), 4);
+    }
+
     void anyCsvIsReadByItsColumns()
     {
         MeasurementReadOptions options;

@@ -100,6 +100,25 @@ private Q_SLOTS:
             model.index(1, 2).data(Qt::AccessibleTextRole).toString(), QStringLiteral("no value"));
     }
 
+    void runsHaveTheNumbersOfTheFile()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("through.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("target [mm],direction,run,deviation [um]\n"
+                   "0,+,1,1\n10,+,1,2\n10,-,2,3\n0,-,2,4\n0,+,3,5\n10,+,3,6\n");
+        file.close();
+        RecordModel record;
+        RunValuesModel model(record);
+        record.addFiles({file.fileName()});
+        QVERIFY(settled(record));
+        QCOMPARE(model.columnCount(), 4);
+        QCOMPARE(model.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString().left(3),
+            QStringLiteral("↑ 3"));
+        QCOMPARE(text(model, 0, 2), QStringLiteral("5.00"));
+        QVERIFY((model.exclusionOf(model.index(1, 3)) == Exclusion{Approach::Down, 2, 2}));
+    }
+
     /// As axiscomp judge shows them.
     void deviationsBelowAHundredNanometresAreInNanometres()
     {
