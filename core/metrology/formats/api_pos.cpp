@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 2> rules{
 };
 constexpr std::array<std::string_view, 1> assumptions{
     "An error is the measured position minus the target. Everything else in the file becomes a "
-    "note.",
+    "note, but for a line within a block that begins like a number and is no pair.",
 };
 
 enum class Block { None, Bidirectional, Forward, Reverse };
@@ -46,6 +46,13 @@ std::optional<Block> blockOf(std::string_view line)
     if (sameLetters(words[1].text, "Forward"))
         return Block::Forward;
     return sameLetters(words[1].text, "Reverse") ? std::optional(Block::Reverse) : std::nullopt;
+}
+
+/// "1,000.0" and "-.5*", but neither a line of dashes nor a word.
+bool beginsLikeNumber(std::string_view text)
+{
+    const std::size_t digit = text.find_first_not_of("+-.");
+    return digit <= 2 && digit < text.size() && text[digit] >= '0' && text[digit] <= '9';
 }
 
 class Reader {
@@ -79,6 +86,7 @@ private:
     DiagnosticList& m_diagnostics;
     Encoding m_encoding;
     Block m_block = Block::None;
+    bool m_isAmongPairs = false; ///< since the head of the block or a pair no line of words
     std::array<std::vector<Entry>, 4> m_blocks;
 };
 
@@ -87,6 +95,7 @@ void Reader::takeLine(const Token& line)
     const Token content = trimmedToken(line);
     if (const auto block = blockOf(content.text)) {
         m_block = *block;
+        m_isAmongPairs = true;
         return;
     }
     std::vector<Token> words;
@@ -99,8 +108,20 @@ void Reader::takeLine(const Token& line)
             readNumber(words[1], AXISCOMP_TEXT("Error", "an error in mm"), m_diagnostics);
         if (position && error)
             entries().push_back({*position, *error, content.line});
+        m_isAmongPairs = true;
         return;
     }
+    if (m_isAmongPairs && beginsLikeNumber(content.text)) {
+        m_diagnostics.error(DiagnosticCode::Syntax, content.line, 0,
+            Verbatim{excerpt(content.text, m_encoding)},
+            AXISCOMP_TEXT("Error",
+                "a position and an error in mm, with decimal points and without separators of "
+                "thousands"));
+        return;
+    }
+    // Behind a line of words another table may stand, of which nothing is known.
+    if (content && content.text.find_first_not_of("+-._= \t") != std::string_view::npos)
+        m_isAmongPairs = false;
     constexpr std::size_t mostNotes = 1000;
     if (content && m_measurement.notes.size() < mostNotes)
         m_measurement.notes.push_back(shownText(toUtf8(content.text, m_encoding), 1000));
@@ -120,7 +141,13 @@ RawRunValue valueOf(const Entry& entry, Approach direction, double error)
 void Reader::addFollowing(std::vector<RawRunValue>& values)
 {
     const std::vector<Entry>& both = entriesOf(Block::Bidirectional);
-    for (const Entry& forward : entriesOf(Block::Forward)) {
+    const std::vector<Entry>& one = entriesOf(Block::Forward);
+    for (const Entry& mean : both)
+        if (!one.empty() && std::ranges::find(one, mean.position, &Entry::position) == one.end())
+            m_diagnostics.error(DiagnosticCode::CountMismatch, mean.line, 0,
+                AXISCOMP_TEXT("Error", "a position without a forward mean"),
+                AXISCOMP_TEXT("Error", "the same positions in both blocks"));
+    for (const Entry& forward : one) {
         const auto mean = std::ranges::find(both, forward.position, &Entry::position);
         if (mean == both.end())
             m_diagnostics.error(DiagnosticCode::CountMismatch, forward.line, 0,

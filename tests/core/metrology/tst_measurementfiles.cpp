@@ -687,6 +687,19 @@ private Q_SLOTS:
         QVERIFY(!figures[Figure::A].value);
     }
 
+    void whatStandsBetweenAndBehindTheMeansOfApiIsANote()
+    {
+        const MeasurementReading reading = test::readAs("api-pos",
+            "API XD\n2026-11-21 09:30\nPosition Forward Directional Avg Error\n---- ----\n"
+            "0 0.001\n+500 -.002\n\nPosition Reverse Directional Avg Error\n-- --\n"
+            "0 0.001\n500 0.004\n-----\nStandard deviation at each position\n0 0.1 0.2\n"
+            "500 0.1 0.2\nend of 21 Nov\n");
+        VERIFY_MEASUREMENT(reading);
+        QCOMPARE(reading.measurement->values.size(), std::size_t{4});
+        QCOMPARE(valueAt(*reading.measurement, Approach::Up, 1, 1), -0.002);
+        QCOMPARE(reading.measurement->notes.size(), std::size_t{9});
+    }
+
     void aReportIsReadAsPrinted()
     {
         const MeasurementReading reading = test::readAs("ecmc-report",

@@ -154,6 +154,17 @@ private Q_SLOTS:
             rtlOf("Target-count: 3\nTargets : 0 50 25\n", "1 1 1\n1 2 1\n1 3 1\n"), {"5:0 Syntax"});
         row("only means of both", "api-pos", "Position Bidirectional Avg Error\n0 1\n1 1\n",
             {"0:0 Syntax no block of a direction|"});
+        const std::string both = "Position Bidirectional Avg Error\n0 0.001\n500 0.001\n";
+        const std::string forward = "Position Forward Directional Avg Error\n0 0.001\n500 0.002\n";
+        row("signs between the thousands", "api-pos", both + "1,000.0 0.001\n" + forward,
+            {"4:0 Syntax 1,000.0 0.001|a position and an error in mm, with decimal points"});
+        row("decimal commas", "api-pos",
+            "Position Forward Directional Avg Error\n0,0 0,1\n9,0 0,1\n",
+            {"2:0 Syntax 0,0 0,1|", "3:0 Syntax 9,0 0,1|"});
+        row("three columns", "api-pos", both + forward + "900 0.1 .1\n-.5* 0\n",
+            {"7:0 Syntax 900 0.1 .1|", "8:0 Syntax -.5* 0|"});
+        row("a mean of both alone", "api-pos", both + "900 0.001\n" + forward,
+            {"4:0 CountMismatch a position without a forward mean|the same positions in both"});
         row("cycles", "ecmc",
             "CYCLES=2\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=1\n",
             {"0:0 CountMismatch CYCLES: 2, but 1 are there|"});
