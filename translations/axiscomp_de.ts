@@ -8249,6 +8249,18 @@
         <source>axis {axis} of the machine file</source>
         <translation>Achse {axis} der Maschinendatei</translation>
     </message>
+    <message>
+        <source>a position and an error in mm, with decimal points and without separators of thousands</source>
+        <translation>eine Position und eine Abweichung in mm, mit Dezimalpunkten und ohne Tausendertrennzeichen</translation>
+    </message>
+    <message>
+        <source>a position without a forward mean</source>
+        <translation>eine Position ohne Mittelwert in Vorwärtsrichtung</translation>
+    </message>
+    <message>
+        <source>for a run its direction and number, such as up2 or down1</source>
+        <translation>für einen Durchlauf dessen Richtung und Nummer, zum Beispiel up2 oder down1</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9979,6 +9991,10 @@
     <message>
         <source>{constant} was taken out of all values of {table} for its zero</source>
         <translation>{constant} wurde für die Nullstelle aus allen Werten von {table} herausgenommen</translation>
+    </message>
+    <message>
+        <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
+        <translation>Die neue Tabelle ist kürzer als {name}: bis zu {lost} von dem, was jene jenseits der Enden der neuen hat, gehen verloren; kein Gitter angeben, dann bleibt das von {name}, oder eines, das so lang ist, oder den ganzen Bereich messen</translation>
     </message>
 </context>
 <context>

@@ -8219,7 +8219,7 @@
     </message>
     <message>
         <source>the measurement of one axis; make a file for each axis</source>
-        <translation>la mesure d&apos;un seul axe ; faire un fichier par axe</translation>
+        <translation>la mesure d&apos;un seul axe&#xa0;; faire un fichier par axe</translation>
     </message>
     <message>
         <source>{second}, and {first} in line {line}</source>
@@ -8239,15 +8239,27 @@
     </message>
     <message>
         <source>one measurement in a file; make a file of each</source>
-        <translation>une seule mesure par fichier ; faire un fichier de chacune</translation>
+        <translation>une seule mesure par fichier&#xa0;; faire un fichier de chacune</translation>
     </message>
     <message>
         <source>which it is: // values: deviation or // values: reference before the header, or --values</source>
-        <translation>ce dont il s&apos;agit : // values: deviation ou // values: reference avant l&apos;en-tête, ou --values</translation>
+        <translation>ce dont il s&apos;agit&#xa0;: // values: deviation ou // values: reference avant l&apos;en-tête, ou --values</translation>
     </message>
     <message>
         <source>axis {axis} of the machine file</source>
         <translation>axe {axis} du fichier machine</translation>
+    </message>
+    <message>
+        <source>a position and an error in mm, with decimal points and without separators of thousands</source>
+        <translation>une position et un écart en mm, avec des points décimaux et sans séparateurs de milliers</translation>
+    </message>
+    <message>
+        <source>a position without a forward mean</source>
+        <translation>une position sans moyenne en sens aller</translation>
+    </message>
+    <message>
+        <source>for a run its direction and number, such as up2 or down1</source>
+        <translation>pour une passe, son sens et son numéro, par exemple up2 ou down1</translation>
     </message>
 </context>
 <context>
@@ -9979,6 +9991,10 @@
     <message>
         <source>{constant} was taken out of all values of {table} for its zero</source>
         <translation>{constant} a été retiré de toutes les valeurs de {table} pour son zéro</translation>
+    </message>
+    <message>
+        <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
+        <translation>la nouvelle table est plus courte que {name} : jusqu’à {lost} de ce que celle-ci contient au-delà des extrémités de la nouvelle est perdu ; ne demandez aucune grille, ce qui garde celle de {name}, ou une grille aussi longue, ou mesurez toute la course</translation>
     </message>
 </context>
 <context>

@@ -8208,6 +8208,18 @@
         <source>axis {axis} of the machine file</source>
         <translation>機械ファイルの軸 {axis}</translation>
     </message>
+    <message>
+        <source>a position and an error in mm, with decimal points and without separators of thousands</source>
+        <translation>位置と誤差 (mm)。小数点を使用し、桁区切りは付けません</translation>
+    </message>
+    <message>
+        <source>a position without a forward mean</source>
+        <translation>往路の平均値がない位置</translation>
+    </message>
+    <message>
+        <source>for a run its direction and number, such as up2 or down1</source>
+        <translation>走行の列には up2 や down1 のような方向と番号</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9930,6 +9942,10 @@
     <message>
         <source>{constant} was taken out of all values of {table} for its zero</source>
         <translation>ゼロ点のため、{table} のすべての値から {constant} を引きました</translation>
+    </message>
+    <message>
+        <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
+        <translation>新しいテーブルは {name} より短く、その両端の外で {name} にあるもののうち最大 {lost} が失われます。格子を指定しなければ {name} の格子が残ります。同じ長さの格子を指定するか、全範囲を測定してください</translation>
     </message>
 </context>
 <context>

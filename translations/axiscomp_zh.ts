@@ -8208,6 +8208,18 @@
         <source>axis {axis} of the machine file</source>
         <translation>机床文件中的轴 {axis}</translation>
     </message>
+    <message>
+        <source>a position and an error in mm, with decimal points and without separators of thousands</source>
+        <translation>一个位置和一个误差（mm），使用小数点，不用千位分隔符</translation>
+    </message>
+    <message>
+        <source>a position without a forward mean</source>
+        <translation>没有正向平均值的位置</translation>
+    </message>
+    <message>
+        <source>for a run its direction and number, such as up2 or down1</source>
+        <translation>若是一趟测量，则为其方向和序号，例如 up2 或 down1</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9930,6 +9942,10 @@
     <message>
         <source>{constant} was taken out of all values of {table} for its zero</source>
         <translation>为了零点，已从 {table} 的所有值中去除 {constant}</translation>
+    </message>
+    <message>
+        <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
+        <translation>新表比 {name} 短：{name} 在新表两端之外的内容最多丢失 {lost}；不指定网格即可保留 {name} 的网格，或指定同样长的网格，或测量整个行程</translation>
     </message>
 </context>
 <context>
