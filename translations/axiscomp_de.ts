@@ -8261,6 +8261,10 @@
         <source>for a run its direction and number, such as up2 or down1</source>
         <translation>für einen Durchlauf dessen Richtung und Nummer, zum Beispiel up2 oder down1</translation>
     </message>
+    <message>
+        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
+        <translation>nichts: die Werte einer Kalibrierdatei sind Referenz minus Geber, was immer ihre Kommentare sagen; sind sie es nicht, mit --scale -1 umkehren</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9995,6 +9999,14 @@
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
         <translation>Die neue Tabelle ist kürzer als {name}: bis zu {lost} von dem, was jene jenseits der Enden der neuen hat, gehen verloren; kein Gitter angeben, dann bleibt das von {name}, oder eines, das so lang ist, oder den ganzen Bereich messen</translation>
+    </message>
+    <message>
+        <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
+        <translation>die Regel grubbs gilt für 4 bis 10 Werte einer Zielposition, und einige {direction} wurden nicht geprüft</translation>
+    </message>
+    <message>
+        <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
+        <translation>ein Wert {direction} fällt auf, den die Regel mad nicht vorschlägt: sie behält 3 Werte jeder Zielposition und braucht andere, die sich unterscheiden</translation>
     </message>
 </context>
 <context>

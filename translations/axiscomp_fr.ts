@@ -8261,6 +8261,10 @@
         <source>for a run its direction and number, such as up2 or down1</source>
         <translation>pour une passe, son sens et son numéro, par exemple up2 ou down1</translation>
     </message>
+    <message>
+        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
+        <translation>rien : les valeurs d&apos;un fichier d&apos;étalonnage sont référence moins codeur, quoi qu&apos;en disent ses commentaires ; sinon les inverser avec --scale -1</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9995,6 +9999,14 @@
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
         <translation>la nouvelle table est plus courte que {name} : jusqu’à {lost} de ce que celle-ci contient au-delà des extrémités de la nouvelle est perdu ; ne demandez aucune grille, ce qui garde celle de {name}, ou une grille aussi longue, ou mesurez toute la course</translation>
+    </message>
+    <message>
+        <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
+        <translation>la règle grubbs vaut pour 4 à 10 valeurs par position, et certaines {direction} n&apos;ont pas été testées</translation>
+    </message>
+    <message>
+        <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
+        <translation>une valeur {direction} se détache que la règle mad ne propose pas : elle garde 3 valeurs par position et a besoin d&apos;autres valeurs différentes</translation>
     </message>
 </context>
 <context>

@@ -8220,6 +8220,10 @@
         <source>for a run its direction and number, such as up2 or down1</source>
         <translation>走行の列には up2 や down1 のような方向と番号</translation>
     </message>
+    <message>
+        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
+        <translation>なし。校正ファイルの値は、コメントに何と書かれていても基準値からエンコーダ値を引いたものです。そうでない場合は --scale -1 で反転してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9946,6 +9950,14 @@
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
         <translation>新しいテーブルは {name} より短く、その両端の外で {name} にあるもののうち最大 {lost} が失われます。格子を指定しなければ {name} の格子が残ります。同じ長さの格子を指定するか、全範囲を測定してください</translation>
+    </message>
+    <message>
+        <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
+        <translation>規則 grubbs は目標位置ごとに 4～10 個の値に使えます。{direction}の一部は検定されていません</translation>
+    </message>
+    <message>
+        <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
+        <translation>{direction}に目立つ値がありますが、規則 mad は提案しません。目標位置ごとに 3 個の値を残し、ばらつきのある他の値を必要とするためです</translation>
     </message>
 </context>
 <context>

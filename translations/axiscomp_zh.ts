@@ -8220,6 +8220,10 @@
         <source>for a run its direction and number, such as up2 or down1</source>
         <translation>若是一趟测量，则为其方向和序号，例如 up2 或 down1</translation>
     </message>
+    <message>
+        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
+        <translation>无：校准文件的值是参考值减编码器值，无论其注释怎么说；若不是，请用 --scale -1 取反</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9946,6 +9950,14 @@
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
         <translation>新表比 {name} 短：{name} 在新表两端之外的内容最多丢失 {lost}；不指定网格即可保留 {name} 的网格，或指定同样长的网格，或测量整个行程</translation>
+    </message>
+    <message>
+        <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
+        <translation>规则 grubbs 适用于每个目标位置 4 到 10 个值，{direction}的部分值未经检验</translation>
+    </message>
+    <message>
+        <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
+        <translation>{direction}有一个突出的值，规则 mad 不予建议：它为每个目标位置保留 3 个值，并且需要其他值有差异</translation>
     </message>
 </context>
 <context>

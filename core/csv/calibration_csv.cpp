@@ -86,6 +86,21 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
     data.notes.erase(note);
 }
 
+/// A statement that files of measurements know: here it changes nothing.
+void warnOfSign(const CalibrationData& data, DiagnosticList& diagnostics)
+{
+    constexpr std::string_view key = "sign:";
+    for (const std::string& note : data.notes) {
+        const std::string_view text = trimmedToken({note, 0, 1}).text;
+        if (sameLetters(text.substr(0, key.size()), key)
+            && sameLetters(trimmedToken({text.substr(key.size()), 0, 1}).text, "correction"))
+            diagnostics.warning(DiagnosticCode::Assumption, 0, 0, Verbatim{note},
+                AXISCOMP_TEXT("Error",
+                    "nothing: the values of a calibration file are reference minus encoder, "
+                    "whatever its comments say; turn them with --scale -1 if they are not"));
+    }
+}
+
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
     DiagnosticList& diagnostics, std::vector<std::vector<double>>& knots)
 {
@@ -104,6 +119,7 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
         if (!table.filled.empty())
             data.notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));
     takeTargets(data, diagnostics);
+    warnOfSign(data, diagnostics);
     if (options.acceptsUneven)
         knots = std::move(grid.knots);
     return data;

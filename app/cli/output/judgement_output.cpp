@@ -105,8 +105,9 @@ std::string outliersText(const Measurement& measurement, const Outliers& outlier
     if (outliers.rule == OutlierRule::None || measurement.kind != MeasurementKind::Runs)
         return {};
     std::string text = "\nOutliers by the rule " + std::string(outlierRuleName(outliers.rule));
+    const bool isUndecided = outliers.up.isUndecided || outliers.down.isUndecided;
     if (outliers.up.flagged.empty() && outliers.down.flagged.empty())
-        return text + ": none\n";
+        return text + (isUndecided ? ": none that it can tell\n" : ": none\n");
     TextTable table({"direction", ">target", ">run", ">score", "to leave it out"});
     for (const DirectionOutliers* one : {&outliers.up, &outliers.down})
         for (const Outlier& outlier : one->flagged)

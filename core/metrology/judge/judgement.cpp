@@ -32,6 +32,21 @@ void warnOfDisturbance(Judgement& result, const DirectionOutliers& outliers, App
                 .with("direction", approachText(direction))});
 }
 
+void warnOfUndecided(Judgement& result, const DirectionOutliers& outliers, Approach direction)
+{
+    if (!outliers.isUndecided)
+        return;
+    const TextPattern pattern = result.outliers.rule == OutlierRule::Grubbs
+        ? AXISCOMP_TEXT("Measurement",
+            "the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were "
+            "not tested")
+        : AXISCOMP_TEXT("Measurement",
+            "a value {direction} stands out that the rule mad does not propose: it keeps 3 values "
+            "of each target, and needs others that differ");
+    result.warnings.push_back(
+        {"OutliersNotTested", pattern.with("direction", approachText(direction))});
+}
+
 } // namespace
 
 bool Judgement::isWithinTolerances() const
@@ -65,6 +80,8 @@ Judgement judge(const Measurement& measurement, const JudgeOptions& options)
         result.withoutOffsets = iso230Figures(withoutDrift(measurement, DriftRemoval::Offset));
     warnOfDisturbance(result, result.outliers.up, Approach::Up);
     warnOfDisturbance(result, result.outliers.down, Approach::Down);
+    warnOfUndecided(result, result.outliers.up, Approach::Up);
+    warnOfUndecided(result, result.outliers.down, Approach::Down);
     // What a file says is said of all of its values.
     result.published = checkPublished(whole, excluded > 0 ? *result.ofAllValues : result.figures);
     for (const Text& contradiction : result.published.contradictions)

@@ -90,10 +90,13 @@ DirectionOutliers byPooledMad(const Measurement& measurement, Approach direction
         const double sigma = madToSigma * median(std::move(sizes));
         result.sigma = sigma;
         const Candidate worst = *std::ranges::max_element(all, {}, &Candidate::size);
-        // Without any spread there is no measure of what is unusual.
-        if (!(sigma > 0.0) || worst.size <= madLimit * sigma
-            || worst.group->values.size() <= fewestKept)
+        if (worst.size <= madLimit * sigma)
             return result;
+        // Without any spread there is no measure of what is unusual.
+        if (!(sigma > 0.0) || worst.group->values.size() <= fewestKept) {
+            result.isUndecided = true;
+            return result;
+        }
         if (5 * (result.flagged.size() + 1) > count) {
             result.flagged.clear();
             result.isDisturbed = true;
@@ -110,8 +113,10 @@ DirectionOutliers byGrubbs(const Measurement& measurement, Approach direction)
     DirectionOutliers result;
     for (const Group& group : groupsOf(measurement, direction)) {
         const std::size_t n = group.values.size();
-        if (n <= fewestKept || n - fewestKept >= grubbsLimits.size())
+        if (n <= fewestKept || n - fewestKept >= grubbsLimits.size()) {
+            result.isUndecided = true;
             continue;
+        }
         const double mean = group.mean();
         double squares = 0.0;
         const RunValue* farthest = group.values.front();

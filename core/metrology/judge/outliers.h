@@ -33,6 +33,9 @@ struct DirectionOutliers {
     std::vector<Outlier> flagged; ///< the most striking first
     /// More than a fifth of the values would go: nothing is proposed, the measurement is disturbed.
     bool isDisturbed = false;
+    /// Values may stand out that the rule cannot tell: of PooledMad one above the limit in a group
+    /// of 3, or any where all others are equal; of Grubbs a group of another size than 4 to 10.
+    bool isUndecided = false;
 };
 
 /// A proposal; nothing is left out by it.

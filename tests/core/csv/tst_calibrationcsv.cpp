@@ -130,6 +130,18 @@ private Q_SLOTS:
         QCOMPARE(found, expected);
     }
 
+    void aStatementOfTheSignChangesNothingAndIsSaid()
+    {
+        for (const char* const line : {"// sign: correction\n", "// Sign : correction\n", ""}) {
+            const CsvReading reading = parse(QByteArray(line) + "X,E\n0,0\n1,0.002\n", 1);
+            QVERIFY2(reading.data, describe(reading).join('\n').constData());
+            QCOMPARE(reading.data->tables[0].values[1], 0.002F);
+            QCOMPARE(std::ranges::count(
+                         reading.diagnostics, DiagnosticCode::Assumption, &Diagnostic::code),
+                *line == '\0' || line[8] == ' ' ? 0 : 1);
+        }
+    }
+
     void bracketsWithAUnitThatIsNotKnownAreNamed_data()
     {
         QTest::addColumn<QByteArray>("header");

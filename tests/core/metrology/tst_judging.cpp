@@ -113,8 +113,25 @@ private Q_SLOTS:
     void noGroupKeepsFewerThanThreeValues()
     {
         Measurement measurement = noisy(10, 100.0, 3);
+        QVERIFY(!findOutliers(measurement, OutlierRule::PooledMad).up.isUndecided);
         measurement.values.front().deviation += 1.0;
-        QVERIFY(findOutliers(measurement, OutlierRule::PooledMad).up.flagged.empty());
+        const Outliers outliers = findOutliers(measurement, OutlierRule::PooledMad);
+        QVERIFY(outliers.up.flagged.empty());
+        // "none" would not be so.
+        QVERIFY(outliers.up.isUndecided && !outliers.down.isUndecided);
+        const Judgement judgement = judge(measurement, {});
+        QCOMPARE(judgement.warnings.size(), std::size_t{1});
+        QCOMPARE(judgement.warnings[0].name, std::string("OutliersNotTested"));
+    }
+
+    void whereAllOthersAreEqualNothingIsUnusual()
+    {
+        Measurement measurement = noisy(10, 100.0, 5);
+        for (RunValue& one : measurement.values)
+            one.deviation = 0.0;
+        QVERIFY(!findOutliers(measurement, OutlierRule::PooledMad).up.isUndecided);
+        measurement.values.front().deviation = 0.089;
+        QVERIFY(findOutliers(measurement, OutlierRule::PooledMad).up.isUndecided);
     }
 
     void residualsOfSmallGroupsCountAsMuch()
@@ -144,6 +161,8 @@ private Q_SLOTS:
         for (RunValue& one : measurement.values)
             one.deviation = one.run;
         QVERIFY(findOutliers(measurement, OutlierRule::Grubbs).up.flagged.empty());
+        QVERIFY(!findOutliers(measurement, OutlierRule::Grubbs).up.isUndecided);
+        QVERIFY(findOutliers(noisy(2, 1.0, 11), OutlierRule::Grubbs).up.isUndecided);
     }
 
     void driftIsSuspectedWhereItIs()
