@@ -396,12 +396,12 @@ private Q_SLOTS:
         const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
         QVERIFY2(read.out.contains("\n10,0.465116"), read.out.constData());
 
-        box.file("micron.csv", "X [mm],X error [micron]\n0,0\n10,5\n");
+        box.file("furlong.csv", "X [mm],X error [furlong]\n0,0\n10,5\n");
         const ProgramRun unknown =
-            box.run({"convert", "micron.csv", "y.csv", "--dims", "1", "--to-sign", "command"});
+            box.run({"convert", "furlong.csv", "y.csv", "--dims", "1", "--to-sign", "command"});
         VERIFY_CODE(unknown, 2);
         QVERIFY2(
-            unknown.err.contains("micron, which cannot be given in mm"), unknown.err.constData());
+            unknown.err.contains("furlong, which cannot be given in mm"), unknown.err.constData());
     }
 
     void lookupDoesWhatItIsAskedToDoWithATableOfTheDrive()

@@ -634,8 +634,11 @@ private Q_SLOTS:
             || (format.recognise(written->bytes) == Recognition::No) == sample().isOnlyNamed);
         const auto again = format.read(written->bytes, readOptions(expected.reading));
         VERIFY_RESULT(again);
+        // Several tables of one axis are understood as such, which is a warning.
         for (const Diagnostic& problem : again->diagnostics)
-            QVERIFY2(problem.code == DiagnosticCode::UnitNotGiven, message(problem).c_str());
+            QVERIFY2(problem.code == DiagnosticCode::UnitNotGiven
+                    || (problem.code == DiagnosticCode::Assumption && tables.size() > 1),
+                message(problem).c_str());
         QCOMPARE(withTargetsOf(again->tables, written->held), written->held);
     }
 

@@ -83,7 +83,7 @@ void describe(test::FormatSample& sample)
     row("a value that is none", with("-0.005208", "-0.005208mm"),
         "10:34 NotANumber -0.005208mm|a value in mm");
     row("decimal commas", with("-0.050833, -0.005208, 0.056042", "-0,05, -0,005, 0,056"),
-        "10:24 NotANumber -0,05|decimal points, and a comma with a blank between the values");
+        "10:23 NotANumber -0,05|decimal points, and a comma with a blank between the values");
     row("a value is missing", with("-0.005208,", ","), "10:34 NotANumber |a value in mm");
     row("start is end", with("= 210.0", "= 30"), "12:0 NotMonotonic 30 after 30|an end above");
     row("an end that is none", with("= 210.0", "= right"), "12:26 NotANumber right|a position");

@@ -94,7 +94,7 @@ void describe(test::FormatSample& sample)
     row("an expression", with("n := 0.1)", "n := 0.1*UM)"),
         "5:79 Syntax *|a comma, a bracket or a semicolon behind the value \"0.1\"");
     row("a decimal comma of a compensation", with("n := 0.1)", "n := 0,1)"),
-        "5:77 NotANumber 0,1|a number with a decimal point");
+        "5:76 NotANumber 0,1|a number with a decimal point");
     row("a decimal comma of a position", with("n := 10.0,", "n := 10,0,"),
         "5:54 NotANumber 10,0|a number with a decimal point");
     row("a decimal comma of a parameter", with("MinPosition:=0.0", "MinPosition:=0,0"),

@@ -495,7 +495,10 @@ private Q_SLOTS:
         QCOMPARE(one.runCount(Approach::Down), 2);
         QVERIFY(reading.diagnostics.empty()); // no UnequalRuns
         // Joined, no run of one file becomes part of one of the other.
-        const std::vector<Measurement> both{one, one};
+        Measurement other = one;
+        for (RunValue& value : other.values)
+            value.deviation += 0.001;
+        const std::vector<Measurement> both{one, other};
         const auto whole = joined(both);
         VERIFY_RESULT(whole);
         QCOMPARE(whole->runCount(Approach::Up), 4);
