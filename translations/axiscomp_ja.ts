@@ -9949,7 +9949,7 @@
     </message>
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
-        <translation>新しいテーブルは {name} より短く、その両端の外で {name} にあるもののうち最大 {lost} が失われます。格子を指定しなければ {name} の格子が残ります。同じ長さの格子を指定するか、全範囲を測定してください</translation>
+        <translation>新しいテーブルは {name} より短く、その両端の外で {name} にあるもののうち最大 {lost} が失われます。格子を指定しなければ元の格子が残ります。同じ長さの格子を指定するか、全範囲を測定してください</translation>
     </message>
     <message>
         <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>

@@ -9949,7 +9949,7 @@
     </message>
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
-        <translation>新表比 {name} 短：{name} 在新表两端之外的内容最多丢失 {lost}；不指定网格即可保留 {name} 的网格，或指定同样长的网格，或测量整个行程</translation>
+        <translation>新表比 {name} 短：{name} 在新表两端之外的内容最多丢失 {lost}；不指定网格即可保留原网格，或指定同样长的网格，或测量整个行程</translation>
     </message>
     <message>
         <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
