@@ -63,7 +63,7 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
                 AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", write.axis));
     std::vector<WritePlan> plans;
     FlashSum flash;
-    std::map<std::string, int> taken;
+    std::map<std::string, Text> taken;
     for (const AxisWrite& write : writes) {
         WriteRequest request = write.request;
         request.takenSlots = taken;

@@ -78,9 +78,11 @@ void warnOfUnknownUnits(const Header& header, std::size_t lineNumber, Diagnostic
 {
     for (std::size_t i = 0; i < header.columns.size(); ++i) {
         const ColumnName& column = header.columns[i];
+        if (!column.unit.empty())
+            continue;
         const std::string plain = withPlainBrackets(column.name);
         const std::string_view text = lastBrackets(plain);
-        if (column.unit.empty() && !text.empty() && looksLikeUnknownUnit(text))
+        if (!text.empty() && looksLikeUnknownUnit(text))
             diagnostics.warning(DiagnosticCode::Assumption, lineNumber, i + 1,
                 AXISCOMP_TEXT("Error", "\"{name}\", which is taken to be a name without a unit")
                     .with("name", Verbatim{column.name}),

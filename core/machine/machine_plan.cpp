@@ -88,14 +88,16 @@ Result<DrivePlan> DrivePlanner::plan(
 {
     DrivePlan result;
     AXISCOMP_TRY(result.drive, identifyAs(m_compensator, drive.serialNumber, m_options));
-    std::map<std::string, int> taken;
+    std::map<std::string, Text> taken;
+    for (const auto& [slot, axis] : drive.reservedSlots)
+        taken.emplace(
+            slot, AXISCOMP_TEXT("Error", "axis {axis} of the machine file").with("axis", axis));
     const auto hasSlot = [&](std::size_t n) { return !drive.axes[n].slot.empty(); };
     result.axes.resize(drive.axes.size());
     for (const std::size_t n : inOrderOfWriting(drive.axes.size(), hasSlot)) {
         AxisPlan& plan = result.axes[n];
         plan.name = drive.axes[n].axis;
         plan.request.takenSlots = taken;
-        plan.request.reservedSlots = drive.reservedSlots;
         auto planned = planAxis(drive.axes[n], tables[n], plan);
         if (!planned && endsPlan(planned.error()))
             return fail(std::move(planned).error());

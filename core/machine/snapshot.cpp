@@ -6,6 +6,7 @@
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
+#include "core/table/table_units.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -99,10 +100,7 @@ Result<void> Snapshot::takeAxis(int index)
 /// Of a file that keeps none. Positions that have different units are those of the drive.
 StatedUnits statedUnits(const CompensationTable& table)
 {
-    const auto& axes = table.grid.axes;
-    const bool isOne = std::ranges::all_of(
-        axes, [&](const GridAxis& axis) { return axis.unit == axes.front().unit; });
-    return {table.unit, isOne ? axes.front().unit : std::string()};
+    return {table.unit, haveOneUnit(table.grid) ? table.grid.axes.front().unit : std::string()};
 }
 
 Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)

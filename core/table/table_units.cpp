@@ -164,6 +164,13 @@ const std::string& correctedUnit(const CompensationTable& table)
     return table.grid.axes[target && target->source ? *target->source : 0].unit;
 }
 
+bool haveOneUnit(const Grid& grid)
+{
+    return std::ranges::all_of(grid.axes, [&](const GridAxis& axis) {
+        return axis.unit == grid.axes.front().unit || isSameUnit(axis.unit, grid.axes.front().unit);
+    });
+}
+
 Result<TableInUnits> inDriveUnits(
     const CompensationTable& table, const TableUnits& units, UnstatedUnit unstated)
 {

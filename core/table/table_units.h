@@ -48,6 +48,8 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 /// Of the positions that the values correct: of the own axis, or of the first source of a table
 /// that corrects another one. Empty: the table does not say.
 [[nodiscard]] const std::string& correctedUnit(const CompensationTable& table);
+/// Whether the positions of all dimensions are in the same unit, or none has one.
+[[nodiscard]] bool haveOneUnit(const Grid& grid);
 
 /// The same table in the units of the drive. Values without a unit are in that of the positions,
 /// where it can be, or of the drive; where nothing has a unit, numbers are taken to be in the

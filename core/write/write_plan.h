@@ -28,9 +28,8 @@ struct WriteRequest {
     std::optional<CompensationTable> table; ///< none: keep the table that the axis uses
     std::optional<Persistency> persistency; ///< none: keep (a new table is volatile)
     std::optional<std::string> slot; ///< none: chosen
-    std::map<std::string, int> takenSlots = {}; ///< by writes that go first, each for which axis
-    /// For other axes of the machine file, each for which one as it is named there.
-    std::map<std::string, std::string> reservedSlots = {};
+    /// For others that are planned together with this one, each with who that is.
+    std::map<std::string, Text> takenSlots = {};
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     bool deletesTable =
         false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest
@@ -78,7 +77,7 @@ struct WritePlan {
 };
 
 /// Adds the slot into which a table goes, for the requests after it (WriteRequest::takenSlots).
-void takeSlot(std::map<std::string, int>& taken, const WritePlan& plan);
+void takeSlot(std::map<std::string, Text>& taken, const WritePlan& plan);
 
 /// Deletes the table that the axis uses; its sources stay.
 [[nodiscard]] WriteRequest deletionRequest();

@@ -470,13 +470,7 @@ Result<std::vector<SlotFacts>> WritePlanner::slotFacts(const WriteRequest& reque
     for (SlotFacts& facts : slots)
         if (const auto taken = request.takenSlots.find(facts.slot.name);
             taken != request.takenSlots.end() && facts.otherUser.isEmpty())
-            facts.otherUser = AXISCOMP_TEXT("Error", "axis {axis}, which is written first")
-                                  .with("axis", taken->second);
-    for (SlotFacts& facts : slots)
-        if (const auto reserved = request.reservedSlots.find(facts.slot.name);
-            reserved != request.reservedSlots.end() && facts.otherUser.isEmpty())
-            facts.otherUser = AXISCOMP_TEXT("Error", "axis {axis} of the machine file")
-                                  .with("axis", reserved->second);
+            facts.otherUser = taken->second;
     return slots;
 }
 

@@ -232,8 +232,6 @@ RecordState evaluated(
     const auto measurement = std::make_shared<const Measurement>(std::move(whole->measurement));
     state.upRunNumbers = measurement->runNumbers(Approach::Up);
     state.downRunNumbers = measurement->runNumbers(Approach::Down);
-    state.upRuns = static_cast<int>(state.upRunNumbers.size());
-    state.downRuns = static_cast<int>(state.downRunNumbers.size());
     state.excludedCount = measurement->excludedCount();
     state.hasRaw = hasRawReadings(*measurement);
     state.unit = unitOf(*measurement);

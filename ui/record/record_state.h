@@ -65,9 +65,7 @@ struct RecordState {
     std::optional<double> largestByDeadPath;
     std::optional<Error> refusal; ///< why the files are no measurement together
     FineUnit unit; ///< in which the deviations of measurement are shown
-    int upRuns = 0; ///< of measurement
-    int downRuns = 0;
-    std::vector<int> upRunNumbers = {}; ///< ascending
+    std::vector<int> upRunNumbers = {}; ///< of measurement, ascending
     std::vector<int> downRunNumbers = {};
     std::size_t excludedCount = 0; ///< its values that are not used
     bool hasRaw = false; ///< hasRawReadings(*measurement)

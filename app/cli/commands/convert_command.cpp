@@ -47,13 +47,6 @@ Result<void> checkForDrive(
     return {};
 }
 
-bool haveOneUnit(const Grid& grid)
-{
-    return std::ranges::all_of(grid.axes, [&](const GridAxis& axis) {
-        return axis.unit == grid.axes.front().unit || isSameUnit(axis.unit, grid.axes.front().unit);
-    });
-}
-
 /// The file has no units: the values are brought into that of the axis.
 Result<CompensationTable> inUnitsOfFile(
     Environment& environment, const ConvertOptions& options, const CompensationTable& table)
@@ -61,9 +54,9 @@ Result<CompensationTable> inUnitsOfFile(
     if (options.valueUnit.empty() && !targetOf(table) && !haveOneUnit(table.grid))
         return wrongUsage(
             "a .TAMtbl has no units, and a drive takes its values in the unit of the axis that "
-            "they "
-            "correct. The file does not say which one that is, and its positions have different "
-            "units: give --target, such as --target #1 for the first source, or --value-unit",
+            "they correct. The file does not say which one that is, and its positions have "
+            "different units: give --target, such as --target #1 for the first source, or "
+            "--value-unit",
             options.input.command);
     const std::string unit = options.valueUnit.empty() ? correctedUnit(table) : options.valueUnit;
     if (unit.empty() && table.unit.empty())

@@ -183,7 +183,7 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
 {
     AXISCOMP_TRY(
         const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
-    std::map<std::string, int> taken;
+    std::map<std::string, Text> taken;
     for (std::size_t n = 0; n < writes.size() && !isDryRun; ++n)
         AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
     Json documents = Json::array();
@@ -197,8 +197,7 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
         if (!outcome)
             return fail(
                 isDryRun ? outcome.error() : ofSeveral(environment, outcome.error(), names, n));
-        if (plans[n].slotReason != SlotReason::KeepTable)
-            taken.emplace(plans[n].after.slot, writes[n].axis);
+        takeSlot(taken, plans[n]);
         documents.push_back(std::move(outcome->document));
     }
     return documents;

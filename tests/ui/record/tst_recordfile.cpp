@@ -348,7 +348,7 @@ private Q_SLOTS:
         QVERIFY(again.open(path));
         QCOMPARE(again.after.record().files.size(), std::size_t{1});
         QCOMPARE(again.after.record().statedTable, std::optional(crc));
-        QCOMPARE(again.after.state().upRuns, 2);
+        QCOMPARE(again.after.state().upRunNumbers.size(), std::size_t{2});
         // Of another file it is to be said anew.
         again.after.addFiles({publicMeasurement("b02_x")});
         QVERIFY(!again.after.record().statedTable);
