@@ -5,6 +5,7 @@
 #include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
 #include "core/table/target_axis.h"
+#include "core/text/token_scanner.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
