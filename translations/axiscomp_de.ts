@@ -8265,6 +8265,14 @@
         <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
         <translation>nichts: die Werte einer Kalibrierdatei sind Referenz minus Geber, was immer ihre Kommentare sagen; sind sie es nicht, mit --scale -1 umkehren</translation>
     </message>
+    <message>
+        <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
+        <translation>die Tabelle gibt keine Einheit für ihre Werte an, und ihre Positionen sind in {positions}; die Einheit der Werte in der Datei oder mit --value-unit angeben</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
+        <translation>die Werte für {column} haben keine Einheit, und die Positionen sind in {positions}; sie in der Kopfzeile angeben, etwa Z [mm], oder als Einstellung {key} der gelesenen Datei</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

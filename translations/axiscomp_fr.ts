@@ -8263,7 +8263,15 @@
     </message>
     <message>
         <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
-        <translation>rien : les valeurs d&apos;un fichier d&apos;étalonnage sont référence moins codeur, quoi qu&apos;en disent ses commentaires ; sinon les inverser avec --scale -1</translation>
+        <translation>rien&#xa0;: les valeurs d&apos;un fichier d&apos;étalonnage sont référence moins codeur, quoi qu&apos;en disent ses commentaires&#xa0;; sinon les inverser avec --scale -1</translation>
+    </message>
+    <message>
+        <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
+        <translation>la table n&apos;indique pas d&apos;unité pour ses valeurs, et ses positions sont en {positions} ; indiquer l&apos;unité des valeurs, dans le fichier ou par --value-unit</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
+        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité, et les positions sont en {positions} ; l&apos;indiquer dans l&apos;en-tête, comme Z [mm], ou par le réglage {key} du fichier lu</translation>
     </message>
 </context>
 <context>
@@ -10006,7 +10014,7 @@
     </message>
     <message>
         <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
-        <translation>une valeur {direction} se détache que la règle mad ne propose pas : elle garde 3 valeurs par position et a besoin d&apos;autres valeurs différentes</translation>
+        <translation>une valeur {direction} se détache que la règle mad ne propose pas&#xa0;: elle garde 3 valeurs par position et a besoin d&apos;autres valeurs différentes</translation>
     </message>
 </context>
 <context>

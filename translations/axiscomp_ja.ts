@@ -8224,6 +8224,14 @@
         <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
         <translation>なし。校正ファイルの値は、コメントに何と書かれていても基準値からエンコーダ値を引いたものです。そうでない場合は --scale -1 で反転してください</translation>
     </message>
+    <message>
+        <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
+        <translation>テーブルに値の単位がなく、位置の単位は {positions} です。値の単位をファイルに書くか、--value-unit で指定してください</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
+        <translation>{column} の値に単位がなく、位置の単位は {positions} です。ヘッダーに Z [mm] のように書くか、読み込むファイルの設定 {key} で指定してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

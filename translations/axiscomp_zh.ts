@@ -8224,6 +8224,14 @@
         <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
         <translation>无：校准文件的值是参考值减编码器值，无论其注释怎么说；若不是，请用 --scale -1 取反</translation>
     </message>
+    <message>
+        <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
+        <translation>该表未注明值的单位，而其位置以 {positions} 为单位；请在文件中注明值的单位，或用 --value-unit 指定</translation>
+    </message>
+    <message>
+        <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
+        <translation>{column} 的值没有单位，而位置以 {positions} 为单位；请在表头中注明，如 Z [mm]，或用所读文件的设置 {key} 指定</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -353,6 +353,12 @@ Text textOf(const Error& error)
                     "now; give the axes the order or the names that they had, or write the table "
                     "from its file"),
             error.context};
+    if (error.code == ErrorCode::UnitMissing && error.context.contains("positions"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the table states no unit for its values, and its positions are in {positions}; "
+                "state the unit of the values, in the file or with --value-unit"),
+            error.context};
     if (error.code == ErrorCode::UnitMismatch && error.context.contains("kept"))
         return {AXISCOMP_TEXT("Error",
                     "the {what} of the table on the drive are in {unit}, and the new source is in "

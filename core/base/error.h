@@ -22,7 +22,7 @@ enum class ErrorCode {
     FileTooLarge, ///< file, size, limit
     InvalidCalibration, ///< file, count: the diagnostics are beside it
     InvalidMeasurement, ///< file, count: the diagnostics are beside it
-    UnitMissing, ///< file
+    UnitMissing, ///< file; or positions (their units), of values that have none
     InstrumentScale, ///< file
     NoTargets, ///< file
     InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md)

@@ -86,6 +86,16 @@ bool canBeInCorrectedUnit(const NeutralTable& table, const CompensationColumn& c
     return ownAxis(table, column) || unitFactor(column.unit.empty() ? "mm" : column.unit, unit);
 }
 
+/// The units of positions in which values for another axis than theirs can be, each once.
+std::vector<std::string> unitsForOther(const NeutralTable& table)
+{
+    std::vector<std::string> units;
+    for (const SourceAxis& axis : table.axes)
+        if (unitFactor("mm", axis.unit))
+            addUnit(units, axis.unit);
+    return units;
+}
+
 Argument unitWords(const std::string& unit)
 {
     if (unit.empty())
@@ -122,8 +132,19 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
 Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Text>& remarks)
 {
     NeutralTable known = table;
+    const std::vector<std::string> forOther = unitsForOther(known);
     for (CompensationColumn& column : known.columns) {
         const std::string& unit = correctedUnit(known, column);
+        if (column.unit.empty() && !ownAxis(known, column) && forOther.size() > 1)
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the values for {column} have no unit, and the positions are in "
+                        "{positions}; state it in the header, as Z [mm], or as the setting {key} "
+                        "of the file that is read")
+                        .with("column", columnText(known, column))
+                        .with("positions", forOther)
+                        .with("key", Verbatim{"value-unit"})}});
         if (column.unit.empty() && !unit.empty() && canBeInCorrectedUnit(known, column)) {
             column.unit = unit;
             remarkOnce(remarks,

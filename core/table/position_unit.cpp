@@ -173,4 +173,12 @@ bool isSameUnit(std::string_view a, std::string_view b)
     return inSmallLetters(a) == inSmallLetters(b);
 }
 
+void addUnit(std::vector<std::string>& units, const std::string& unit)
+{
+    const bool isThere = std::ranges::any_of(
+        units, [&](const std::string& other) { return isSameUnit(other, unit); });
+    if (!isThere)
+        units.push_back(unit);
+}
+
 } // namespace axiscomp

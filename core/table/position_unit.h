@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axiscomp {
 
@@ -29,5 +30,7 @@ namespace axiscomp {
 
 /// The same unit, perhaps spelled in another way; units that are not known are compared as texts.
 [[nodiscard]] bool isSameUnit(std::string_view a, std::string_view b);
+/// Adds a unit to a list that has each once.
+void addUnit(std::vector<std::string>& units, const std::string& unit);
 
 } // namespace axiscomp

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace axiscomp {
 
@@ -49,13 +50,16 @@ void scaleAxis(GridAxis& axis, double factor, const std::string& unit)
 }
 
 /// What the values are in; empty: the table does not say, or nothing that the drive's unit can be.
-std::string unitOfValues(
+Result<std::string> unitOfValues(
     const CompensationTable& table, const std::string& drive, UnstatedUnit unstated)
 {
     if (!table.unit.empty() || unstated == UnstatedUnit::OfDrive)
         return table.unit;
-    const std::string& positions = correctedUnit(table);
-    return unitFactor(positions, drive) ? positions : std::string();
+    std::vector<std::string> units = unitsForValues(table);
+    std::erase_if(units, [&](const std::string& unit) { return !unitFactor(unit, drive); });
+    if (units.size() > 1)
+        return fail(ErrorCode::UnitMissing, {{"positions", units}});
+    return units.empty() ? std::string() : units.front();
 }
 
 /// The sentence for values that were in a unit before, which the table has stated or not.
@@ -158,10 +162,20 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated)
         takeStatedUnit(axis.unit, stated.positions);
 }
 
-const std::string& correctedUnit(const CompensationTable& table)
+std::vector<std::string> unitsForValues(const CompensationTable& table)
 {
+    const std::vector<GridAxis>& axes = table.grid.axes;
+    std::vector<std::string> units;
     const auto target = targetOf(table);
-    return table.grid.axes[target && target->source ? *target->source : 0].unit;
+    if (target && target->source) {
+        if (const std::string& own = axes[*target->source].unit; !own.empty())
+            units.push_back(own);
+        return units;
+    }
+    for (const GridAxis& axis : axes)
+        if (isPositionUnit(axis.unit))
+            addUnit(units, axis.unit);
+    return units;
 }
 
 bool haveOneUnit(const Grid& grid)
@@ -176,7 +190,7 @@ Result<TableInUnits> inDriveUnits(
 {
     TableInUnits result{table, {}};
     CompensationTable& converted = result.table;
-    const std::string before = unitOfValues(table, units.values, unstated);
+    AXISCOMP_TRY(const std::string before, unitOfValues(table, units.values, unstated));
     AXISCOMP_TRY(
         const double factor, driveFactor(before, units.values, AXISCOMP_TEXT("Error", "values")));
     if (factor != 1.0) {

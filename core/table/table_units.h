@@ -45,9 +45,10 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 /// What the values are in after that, where they have no unit.
 [[nodiscard]] UnstatedUnit unstatedUnit(std::string_view statedForValues);
 
-/// Of the positions that the values correct: of the own axis, or of the first source of a table
-/// that corrects another one. Empty: the table does not say.
-[[nodiscard]] const std::string& correctedUnit(const CompensationTable& table);
+/// What values without a unit can be in, each unit once: that of the positions which they correct
+/// (AN140 3.1), or those of all lengths and angles of a table that corrects another axis or does
+/// not say which. Empty: the table does not say.
+[[nodiscard]] std::vector<std::string> unitsForValues(const CompensationTable& table);
 /// Whether the positions of all dimensions are in the same unit, or none has one.
 [[nodiscard]] bool haveOneUnit(const Grid& grid);
 
@@ -56,7 +57,7 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 /// drive's, which a remark says, as it does of positions without a unit in a table that states
 /// some. Positions of a source without a unit stay as they are. Values are exact to one unit in the
 /// last place of a float32. Errors: UnitMismatch for a length on an angle, and for units that are
-/// not known.
+/// not known; UnitMissing for values that can be in the unit of one position or of another.
 [[nodiscard]] Result<TableInUnits> inDriveUnits(const CompensationTable& table,
     const TableUnits& units, UnstatedUnit unstated = UnstatedUnit::OfPositions);
 

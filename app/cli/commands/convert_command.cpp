@@ -51,14 +51,18 @@ Result<void> checkForDrive(
 Result<CompensationTable> inUnitsOfFile(
     Environment& environment, const ConvertOptions& options, const CompensationTable& table)
 {
-    if (options.valueUnit.empty() && !targetOf(table) && !haveOneUnit(table.grid))
+    const std::vector<std::string> units = unitsForValues(table);
+    const bool isCertain = units.size() < 2 && (targetOf(table) || haveOneUnit(table.grid));
+    if (options.valueUnit.empty() && !isCertain)
         return wrongUsage(
             "a .TAMtbl has no units, and a drive takes its values in the unit of the axis that "
-            "they correct. The file does not say which one that is, and its positions have "
-            "different units: give --target, such as --target #1 for the first source, or "
-            "--value-unit",
+            "they correct. The positions of the file have different units, and it does not say "
+            "which one that is: give --value-unit, such as --value-unit mm, or, if the values "
+            "correct the axis of one of the positions, --target, such as --target #1 for the first",
             options.input.command);
-    const std::string unit = options.valueUnit.empty() ? correctedUnit(table) : options.valueUnit;
+    std::string unit = options.valueUnit;
+    if (unit.empty() && !units.empty())
+        unit = units.front();
     if (unit.empty() && table.unit.empty())
         return table;
     if (unit.empty())

@@ -35,7 +35,7 @@ Result<void> addTable(KnownTables& known, const CompensationTable& table,
         AXISCOMP_TRY(const auto inFile, elementCrc(table, layout));
         AXISCOMP_TRY(const auto inMeters, crcInMeters(table, unit, layout));
         origin.otherCrcs = {inFile, inMeters};
-        origin.isUnitStated = !correctedUnit(table).empty();
+        origin.isUnitStated = !unitsForValues(table).empty();
     }
     known.origins.push_back(std::move(origin));
     known.tables.push_back(std::move(converted.table));

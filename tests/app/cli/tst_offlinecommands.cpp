@@ -218,9 +218,16 @@ private Q_SLOTS:
         box.file("open.csv", "Z [m],X [mm],E [um]\n0,0,0\n1,0,10\n0,50,-4\n1,50,10\n");
         const ProgramRun open = box.run({"convert", "open.csv", "open.TAMtbl", "--dims", "2"});
         VERIFY_CODE(open, 2);
-        QVERIFY2(open.err.contains("give --target, such as --target #1"), open.err.constData());
+        QVERIFY2(open.err.contains("--target, such as --target #1"), open.err.constData());
         VERIFY_CODE(
             box.run({"convert", "open.csv", "open.TAMtbl", "--dims", "2", "--target", "#2"}), 0);
+        const QStringList other{
+            "convert", "open.csv", "open.TAMtbl", "--dims", "2", "--target", "other"};
+        const ProgramRun another = box.run(other);
+        VERIFY_CODE(another, 2);
+        QVERIFY2(another.err.contains("give --value-unit, such as --value-unit mm"),
+            another.err.constData());
+        VERIFY_CODE(box.run(other + QStringList{"--value-unit", "mm"}), 0);
 
         box.file("deg.csv", "X [mm],E [deg]\n0,0\n50,0.01\n100,-0.004\n");
         const ProgramRun angle = box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1"});

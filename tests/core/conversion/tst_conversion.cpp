@@ -659,6 +659,27 @@ private Q_SLOTS:
             QVERIFY(contains(conversionReport(*other, request), "as the positions are"));
     }
 
+    void valuesOfAnotherAxisNeedAUnitWherePositionsHaveSeveral()
+    {
+        NeutralTable table = exampleTable(2, SignConvention::Feedback);
+        nameAxes(table, calibration_csv::format());
+        table.axes[0].unit = "um";
+        table.axes[1].unit = "mm";
+        table.columns[0].unit.clear();
+        table.columns[0].target = "Z";
+        const ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
+        const auto refused = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(refused.error()), "the positions are in um, mm"),
+            sentence(refused.error()).c_str());
+        QVERIFY(test::mentions(sentence(refused.error()), "value-unit"));
+        table.columns[0].unit = "um";
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        table.columns[0].unit.clear();
+        table.axes[1].unit = "degC";
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+    }
+
     /// The controller adds one to the other.
     void valuesWithAUnitNeedThatOfTheirPositions_data() { addFormats(); }
     void valuesWithAUnitNeedThatOfTheirPositions()

@@ -145,6 +145,37 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(other->table.unit), QStringLiteral("mm"));
     }
 
+    /// Which of both is not guessed: the values would be a thousand times too large or too small.
+    void valuesOfAnotherAxisNeedAUnitWherePositionsHaveSeveral()
+    {
+        CompensationTable plane = tableIn("", "um");
+        plane.grid.axes.push_back({"Y", "mm", 0.0, 1.0, 1});
+        plane.target = "other";
+        const TableUnits drive{"Millimeter", {"Millimeter", "Millimeter"}};
+        const auto refused = inDriveUnits(plane, drive);
+        VERIFY_ERROR(refused, ErrorCode::UnitMissing);
+        QCOMPARE(QString::fromStdString(sentence(refused.error())),
+            QStringLiteral("the table states no unit for its values, and its positions are in um, "
+                           "mm; state the unit of the values, in the file or with --value-unit"));
+        VERIFY_RESULT(inDriveUnits(plane, drive, UnstatedUnit::OfDrive));
+        plane.unit = "um";
+        VERIFY_RESULT(inDriveUnits(plane, drive));
+        plane.unit.clear();
+        plane.target = sourceTarget(1);
+        const auto own = inDriveUnits(plane, drive);
+        VERIFY_RESULT(own);
+        QVERIFY(own->table.values == plane.values);
+
+        // The same unit in another spelling; one that the values cannot be in.
+        plane.target = "other";
+        plane.grid.axes[1].unit = "\u00b5m";
+        VERIFY_RESULT(inDriveUnits(plane, drive));
+        plane.grid.axes[0].unit = "degC";
+        const auto only = inDriveUnits(plane, {"Millimeter", {"", "Millimeter"}});
+        VERIFY_RESULT(only);
+        QVERIFY(isWithinOneUlp(only->table.values[1], 1.25e-3));
+    }
+
     void whatIsStatedCountsMoreThanTheFile()
     {
         const CompensationTable file = tableIn("um", "um");
