@@ -108,6 +108,23 @@ const Unit* unitNamed(std::string_view text)
     return unit == units.end() ? nullptr : unit;
 }
 
+/// "1/100 mm", "0.1 um", "mm x 1000": a unit with a factor.
+bool isScaledUnit(std::string_view text)
+{
+    constexpr std::string_view numbers = " 0123456789.,+-^*/eExX";
+    constexpr std::string_view operators = "*/xX";
+    if (text.find_first_of("0123456789") == std::string_view::npos)
+        return false;
+    const std::string_view unit = text.substr(std::min(text.find_first_not_of(numbers), text.size()));
+    if (isPositionUnit(unit))
+        return unit.size() < text.size();
+    const std::size_t end = text.find_last_not_of(numbers) + 1;
+    const std::size_t factor = text.find_first_not_of(' ', end);
+    return factor != std::string_view::npos
+        && operators.find(text[factor]) != std::string_view::npos
+        && isPositionUnit(text.substr(0, end));
+}
+
 } // namespace
 
 std::string unitSymbol(std::string_view positionUnit)
@@ -137,6 +154,8 @@ bool looksLikeUnknownUnit(std::string_view text)
         "tenths", "grad", "grads", "gon", "mgon", "rpm", "count", "counts", "cts", "inc", "incs",
         "increments", "inkremente", "pulse", "pulses", "steps", "lsb", "ppm", "ms", "hz"};
     constexpr std::size_t fewestLetters = 5; // of shorter ones other words are as near
+    if (isScaledUnit(text))
+        return true;
     const std::string small = inSmallLetters(text);
     const bool isPhrase = text.find_first_of(" 0123456789") != std::string_view::npos; // "at 20 °C"
     if (isPhrase || isPositionUnit(text) || isTemperatureUnit(text))

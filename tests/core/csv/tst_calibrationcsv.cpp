@@ -150,6 +150,13 @@ private Q_SLOTS:
         QTest::newRow("feet") << QByteArray("X (ft),E [um]") << 1;
         QTest::newRow("a letter too few") << QByteArray("X [mm],E (milimeter)") << 2;
         QTest::newRow("for each length") << QByteArray("X [mm],E \uff08\u00b5m/m\uff09") << 2;
+        QTest::newRow("hundredths") << QByteArray("X [mm],E (1/100 mm)") << 2;
+        QTest::newRow("a digit of a display") << QByteArray("X [mm],E (0.1 \u00b5m)") << 2;
+        QTest::newRow("a power") << QByteArray("X [mm],E (10^-3mm)") << 2;
+        QTest::newRow("a factor behind") << QByteArray("X [mm],E (mm x 1000)") << 2;
+        QTest::newRow("a divisor") << QByteArray("X [mm],E (mm/1000)") << 2;
+        QTest::newRow("one of several") << QByteArray("X [mm],E (1/3)") << 0;
+        QTest::newRow("number of a machine") << QByteArray("X [mm],E (M 2)") << 0;
         QTest::newRow("mean") << QByteArray("X [mm],E (mean)") << 0;
         QTest::newRow("an axis") << QByteArray("Position (X),Error (C)") << 0;
         QTest::newRow("a direction") << QByteArray("X [mm],E (upwards)") << 0;
