@@ -115,7 +115,8 @@ bool isScaledUnit(std::string_view text)
     constexpr std::string_view operators = "*/xX";
     if (text.find_first_of("0123456789") == std::string_view::npos)
         return false;
-    const std::string_view unit = text.substr(std::min(text.find_first_not_of(numbers), text.size()));
+    const std::string_view unit =
+        text.substr(std::min(text.find_first_not_of(numbers), text.size()));
     if (isPositionUnit(unit))
         return unit.size() < text.size();
     const std::size_t end = text.find_last_not_of(numbers) + 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/input/judging_options.h"
 
+#include "app/cli/output/environment.h"
 #include "app/cli/output/fine_text.h"
 #include "app/common/arguments.h"
 #include "app/common/number_checks.h"

@@ -15,6 +15,8 @@
 
 namespace axiscomp::app {
 
+class Environment;
+
 /// Corrections of a measurement, common to all commands that work with its values.
 struct CorrectionOptions {
     std::optional<double> temperature;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/table_units.h"
 
+#include "core/table/target_axis.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
