@@ -8273,6 +8273,10 @@
         <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
         <translation>die Werte für {column} haben keine Einheit, und die Positionen sind in {positions}; sie in der Kopfzeile angeben, etwa Z [mm], oder als Einstellung {key} der gelesenen Datei</translation>
     </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
+        <translation>eine .TAMtbl hat keine Einheiten, und ein Antrieb nimmt ihre Werte in der Einheit der Achse, die sie korrigieren. Die Positionen haben verschiedene Einheiten, und es ist nicht angegeben, welche davon das ist: erst in eine .csv-Datei konvertieren und diese mit --value-unit, etwa --value-unit mm, oder, wenn die Werte die Achse einer der Positionen korrigieren, die Zielachse angeben, etwa #1 für die erste</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -7591,11 +7591,11 @@
     </message>
     <message>
         <source>there is no font with the characters of this language to draw a PDF with: install one, such as fonts-noto-cjk, or write the report as HTML</source>
-        <translation>aucune police ne contient les caractères de cette langue pour dessiner un PDF : en installer une, par exemple fonts-noto-cjk, ou écrire le rapport en HTML</translation>
+        <translation>aucune police ne contient les caractères de cette langue pour dessiner un PDF&#xa0;: en installer une, par exemple fonts-noto-cjk, ou écrire le rapport en HTML</translation>
     </message>
     <message>
         <source>{file} is no record (.axcal), no machine file (.toml), no TAM configuration (.TAMcfg), and no table or measurement of a known format; a table whose format you can name is opened on the tab Write</source>
-        <translation>{file} n&apos;est ni une fiche (.axcal), ni un fichier machine (.toml), ni une configuration TAM (.TAMcfg), ni une table ou une mesure d&apos;un format connu ; une table dont le format peut être nommé s&apos;ouvre dans l&apos;onglet Écrire</translation>
+        <translation>{file} n&apos;est ni une fiche (.axcal), ni un fichier machine (.toml), ni une configuration TAM (.TAMcfg), ni une table ou une mesure d&apos;un format connu&#xa0;; une table dont le format peut être nommé s&apos;ouvre dans l&apos;onglet Écrire</translation>
     </message>
     <message>
         <source>the drive is only looked at</source>
@@ -7643,7 +7643,7 @@
     </message>
     <message>
         <source>the instrument sends a line of more than {count} characters: check its settings and its speed</source>
-        <translation>l&apos;instrument envoie une ligne de plus de {count} caractères : vérifier ses réglages et sa vitesse</translation>
+        <translation>l&apos;instrument envoie une ligne de plus de {count} caractères&#xa0;: vérifier ses réglages et sa vitesse</translation>
     </message>
     <message>
         <source>number of the reference point, parameter 3620</source>
@@ -8039,11 +8039,11 @@
     </message>
     <message>
         <source>a time in s, ms, min or h, in brackets behind the name; without a unit it is in s</source>
-        <translation>un temps en s, ms, min ou h, entre crochets après le nom ; sans unité, il est en s</translation>
+        <translation>un temps en s, ms, min ou h, entre crochets après le nom&#xa0;; sans unité, il est en s</translation>
     </message>
     <message>
         <source>a temperature in C, K or F, in brackets behind the name; without a unit it is in C</source>
-        <translation>une température en C, K ou F, entre crochets après le nom ; sans unité, elle est en C</translation>
+        <translation>une température en C, K ou F, entre crochets après le nom&#xa0;; sans unité, elle est en C</translation>
     </message>
     <message>
         <source>an angle as the first axis has</source>
@@ -8063,11 +8063,11 @@
     </message>
     <message>
         <source>what --values says; leave it out, since the file says it</source>
-        <translation>ce que dit --values ; omettez-le, puisque le fichier le dit</translation>
+        <translation>ce que dit --values&#xa0;; omettez-le, puisque le fichier le dit</translation>
     </message>
     <message>
         <source>positions of the reference for --invert-reference; deviations with the opposite sign say it in the file (// sign: correction)</source>
-        <translation>des positions de la référence pour --invert-reference ; des écarts de signe opposé l&apos;indiquent dans le fichier (// sign: correction)</translation>
+        <translation>des positions de la référence pour --invert-reference&#xa0;; des écarts de signe opposé l&apos;indiquent dans le fichier (// sign: correction)</translation>
     </message>
     <message>
         <source>values that rise by {slope} with the position</source>
@@ -8127,7 +8127,7 @@
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: it is not activated. Finish that write with &apos;axiscomp recover --finish&apos;, undo it with &apos;axiscomp recover --undo&apos;, or write again. The old state is kept in {backup}</source>
-        <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état : il n&apos;est pas activé. Achever cette écriture avec &apos;axiscomp recover --finish&apos;, l&apos;annuler avec &apos;axiscomp recover --undo&apos;, ou écrire à nouveau. L&apos;ancien état est conservé dans {backup}</translation>
+        <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état&#xa0;: il n&apos;est pas activé. Achever cette écriture avec &apos;axiscomp recover --finish&apos;, l&apos;annuler avec &apos;axiscomp recover --undo&apos;, ou écrire à nouveau. L&apos;ancien état est conservé dans {backup}</translation>
     </message>
     <message>
         <source>{endpoint} asks for a user name and a password; give them as http://user:password@host</source>
@@ -8143,7 +8143,7 @@
     </message>
     <message>
         <source>{path} is no position of axis {axis} before its compensation: name the register of its encoder</source>
-        <translation>{path} n’est pas une position de l’axe {axis} avant sa compensation : indiquer le registre de son codeur</translation>
+        <translation>{path} n’est pas une position de l’axe {axis} avant sa compensation&#xa0;: indiquer le registre de son codeur</translation>
     </message>
     <message>
         <source>&quot;{name}&quot;, which is taken to be a name without a unit</source>
@@ -8155,11 +8155,11 @@
     </message>
     <message>
         <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
-        <translation>seulement des nombres pour les éléments de {name} ; ce qui modifie ensuite tout le tableau n&apos;est pas calculé</translation>
+        <translation>seulement des nombres pour les éléments de {name}&#xa0;; ce qui modifie ensuite tout le tableau n&apos;est pas calculé</translation>
     </message>
     <message>
         <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
-        <translation>des points décimaux et des espaces entre les nombres ; rien ne distingue une virgule décimale d&apos;une virgule entre deux nombres</translation>
+        <translation>des points décimaux et des espaces entre les nombres&#xa0;; rien ne distingue une virgule décimale d&apos;une virgule entre deux nombres</translation>
     </message>
     <message>
         <source>{key} without a value, or no {key}</source>
@@ -8175,7 +8175,7 @@
     </message>
     <message>
         <source>their sum, since the controller adds them; a table that is converted alone is a part of it</source>
-        <translation>leur somme, puisque la commande les additionne ; une table convertie seule n&apos;en est qu&apos;une partie</translation>
+        <translation>leur somme, puisque la commande les additionne&#xa0;; une table convertie seule n&apos;en est qu&apos;une partie</translation>
     </message>
     <message>
         <source>&quot;{statement}&quot;, which switches a table of the file off</source>
@@ -8183,11 +8183,11 @@
     </message>
     <message>
         <source>tables that are in use; this one does not act on the machine</source>
-        <translation>des tables en service ; celle-ci n&apos;agit pas sur la machine</translation>
+        <translation>des tables en service&#xa0;; celle-ci n&apos;agit pas sur la machine</translation>
     </message>
     <message>
         <source>one unit for positions and offsets, which the controller adds; a calibration file is read with --from {format}</source>
-        <translation>une seule unité pour les positions et les décalages, que la commande additionne ; un fichier d&apos;étalonnage se lit avec --from {format}</translation>
+        <translation>une seule unité pour les positions et les décalages, que la commande additionne&#xa0;; un fichier d&apos;étalonnage se lit avec --from {format}</translation>
     </message>
     <message>
         <source>{count} lines that are taken to be headers, the first of them &quot;{line}&quot;</source>
@@ -8195,7 +8195,7 @@
     </message>
     <message>
         <source>decimal points, and a comma with a blank between the values; nobody can tell a decimal comma from one that separates two values</source>
-        <translation>des points décimaux, et une virgule suivie d&apos;une espace entre les valeurs ; rien ne distingue une virgule décimale d&apos;une virgule entre deux valeurs</translation>
+        <translation>des points décimaux, et une virgule suivie d&apos;une espace entre les valeurs&#xa0;; rien ne distingue une virgule décimale d&apos;une virgule entre deux valeurs</translation>
     </message>
     <message>
         <source>numbers in {unit}, as the file says</source>
@@ -8211,7 +8211,7 @@
     </message>
     <message>
         <source>the declaration alone; the table is that of the declaration, since statements are not computed</source>
-        <translation>la déclaration seule ; la table est celle de la déclaration, les instructions ne sont pas calculées</translation>
+        <translation>la déclaration seule&#xa0;; la table est celle de la déclaration, les instructions ne sont pas calculées</translation>
     </message>
     <message>
         <source>axis {axis}, and axis {before} in line {line}</source>
@@ -8267,11 +8267,15 @@
     </message>
     <message>
         <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
-        <translation>la table n&apos;indique pas d&apos;unité pour ses valeurs, et ses positions sont en {positions} ; indiquer l&apos;unité des valeurs, dans le fichier ou par --value-unit</translation>
+        <translation>la table n&apos;indique pas d&apos;unité pour ses valeurs, et ses positions sont en {positions}&#xa0;; indiquer l&apos;unité des valeurs, dans le fichier ou par --value-unit</translation>
     </message>
     <message>
         <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
-        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité, et les positions sont en {positions} ; l&apos;indiquer dans l&apos;en-tête, comme Z [mm], ou par le réglage {key} du fichier lu</translation>
+        <translation>les valeurs pour {column} n&apos;ont pas d&apos;unité, et les positions sont en {positions}&#xa0;; l&apos;indiquer dans l&apos;en-tête, comme Z [mm], ou par le réglage {key} du fichier lu</translation>
+    </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
+        <translation>un .TAMtbl n&apos;a pas d&apos;unités, et un variateur prend ses valeurs dans l&apos;unité de l&apos;axe qu&apos;elles corrigent. Les positions ont des unités différentes, et il n&apos;est pas indiqué laquelle&#xa0;: convertir d&apos;abord en un fichier .csv, puis celui-ci avec --value-unit, comme --value-unit mm, ou, si les valeurs corrigent l&apos;axe d&apos;une des positions, indiquer l&apos;axe cible, comme #1 pour la première</translation>
     </message>
 </context>
 <context>
@@ -9341,11 +9345,11 @@
     </message>
     <message>
         <source>Store the axis&apos;s table in the drive&apos;s flash, so that it survives a reboot</source>
-        <translation>Enregistrer la table de l&apos;axe dans la mémoire flash du variateur : elle survit à un redémarrage</translation>
+        <translation>Enregistrer la table de l&apos;axe dans la mémoire flash du variateur&#xa0;: elle survit à un redémarrage</translation>
     </message>
     <message>
         <source>Make the axis&apos;s table volatile, so that it is lost at the next reboot</source>
-        <translation>Rendre volatile la table de l&apos;axe : elle est perdue au prochain redémarrage</translation>
+        <translation>Rendre volatile la table de l&apos;axe&#xa0;: elle est perdue au prochain redémarrage</translation>
     </message>
     <message>
         <source>This computer</source>
@@ -9365,7 +9369,7 @@
     </message>
     <message>
         <source>Open this file: a record (.axcal), a machine file (.toml), a TAM configuration (.TAMcfg), a table or a measurement</source>
-        <translation>Ouvrir ce fichier : une fiche (.axcal), un fichier machine (.toml), une configuration TAM (.TAMcfg), une table ou une mesure</translation>
+        <translation>Ouvrir ce fichier&#xa0;: une fiche (.axcal), un fichier machine (.toml), une configuration TAM (.TAMcfg), une table ou une mesure</translation>
     </message>
     <message>
         <source>Measurement before and measurement after; with a record, which has the first, the second alone is enough</source>
@@ -10006,7 +10010,7 @@
     </message>
     <message>
         <source>the new table is shorter than {name}: up to {lost} of what that has beyond the ends of the new one is lost; ask for no grid, which keeps that of {name}, or for one as long, or measure the whole of it</source>
-        <translation>la nouvelle table est plus courte que {name} : jusqu’à {lost} de ce que celle-ci contient au-delà des extrémités de la nouvelle est perdu ; ne demandez aucune grille, ce qui garde celle de {name}, ou une grille aussi longue, ou mesurez toute la course</translation>
+        <translation>la nouvelle table est plus courte que {name}&#xa0;: jusqu’à {lost} de ce que celle-ci contient au-delà des extrémités de la nouvelle est perdu&#xa0;; ne demandez aucune grille, ce qui garde celle de {name}, ou une grille aussi longue, ou mesurez toute la course</translation>
     </message>
     <message>
         <source>the rule grubbs is for 4 to 10 values of a target, and some of those {direction} were not tested</source>
@@ -17790,7 +17794,7 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>; %1 of typically %2 flash cycles used</source>
         <comment>of the flash</comment>
-        <translation>&#xa0;; cycles flash utilisés : %1 sur %2 typiques</translation>
+        <translation>&#xa0;; cycles flash utilisés&#xa0;: %1 sur %2 typiques</translation>
     </message>
     <message>
         <source>; read as %1, converted</source>

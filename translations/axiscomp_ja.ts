@@ -8232,6 +8232,10 @@
         <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
         <translation>{column} の値に単位がなく、位置の単位は {positions} です。ヘッダーに Z [mm] のように書くか、読み込むファイルの設定 {key} で指定してください</translation>
     </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
+        <translation>.TAMtbl には単位がなく、ドライブは値を、補正する軸の単位として読み込みます。位置の単位が異なり、どれがその単位か指定されていません。まず .csv ファイルに変換してから、それを --value-unit mm のように --value-unit を付けて変換してください。値がいずれかの位置の軸を補正する場合は、対象軸を指定してください (1 番目なら #1)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

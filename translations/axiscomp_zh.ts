@@ -8232,6 +8232,10 @@
         <source>the values for {column} have no unit, and the positions are in {positions}; state it in the header, as Z [mm], or as the setting {key} of the file that is read</source>
         <translation>{column} 的值没有单位，而位置以 {positions} 为单位；请在表头中注明，如 Z [mm]，或用所读文件的设置 {key} 指定</translation>
     </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
+        <translation>.TAMtbl 没有单位，驱动器按所补偿轴的单位读取其值。各位置的单位不同，且未说明是其中哪一个：请先转换为 .csv 文件，再用 --value-unit（如 --value-unit mm）转换该文件；若值补偿的是某个位置的轴，请指定目标轴，如第一个为 #1</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -275,6 +275,8 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         result = signConverted(*std::move(result), sides, conversion);
     // The drive's table has no units: its values are in the unit of its axis.
     const bool holdsNoUnits = m_request.to == &tam_table::format();
+    if (result && holdsNoUnits && !areValuesOfDrive())
+        AXISCOMP_CHECK(checkUnitOfAxis(*result));
     if (result && isTriamec(*m_request.to) && !areValuesOfDrive()
         && (holdsNoUnits || !isTriamec(*m_request.from)))
         result = inPositionUnits(*result, m_remarks);

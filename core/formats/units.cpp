@@ -238,6 +238,30 @@ Result<NeutralTable> inSettingUnits(
     return converted;
 }
 
+Result<void> checkUnitOfAxis(const NeutralTable& table)
+{
+    for (const CompensationColumn& column : table.columns) {
+        if (ownAxis(table, column))
+            continue;
+        std::vector<std::string> units;
+        for (const SourceAxis& axis : table.axes)
+            addUnit(units, axis.unit);
+        if (targetOf(table, column))
+            units = unitsForOther(table);
+        if (units.size() > 1)
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "a .TAMtbl has no units, and a drive takes its values in the unit of the "
+                        "axis that they correct. The positions have different units, and it is "
+                        "not stated which one that is: convert to a .csv file first, and that one "
+                        "with --value-unit, such as --value-unit mm, or, if the values correct "
+                        "the axis of one of the positions, state the target, such as #1 for the "
+                        "first")}});
+    }
+    return {};
+}
+
 Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text>& remarks)
 {
     NeutralTable converted = table;

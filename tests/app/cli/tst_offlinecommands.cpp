@@ -221,13 +221,23 @@ private Q_SLOTS:
         QVERIFY2(open.err.contains("--target, such as --target #1"), open.err.constData());
         VERIFY_CODE(
             box.run({"convert", "open.csv", "open.TAMtbl", "--dims", "2", "--target", "#2"}), 0);
-        const QStringList other{
-            "convert", "open.csv", "open.TAMtbl", "--dims", "2", "--target", "other"};
-        const ProgramRun another = box.run(other);
-        VERIFY_CODE(another, 2);
-        QVERIFY2(another.err.contains("give --value-unit, such as --value-unit mm"),
-            another.err.constData());
-        VERIFY_CODE(box.run(other + QStringList{"--value-unit", "mm"}), 0);
+        const QByteArray inMillimetres = box.content("open.TAMtbl").last(16);
+        for (const QStringList& more :
+            {QStringList{"--target", "other"}, QStringList{"--points", "2,2"}}) {
+            const ProgramRun unknown =
+                box.run(QStringList{"convert", "open.csv", "unknown.TAMtbl", "--dims", "2"} + more);
+            VERIFY_CODE(unknown, 2);
+            QVERIFY2(unknown.err.contains("convert to a .csv file first, and that one with "
+                                          "--value-unit, such as --value-unit mm"),
+                unknown.err.constData());
+            QVERIFY(!QFile::exists(box.path("unknown.TAMtbl")));
+        }
+        VERIFY_CODE(
+            box.run({"convert", "open.csv", "other.csv", "--dims", "2", "--target", "other"}), 0);
+        const QStringList fromCsv{"convert", "other.csv", "other.TAMtbl", "--dims", "2"};
+        VERIFY_CODE(box.run(fromCsv), 2);
+        VERIFY_CODE(box.run(fromCsv + QStringList{"--value-unit", "mm"}), 0);
+        QCOMPARE(box.content("other.TAMtbl").last(16).toHex(), inMillimetres.toHex());
 
         box.file("deg.csv", "X [mm],E [deg]\n0,0\n50,0.01\n100,-0.004\n");
         const ProgramRun angle = box.run({"convert", "deg.csv", "deg.TAMtbl", "--dims", "1"});
