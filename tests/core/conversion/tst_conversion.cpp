@@ -680,6 +680,27 @@ private Q_SLOTS:
         VERIFY_RESULT(convertTables(std::span(&table, 1), request));
     }
 
+    /// It has no units: a drive takes the values in that of its axis.
+    void aTableOfTheDriveNeedsToKnowTheUnitOfItsAxis()
+    {
+        NeutralTable table = exampleTable(2, SignConvention::Feedback);
+        nameAxes(table, calibration_csv::format());
+        table.axes[0].unit = "um";
+        table.axes[1].unit = "mm";
+        ConversionRequest request = requestFor(calibration_csv::format(), tam_table::format());
+        table.columns[0].target = "other";
+        const auto refused = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(test::mentions(sentence(refused.error()), "--value-unit"));
+        table.columns[0].target = "#2";
+        const auto own = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(own);
+        QCOMPARE(own->tables.front().result.columns[0].unit, std::string("mm"));
+        table.columns[0].target = "other";
+        table.axes[0].unit = "mm";
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+    }
+
     /// The controller adds one to the other.
     void valuesWithAUnitNeedThatOfTheirPositions_data() { addFormats(); }
     void valuesWithAUnitNeedThatOfTheirPositions()
