@@ -215,7 +215,8 @@ bool WriteProcedure::hasOldState(const RegisterAccess& access)
         return false;
     const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
     if (!old || old->bytes.empty())
-        return true;
+        return !overwritesOwn() || !m_slotTouched
+            || checkEmpty(access, m_write.slot.name).has_value();
     auto bytes = access.link().download(old->path, access.exchange());
     return bytes && compareFiles(old->path, *bytes, old->bytes).has_value();
 }

@@ -115,6 +115,21 @@ struct Begun : CompensatorFixture {
     WriteRequest request;
 };
 
+/// Axis 0 names a slot whose volatile table a restart has taken.
+struct Emptied : CompensatorFixture {
+    Emptied()
+    {
+        const bool isWritten = compensator.write(0, exampleRequest(1)).has_value()
+            && compensator.write(1, exampleRequest(1, Persistency::Persistent)).has_value();
+        QVERIFY2(isWritten, "the tables could not be written");
+        drive.reboot();
+        old = state();
+        QVERIFY2(old.registers[0] == "Small1" && old.table.empty(), "the slot is not empty");
+    }
+
+    State old;
+};
+
 using Recover = Result<WriteReport> (AxisCompensator::*)(
     const JournalEntry&, const OperationOptions&);
 constexpr std::array ways{&AxisCompensator::finishUnfinished, &AxisCompensator::undoUnfinished};
@@ -450,6 +465,41 @@ private Q_SLOTS:
                 QVERIFY(!c.isUnfinished());
             }
         }
+    }
+
+    /// Its registers are the same before and after: what the slot holds tells the states apart.
+    void aTableInASlotThatWasEmptyIsNotTheOldState()
+    {
+        WriteRequest request = exampleRequest(2);
+        request.slot = "Small1";
+        Emptied whole;
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        const int exchanges = whole.link.exchanges() - begin;
+        QCOMPARE(whole.state().registers, whole.old.registers);
+        int refused = 0;
+        for (int exchange = 1; exchange <= 40; ++exchange) {
+            Emptied c;
+            c.link.failAt(exchanges, LinkFault::DriveGoneAfter);
+            VERIFY_ERROR(c.compensator.write(0, request), ErrorCode::OutcomeUnknown);
+            c.link.heal();
+            QVERIFY(!c.state().table.empty());
+            const JournalEntry entry = *c.store.journal(4711, 0).value();
+            c.link.failAt(exchange, LinkFault::ReplyGarbled);
+            const auto undone = c.compensator.undoUnfinished(entry);
+            const bool isStruck = c.link.hasFailed();
+            c.link.heal();
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            QVERIFY2(!undone || c.state() == c.old, where);
+            QVERIFY2(undone.has_value() != c.store.journal(4711, 0).value().has_value(), where);
+            refused += undone ? 0 : 1;
+            if (!undone)
+                VERIFY_RESULT(c.compensator.undoUnfinished(entry));
+            QVERIFY2(c.state() == c.old, where);
+            if (!isStruck)
+                break;
+        }
+        QVERIFY(refused > 3);
     }
 
     void aSlotThatAnotherAxisHasTakenStaysItsOwn()

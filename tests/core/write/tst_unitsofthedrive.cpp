@@ -71,6 +71,16 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < held->values.size(); ++i)
             QVERIFY(std::abs(held->values[i] - 1e-3F * asked.values[i])
                 <= 2e-10F * std::abs(asked.values[i]));
+
+        // Of two lengths it is that of the own positions, too.
+        CompensatorFixture lengths;
+        WriteRequest both = requestIn("", "um", "mm");
+        both.acceptsLarge = true;
+        VERIFY_RESULT(lengths.compensator.write(0, both));
+        const auto written = lengths.compensator.readTable(0);
+        VERIFY_RESULT(written);
+        QVERIFY(std::abs(written->values[1] - 1e-3F * asked.values[1])
+            <= 2e-10F * std::abs(asked.values[1]));
     }
 
     void aTableThatWasReadFromOneAxisIsNotWrittenToAnother()
