@@ -117,6 +117,9 @@ Result<AxisStatus> WriteProcedure::inspectBeforeRecovery(const UnfinishedWrite& 
         const bool isOld = slot == plan.before.slot;
         if (isOld && !state.otherUser.isEmpty())
             return fail(ErrorCode::SlotInUse, {{"slot", slot}, {"user", state.otherUser}});
+        // It was empty: what has come into it since is not this axis's, which had no table.
+        if (isOld && !overwritesOwn() && !state.isEmpty() && bytesOf(m_backup, slot).empty())
+            m_backup.registers.front().value = m_access.enums().tableDisabled;
         const bool isTheirs = !state.otherUser.isEmpty() || !unfinished.isKnown(state, slot);
         if (!isOld && (isTheirs || bytesOf(present, slot) == bytesOf(m_backup, slot)))
             m_slotTouched = false;

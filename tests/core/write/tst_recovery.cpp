@@ -502,6 +502,35 @@ private Q_SLOTS:
         QVERIFY(refused > 3);
     }
 
+    /// The axis had no table: it would have one that another axis or a person has put there.
+    void undoingDoesNotGiveTheAxisATableThatCameIntoItsEmptySlot()
+    {
+        Emptied c;
+        const int begin = c.link.exchanges();
+        WriteRequest request = exampleRequest(2);
+        request.slot = "Small3";
+        {
+            Emptied whole;
+            const int before = whole.link.exchanges();
+            VERIFY_RESULT(whole.compensator.write(0, request));
+            c.link.failAt(whole.link.exchanges() - before, LinkFault::DriveGoneAfter);
+        }
+        QCOMPARE(c.link.exchanges(), begin);
+        VERIFY_ERROR(c.compensator.write(0, request), ErrorCode::OutcomeUnknown);
+        c.link.heal();
+        const auto theirs =
+            encodeTamTable(exampleTable(2, 7), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(c.drive.upload("tables/small1.TAMtbl", *theirs));
+        const JournalEntry entry = *c.store.journal(4711, 0).value();
+        const auto undone = c.compensator.undoUnfinished(entry);
+        VERIFY_RESULT(undone);
+        QVERIFY(undone->now.setup.slot.empty());
+        QVERIFY(c.state().table.empty());
+        QCOMPARE(c.state().registers.at(1), c.old.registers.at(1));
+        QVERIFY(c.drive.download("tables/small1.TAMtbl").value_or(Bytes{}) == *theirs);
+        QVERIFY(!c.store.journal(4711, 0).value().has_value());
+    }
+
     void aSlotThatAnotherAxisHasTakenStaysItsOwn()
     {
         for (const bool finishes : {true, false}) {

@@ -306,8 +306,11 @@ void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int 
         allowed.push_back(old);
     const bool mayBeNew =
         complete && (ending.isDone() || ending.isUncertain(operation) || operation.isRestore());
+    // The slot was empty, and holds somebody else's table by now.
+    const bool isTaken = mayBeNew && operation.action == Action::Undo && complete->table.empty()
+        && after.now.slots.contains(complete->slot);
     const bool isNew = mayBeNew && now.compensatesAs(*complete)
-        && (complete->slot == "Disabled") == (now.slot == "Disabled");
+        && (complete->slot == "Disabled" || isTaken) == (now.slot == "Disabled");
     learn(axis, old);
     if (mayBeNew)
         learn(axis, *complete);
