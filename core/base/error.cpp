@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string_view>
 
 namespace axiscomp {
 
@@ -318,6 +319,81 @@ Text togetherText(const Error& error)
         error.context};
 }
 
+/// The sentence of an error with an argument that not each of its kind has. The first that fits
+/// counts.
+struct Variant {
+    ErrorCode code;
+    std::string_view argument;
+    TextPattern sentence;
+};
+constexpr std::array variants{
+    Variant{ErrorCode::FlashWear, "reserve",
+        AXISCOMP_TEXT("Error",
+            "the flash operations that are left would do for the change, but not for putting "
+            "everything back if it fails; wait {seconds} s, or write volatile")},
+    Variant{ErrorCode::FlashWear, "record",
+        AXISCOMP_TEXT("Error",
+            "the record of this drive's flash operations was damaged, so all of them count as "
+            "used up; write volatile, or reset the count with 'axiscomp status "
+            "--reset-flash-count'")},
+    Variant{ErrorCode::TargetMismatch, "restored",
+        AXISCOMP_TEXT("Error",
+            "axis {axis} was {target} when the backup was made, and is {name} on the drive "
+            "now; give the axes the order or the names that they had, or write the table "
+            "from its file")},
+    Variant{ErrorCode::UnitMissing, "positions",
+        AXISCOMP_TEXT("Error",
+            "the table states no unit for its values, and its positions are in {positions}; "
+            "state the unit of the values, in the file or with --value-unit")},
+    Variant{ErrorCode::UnitMismatch, "kept",
+        AXISCOMP_TEXT("Error",
+            "the {what} of the table on the drive are in {unit}, and the new source is in "
+            "{other}; write the table from its file, together with the source")},
+    Variant{ErrorCode::UnitMismatch, "restored",
+        AXISCOMP_TEXT("Error",
+            "the {what} are in {unit} in the backup, and the drive has them in {other} "
+            "now, so that the same numbers would mean something else; set the unit on the "
+            "drive to {unit} again, or write the table from its file")},
+    Variant{ErrorCode::VerifyMismatch, "unfinished",
+        AXISCOMP_TEXT("Error",
+            "a write that did not end has left axis {axis} in neither its old nor its new "
+            "state: it is not activated. Finish that write with 'axiscomp recover "
+            "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
+            "state is kept in {backup}")},
+    Variant{ErrorCode::LargeCorrection, "machineAxis",
+        AXISCOMP_TEXT("Error",
+            "{reason} Check the unit of the values; if they are right, confirm them with "
+            "accept-large = true for axis {machineAxis} in the machine file")},
+    Variant{ErrorCode::InvalidConfiguration, "machine",
+        AXISCOMP_COUNTED("Error", "{file} is not a valid machine file: {count} problems",
+            "{file} is not a valid machine file: one problem")},
+    Variant{ErrorCode::NoTable, "configured",
+        AXISCOMP_TEXT("Error",
+            "the configuration names the table in {slot} for axis {axis}, but the drive has "
+            "none there; write it into that slot first")},
+    Variant{ErrorCode::NoTable, "slot",
+        AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete")},
+    Variant{ErrorCode::NoTable, "deleting",
+        AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete")},
+    Variant{ErrorCode::SlotInUse, "deleting",
+        AXISCOMP_TEXT("Error",
+            "the table in {slot} is not deleted, because {user} uses it; free it there "
+            "first")},
+    Variant{ErrorCode::UnknownFormat, "measurement",
+        AXISCOMP_TEXT("Error",
+            "the format of {file} is not known; name one of: {known}; of any other CSV "
+            "file, say which column is what")},
+    Variant{ErrorCode::UnknownFormat, "written",
+        AXISCOMP_TEXT("Error",
+            "the name {file} says no format that can be written; name one with --to: "
+            "{known}")},
+    Variant{ErrorCode::UnknownFormat, "opened",
+        AXISCOMP_TEXT("Error",
+            "{file} is no record (.axcal), no machine file (.toml), no TAM configuration "
+            "(.TAMcfg), and no table or measurement of a known format; a table whose "
+            "format you can name is opened on the tab Write")},
+};
+
 } // namespace
 
 Text textOf(const Error& error)
@@ -334,92 +410,11 @@ Text textOf(const Error& error)
         return togetherText(error);
     if (error.code == ErrorCode::FlashWear && error.context.contains("removing"))
         return removingText(error);
-    if (error.code == ErrorCode::FlashWear && error.context.contains("reserve"))
-        return {
-            AXISCOMP_TEXT("Error",
-                "the flash operations that are left would do for the change, but not for putting "
-                "everything back if it fails; wait {seconds} s, or write volatile"),
-            error.context};
-    if (error.code == ErrorCode::FlashWear && error.context.contains("record"))
-        return {
-            AXISCOMP_TEXT("Error",
-                "the record of this drive's flash operations was damaged, so all of them count as "
-                "used up; write volatile, or reset the count with 'axiscomp status "
-                "--reset-flash-count'"),
-            error.context};
-    if (error.code == ErrorCode::TargetMismatch && error.context.contains("restored"))
-        return {AXISCOMP_TEXT("Error",
-                    "axis {axis} was {target} when the backup was made, and is {name} on the drive "
-                    "now; give the axes the order or the names that they had, or write the table "
-                    "from its file"),
-            error.context};
-    if (error.code == ErrorCode::UnitMissing && error.context.contains("positions"))
-        return {
-            AXISCOMP_TEXT("Error",
-                "the table states no unit for its values, and its positions are in {positions}; "
-                "state the unit of the values, in the file or with --value-unit"),
-            error.context};
-    if (error.code == ErrorCode::UnitMismatch && error.context.contains("kept"))
-        return {AXISCOMP_TEXT("Error",
-                    "the {what} of the table on the drive are in {unit}, and the new source is in "
-                    "{other}; write the table from its file, together with the source"),
-            error.context};
-    if (error.code == ErrorCode::UnitMismatch && error.context.contains("restored"))
-        return {AXISCOMP_TEXT("Error",
-                    "the {what} are in {unit} in the backup, and the drive has them in {other} "
-                    "now, so that the same numbers would mean something else; set the unit on the "
-                    "drive to {unit} again, or write the table from its file"),
-            error.context};
-    if (error.code == ErrorCode::VerifyMismatch && error.context.contains("unfinished"))
-        return {AXISCOMP_TEXT("Error",
-                    "a write that did not end has left axis {axis} in neither its old nor its new "
-                    "state: it is not activated. Finish that write with 'axiscomp recover "
-                    "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
-                    "state is kept in {backup}"),
-            error.context};
-    if (error.code == ErrorCode::LargeCorrection && error.context.contains("machineAxis"))
-        return {AXISCOMP_TEXT("Error",
-                    "{reason} Check the unit of the values; if they are right, confirm them with "
-                    "accept-large = true for axis {machineAxis} in the machine file"),
-            error.context};
-    if (error.code == ErrorCode::InvalidConfiguration && error.context.contains("machine"))
-        return {AXISCOMP_COUNTED("Error", "{file} is not a valid machine file: {count} problems",
-                    "{file} is not a valid machine file: one problem"),
-            error.context};
-    if (error.code == ErrorCode::NoTable && error.context.contains("configured"))
-        return {
-            AXISCOMP_TEXT("Error",
-                "the configuration names the table in {slot} for axis {axis}, but the drive has "
-                "none there; write it into that slot first"),
-            error.context};
-    if (error.code == ErrorCode::NoTable && error.context.contains("slot"))
-        return {
-            AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete"), error.context};
-    if (error.code == ErrorCode::NoTable && error.context.contains("deleting"))
-        return {AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete"),
-            error.context};
-    if (error.code == ErrorCode::SlotInUse && error.context.contains("deleting"))
-        return {AXISCOMP_TEXT("Error",
-                    "the table in {slot} is not deleted, because {user} uses it; free it there "
-                    "first"),
-            error.context};
-    if (error.code == ErrorCode::UnknownFormat && error.context.contains("measurement"))
-        return {AXISCOMP_TEXT("Error",
-                    "the format of {file} is not known; name one of: {known}; of any other CSV "
-                    "file, say which column is what"),
-            error.context};
-    if (error.code == ErrorCode::UnknownFormat && error.context.contains("written"))
-        return {AXISCOMP_TEXT("Error",
-                    "the name {file} says no format that can be written; name one with --to: "
-                    "{known}"),
-            error.context};
-    if (error.code == ErrorCode::UnknownFormat && error.context.contains("opened"))
-        return {AXISCOMP_TEXT("Error",
-                    "{file} is no record (.axcal), no machine file (.toml), no TAM configuration "
-                    "(.TAMcfg), and no table or measurement of a known format; a table whose "
-                    "format you can name is opened on the tab Write"),
-            error.context};
-    return {errorPattern(error.code), error.context};
+    const auto* const variant = std::ranges::find_if(variants, [&](const Variant& row) {
+        return row.code == error.code && error.context.contains(row.argument);
+    });
+    return {
+        variant == variants.end() ? errorPattern(error.code) : variant->sentence, error.context};
 }
 
 std::string sentence(const Error& error)
