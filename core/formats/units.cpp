@@ -2,6 +2,7 @@
 #include "core/formats/units.h"
 
 #include "core/table/position_unit.h"
+#include "core/table/table_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -240,15 +241,11 @@ Result<NeutralTable> inSettingUnits(
 
 Result<void> checkUnitOfAxis(const NeutralTable& table)
 {
+    std::vector<std::string> positions;
+    for (const SourceAxis& axis : table.axes)
+        positions.push_back(axis.unit);
     for (const CompensationColumn& column : table.columns) {
-        if (ownAxis(table, column))
-            continue;
-        std::vector<std::string> units;
-        for (const SourceAxis& axis : table.axes)
-            addUnit(units, axis.unit);
-        if (targetOf(table, column))
-            units = unitsForOther(table);
-        if (units.size() > 1)
+        if (!isUnitOfAxisCertain(positions, targetOf(table, column)))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
                     AXISCOMP_TEXT("Error",

@@ -2,13 +2,10 @@
 #include "core/table/table_units.h"
 
 #include "core/table/position_unit.h"
-#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
 namespace axiscomp {
 
@@ -18,6 +15,20 @@ std::string symbolOf(const std::string& unit)
 {
     const std::string symbol = unitSymbol(unit);
     return symbol.empty() ? unit : symbol;
+}
+
+std::vector<std::string> positionUnits(const Grid& grid)
+{
+    std::vector<std::string> units;
+    for (const GridAxis& axis : grid.axes)
+        units.push_back(axis.unit);
+    return units;
+}
+
+bool haveOneUnit(std::span<const std::string> units)
+{
+    return std::ranges::all_of(
+        units, [&](const std::string& unit) { return isSameUnit(unit, units.front()); });
 }
 
 /// From the unit that the table states to that of the drive; 1 where one of them says none.
@@ -162,27 +173,40 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated)
         takeStatedUnit(axis.unit, stated.positions);
 }
 
-std::vector<std::string> unitsForValues(const CompensationTable& table)
+std::vector<std::string> unitsForValues(
+    std::span<const std::string> positions, const std::optional<TargetAxis>& target)
 {
-    const std::vector<GridAxis>& axes = table.grid.axes;
     std::vector<std::string> units;
-    const auto target = targetOf(table);
     if (target && target->source) {
-        if (const std::string& own = axes[*target->source].unit; !own.empty())
+        if (const std::string& own = positions[*target->source]; !own.empty())
             units.push_back(own);
         return units;
     }
-    for (const GridAxis& axis : axes)
-        if (isPositionUnit(axis.unit))
-            addUnit(units, axis.unit);
+    for (const std::string& unit : positions)
+        if (isPositionUnit(unit))
+            addUnit(units, unit);
     return units;
+}
+
+std::vector<std::string> unitsForValues(const CompensationTable& table)
+{
+    return unitsForValues(positionUnits(table.grid), targetOf(table));
+}
+
+bool isUnitOfAxisCertain(
+    std::span<const std::string> positions, const std::optional<TargetAxis>& target)
+{
+    return unitsForValues(positions, target).size() < 2 && (target || haveOneUnit(positions));
+}
+
+bool isUnitOfAxisCertain(const CompensationTable& table)
+{
+    return isUnitOfAxisCertain(positionUnits(table.grid), targetOf(table));
 }
 
 bool haveOneUnit(const Grid& grid)
 {
-    return std::ranges::all_of(grid.axes, [&](const GridAxis& axis) {
-        return axis.unit == grid.axes.front().unit || isSameUnit(axis.unit, grid.axes.front().unit);
-    });
+    return haveOneUnit(positionUnits(grid));
 }
 
 Result<TableInUnits> inDriveUnits(

@@ -3,7 +3,10 @@
 
 #include "core/base/result.h"
 #include "core/table/compensation_table.h"
+#include "core/table/target_axis.h"
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +50,15 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 
 /// What values without a unit can be in, each unit once: that of the positions which they correct
 /// (AN140 3.1), or those of all lengths and angles of a table that corrects another axis or does
-/// not say which. Empty: the table does not say.
+/// not say which. positions: the unit of each source. Empty: the table does not say.
+[[nodiscard]] std::vector<std::string> unitsForValues(
+    std::span<const std::string> positions, const std::optional<TargetAxis>& target);
 [[nodiscard]] std::vector<std::string> unitsForValues(const CompensationTable& table);
+/// Whether positions and target tell the unit of the axis that the values correct, in which a table
+/// of the drive has them without a word.
+[[nodiscard]] bool isUnitOfAxisCertain(
+    std::span<const std::string> positions, const std::optional<TargetAxis>& target);
+[[nodiscard]] bool isUnitOfAxisCertain(const CompensationTable& table);
 /// Whether the positions of all dimensions are in the same unit, or none has one.
 [[nodiscard]] bool haveOneUnit(const Grid& grid);
 

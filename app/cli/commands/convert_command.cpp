@@ -51,15 +51,14 @@ Result<void> checkForDrive(
 Result<CompensationTable> inUnitsOfFile(
     Environment& environment, const ConvertOptions& options, const CompensationTable& table)
 {
-    const std::vector<std::string> units = unitsForValues(table);
-    const bool isCertain = units.size() < 2 && (targetOf(table) || haveOneUnit(table.grid));
-    if (options.valueUnit.empty() && !isCertain)
+    if (options.valueUnit.empty() && !isUnitOfAxisCertain(table))
         return wrongUsage(
             "a .TAMtbl has no units, and a drive takes its values in the unit of the axis that "
             "they correct. The positions of the file have different units, and it does not say "
             "which one that is: give --value-unit, such as --value-unit mm, or, if the values "
             "correct the axis of one of the positions, --target, such as --target #1 for the first",
             options.input.command);
+    const std::vector<std::string> units = unitsForValues(table);
     std::string unit = options.valueUnit;
     if (unit.empty() && !units.empty())
         unit = units.front();

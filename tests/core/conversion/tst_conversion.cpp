@@ -116,6 +116,16 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
     return request;
 }
 
+/// Two positions, in um and in mm.
+NeutralTable tableOverTwoUnits()
+{
+    NeutralTable table = exampleTable(2, SignConvention::Feedback);
+    nameAxes(table, calibration_csv::format());
+    table.axes[0].unit = "um";
+    table.axes[1].unit = "mm";
+    return table;
+}
+
 /// A table that the format can write, in um.
 NeutralTable inMicrometres(const TableFormat& format)
 {
@@ -661,10 +671,7 @@ private Q_SLOTS:
 
     void valuesOfAnotherAxisNeedAUnitWherePositionsHaveSeveral()
     {
-        NeutralTable table = exampleTable(2, SignConvention::Feedback);
-        nameAxes(table, calibration_csv::format());
-        table.axes[0].unit = "um";
-        table.axes[1].unit = "mm";
+        NeutralTable table = tableOverTwoUnits();
         table.columns[0].unit.clear();
         table.columns[0].target = "Z";
         const ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
@@ -683,10 +690,7 @@ private Q_SLOTS:
     /// It has no units: a drive takes the values in that of its axis.
     void aTableOfTheDriveNeedsToKnowTheUnitOfItsAxis()
     {
-        NeutralTable table = exampleTable(2, SignConvention::Feedback);
-        nameAxes(table, calibration_csv::format());
-        table.axes[0].unit = "um";
-        table.axes[1].unit = "mm";
+        NeutralTable table = tableOverTwoUnits();
         ConversionRequest request = requestFor(calibration_csv::format(), tam_table::format());
         table.columns[0].target = "other";
         const auto refused = convertTables(std::span(&table, 1), request);
@@ -699,6 +703,8 @@ private Q_SLOTS:
         table.columns[0].target = "other";
         table.axes[0].unit = "mm";
         VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        table.axes[0].unit = "deg"; // values of another axis may be angles, too
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
     }
 
     /// The controller adds one to the other.
