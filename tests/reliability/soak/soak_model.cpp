@@ -299,14 +299,13 @@ void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int 
     const auto complete = wanted(operation, axis, keptFrom(operation, ending, axis, before, after));
     std::vector<AxisPicture> allowed;
     const bool hasRebooted = mayHaveRebooted(operation, ending);
-    if (hasRebooted && !(complete && ending.isDone()))
+    if (hasRebooted && !(complete && ending.isDone())) {
         allowed = {before.afterReboot.axes[index], after.afterReboot.axes[index]};
-    // The restart has brought the same table back from flash, over which the axis had it volatile.
-    const bool isInFlash =
-        before.afterReboot.slots.contains(old.slot) && !hidesFlash(before, old.slot);
-    if (hasRebooted && isInFlash && !(complete && ending.isDone())) {
-        allowed.push_back(old);
-        allowed.back().persistent = true;
+        // It may have brought the same table back from flash, over which the axis had it volatile.
+        if (before.afterReboot.slots.contains(old.slot) && !hidesFlash(before, old.slot)) {
+            allowed.push_back(old);
+            allowed.back().persistent = true;
+        }
     }
     const bool isSure = operation.action == Action::Reboot || (complete && ending.isDone());
     if (!isSure)
