@@ -17,7 +17,7 @@ std::string symbolOf(const std::string& unit)
     return symbol.empty() ? unit : symbol;
 }
 
-std::vector<std::string> positionUnits(const Grid& grid)
+std::vector<std::string> unitsOfPositions(const Grid& grid)
 {
     std::vector<std::string> units;
     for (const GridAxis& axis : grid.axes)
@@ -190,7 +190,7 @@ std::vector<std::string> unitsForValues(
 
 std::vector<std::string> unitsForValues(const CompensationTable& table)
 {
-    return unitsForValues(positionUnits(table.grid), targetOf(table));
+    return unitsForValues(unitsOfPositions(table.grid), targetOf(table));
 }
 
 bool isUnitOfAxisCertain(
@@ -201,12 +201,12 @@ bool isUnitOfAxisCertain(
 
 bool isUnitOfAxisCertain(const CompensationTable& table)
 {
-    return isUnitOfAxisCertain(positionUnits(table.grid), targetOf(table));
+    return isUnitOfAxisCertain(unitsOfPositions(table.grid), targetOf(table));
 }
 
 bool haveOneUnit(const Grid& grid)
 {
-    return haveOneUnit(positionUnits(grid));
+    return haveOneUnit(unitsOfPositions(grid));
 }
 
 Result<TableInUnits> inDriveUnits(
