@@ -73,10 +73,15 @@ std::string fittingUnit(const std::string& unit, std::string_view length, std::s
     return std::string(isAngle ? angle : length);
 }
 
-/// Of the positions that a column corrects: of its own axis, or of the first source.
+/// Of the positions that a column corrects: of its own axis, or of the first source that can be a
+/// length or an angle; a correction is no temperature.
 const std::string& correctedUnit(const NeutralTable& table, const CompensationColumn& column)
 {
-    return table.axes[ownAxis(table, column).value_or(0)].unit;
+    if (const auto own = ownAxis(table, column))
+        return table.axes[*own].unit;
+    const auto position = std::ranges::find_if(table.axes,
+        [](const SourceAxis& axis) { return axis.unit.empty() || isPositionUnit(axis.unit); });
+    return (position == table.axes.end() ? table.axes.front() : *position).unit;
 }
 
 /// Whether values can be in the unit of the positions that they correct. Those of another axis than

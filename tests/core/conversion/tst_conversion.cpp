@@ -707,6 +707,23 @@ private Q_SLOTS:
         VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
     }
 
+    /// A temperature that comes first is nothing that a correction could be in.
+    void valuesOverATemperatureAndALengthAreInTheUnitOfTheLength()
+    {
+        NeutralTable table = tableOverTwoUnits();
+        table.axes[0].unit = "degC";
+        table.axes[1].unit = "mm";
+        table.columns[0].target = "other";
+        table.columns[0].unit = "um";
+        const double before = table.columns[0].values.front();
+        const auto converted = convertTables(
+            std::span(&table, 1), requestFor(calibration_csv::format(), tam_table::format()));
+        VERIFY_RESULT(converted);
+        const CompensationColumn& column = converted->tables.front().result.columns[0];
+        QCOMPARE(column.unit, std::string("mm"));
+        QCOMPARE(std::abs(column.values.front()), std::abs(before) / 1000.0);
+    }
+
     /// The controller adds one to the other.
     void valuesWithAUnitNeedThatOfTheirPositions_data() { addFormats(); }
     void valuesWithAUnitNeedThatOfTheirPositions()
