@@ -121,7 +121,8 @@ void SoakModel::checkStore(const DrivePicture& after)
     expect(recorded + m_deaths >= counted,
         "the drive counts " + std::to_string(counted) + " flash operations, but only "
             + std::to_string(recorded) + " are recorded");
-    const bool isSure = m_drive.now() > m_lastDeath + m_drive.drive().profile().flashWear.window;
+    const bool isSure =
+        m_drive.now() > m_lastUncounted + m_drive.drive().profile().flashWear.window;
     expect(!isSure || after.driveError != "FlashWear",
         "the drive was asked for too many flash operations");
     const std::filesystem::path folder = m_drive.store() / std::to_string(SoakDrive::serialNumber);

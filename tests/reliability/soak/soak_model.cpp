@@ -81,7 +81,7 @@ std::vector<std::string> SoakModel::check(
     const Operation& operation, const Ending& ending, const Moment& before, const Moment& after)
 {
     m_problems.clear();
-    noteDeath(operation, ending);
+    noteUncounted(operation, ending);
     checkHiding(operation, ending, before, after);
     for (int axis = 0; axis < SoakDrive::axes; ++axis) {
         checkAxis(operation, ending, axis, before, after);
@@ -90,7 +90,9 @@ std::vector<std::string> SoakModel::check(
     checkReports(operation, ending, before, after);
     if (!mayHaveRebooted(operation, ending))
         checkSlots(operation, before.now, after.now);
-    const bool isOfOneAxis = operation.changesSetup() && operation.action != Action::RestoreOld;
+    // What a restart brings back into a slot may be of any axis.
+    const bool isOfOneAxis = operation.changesSetup() && operation.action != Action::RestoreOld
+        && !mayHaveRebooted(operation, ending);
     noteOwners(before.now, after.now, isOfOneAxis ? std::optional(operation.axis) : std::nullopt);
     checkJournals(operation, ending, before.now, after.now);
     checkStore(after.now);
@@ -103,7 +105,7 @@ std::vector<std::string> SoakModel::check(const std::vector<Operation>& group,
 {
     m_problems.clear();
     for (std::size_t i = 0; i < group.size(); ++i) {
-        noteDeath(group[i], endings[i]);
+        noteUncounted(group[i], endings[i]);
     }
     for (int axis = 0; axis < SoakDrive::axes; ++axis)
         checkAxisTogether(group, endings, axis, before, after);
@@ -263,12 +265,16 @@ void SoakModel::checkHiding(
             + ", after a reboot " + before.afterReboot.axes[index].text());
 }
 
-void SoakModel::noteDeath(const Operation& operation, const Ending& ending)
+/// A program that was killed in a write may have left a flash operation unrecorded; a drive that
+/// stores something else than it was told may spend one that no program has asked for.
+void SoakModel::noteUncounted(const Operation& operation, const Ending& ending)
 {
-    if (!ending.hasDied || !(operation.changesSetup() || operation.action == Action::Upload))
-        return;
-    ++m_deaths;
-    m_lastDeath = m_drive.now();
+    const bool hasDiedInWrite =
+        ending.hasDied && (operation.changesSetup() || operation.action == Action::Upload);
+    if (hasDiedInWrite)
+        ++m_deaths;
+    if (hasDiedInWrite || (storesWrong(operation) && ending.hasStruck))
+        m_lastUncounted = m_drive.now();
 }
 
 /// A reboot at this moment must not bring back a mixture that can be switched on.
@@ -281,13 +287,17 @@ void SoakModel::checkReachable(int axis, const Moment& moment)
         axisName(axis) + "after a reboot it would have a mixture: " + later.text());
 }
 
-/// The axis whose only slot was being overwritten may be left without a table.
+/// The axis whose only slot was being overwritten may be left without a table. In a group it may
+/// have got that slot from another write just before, as the backup says.
 bool SoakModel::isSwitchedOffInPlace(const Operation& operation, const Ending& ending, int axis,
     const AxisPicture& before, const AxisPicture& after)
 {
     const auto journal = m_store.journal(SoakDrive::serialNumber, axis);
-    return ending.isUncertain(operation) && after.slot == "Disabled" && journal && *journal
-        && (*journal)->newSlot == before.slot;
+    if (!ending.isUncertain(operation) || after.slot != "Disabled" || !journal || !*journal)
+        return false;
+    const std::string& slot = (*journal)->newSlot;
+    const auto kept = heldBy(backupOf(**journal), axis);
+    return slot == before.slot || (kept && slot == kept->slot);
 }
 
 void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int axis,

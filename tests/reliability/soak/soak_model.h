@@ -49,7 +49,7 @@ private:
     void checkReachable(int axis, const Moment& moment);
     void checkHiding(const Operation& operation, const Ending& ending, const Moment& before,
         const Moment& after);
-    void noteDeath(const Operation& operation, const Ending& ending);
+    void noteUncounted(const Operation& operation, const Ending& ending);
 
     // soak_report_checks.cpp: what the program said
     void checkReports(const Operation& operation, const Ending& ending, const Moment& before,
@@ -90,7 +90,7 @@ private:
     std::vector<bool> m_journalMayBeOpen;
     /// Programs that were killed in a write, perhaps between a flash operation and its record.
     std::uint64_t m_deaths = 0;
-    WallTime m_lastDeath{};
+    WallTime m_lastUncounted{}; ///< when a flash operation may have been spent that is not recorded
 };
 
 /// The fault has rebooted the drive, or may have.
