@@ -4926,6 +4926,10 @@
         <translation>Achse {axis} verwendet keine Tabelle: es gibt nichts zu löschen</translation>
     </message>
     <message>
+        <source>slot {slot} is in use by {user}: name another slot, or none, and a free one is chosen</source>
+        <translation>Tabellenplatz {slot} ist belegt durch {user}: einen anderen angeben, oder keinen, dann wird ein freier gewählt</translation>
+    </message>
+    <message>
         <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
         <translation>die Tabelle in {slot} wird nicht gelöscht, weil sie noch verwendet wird ({user}); geben Sie sie dort zuerst frei</translation>
     </message>

@@ -4926,6 +4926,10 @@
         <translation>l&apos;axe {axis} n&apos;utilise pas de table&#xa0;: il n&apos;y a rien à supprimer</translation>
     </message>
     <message>
+        <source>slot {slot} is in use by {user}: name another slot, or none, and a free one is chosen</source>
+        <translation>l&apos;emplacement {slot} est déjà utilisé ({user})&#xa0;: en indiquer un autre, ou aucun, et un emplacement libre est choisi</translation>
+    </message>
+    <message>
         <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
         <translation>la table dans {slot} n&apos;est pas supprimée, car elle est utilisée ({user})&#xa0;; l&apos;en détacher d&apos;abord</translation>
     </message>

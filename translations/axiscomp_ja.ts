@@ -4902,6 +4902,10 @@
         <translation>軸 {axis} はテーブルを使用していません。削除するものはありません</translation>
     </message>
     <message>
+        <source>slot {slot} is in use by {user}: name another slot, or none, and a free one is chosen</source>
+        <translation>スロット {slot} は {user} が使用しています。別のスロットを指定するか、指定せずに空きスロットを選ばせてください</translation>
+    </message>
+    <message>
         <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
         <translation>{slot} のテーブルは {user} が使用しているため削除しません。先にそちらで解放してください</translation>
     </message>

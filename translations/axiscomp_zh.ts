@@ -4902,6 +4902,10 @@
         <translation>轴 {axis} 不使用表：没有可删除的内容</translation>
     </message>
     <message>
+        <source>slot {slot} is in use by {user}: name another slot, or none, and a free one is chosen</source>
+        <translation>表槽 {slot} 正由 {user} 使用：请指定另一个，或不指定，程序会选用空闲的表槽</translation>
+    </message>
+    <message>
         <source>the table in {slot} is not deleted, because {user} uses it; free it there first</source>
         <translation>{slot} 中的表未删除，因为 {user} 正在使用；请先在那里释放</translation>
     </message>

@@ -375,6 +375,10 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete")},
     Variant{ErrorCode::NoTable, "deleting",
         AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete")},
+    Variant{ErrorCode::SlotInUse, "named",
+        AXISCOMP_TEXT("Error",
+            "slot {slot} is in use by {user}: name another slot, or none, and a free one is "
+            "chosen")},
     Variant{ErrorCode::SlotInUse, "deleting",
         AXISCOMP_TEXT("Error",
             "the table in {slot} is not deleted, because {user} uses it; free it there "

@@ -29,7 +29,8 @@ Result<SlotChoice> namedSlot(
     if (tableBytes > found->slot.maximumSize)
         return tooLarge(tableBytes, found->slot);
     if (!found->otherUser.isEmpty())
-        return fail(ErrorCode::SlotInUse, {{"slot", name}, {"user", found->otherUser}});
+        return fail(ErrorCode::SlotInUse,
+            {{"slot", name}, {"user", found->otherUser}, {"named", Verbatim{"slot"}}});
     return SlotChoice{found->slot, found->isCurrent ? SlotReason::OverwriteOwn : SlotReason::Named,
         found->state, found->size == 0};
 }

@@ -96,7 +96,8 @@ private Q_SLOTS:
         const auto choice = chooseSlot(500, "Small1", {used, small("Small2")});
         VERIFY_ERROR(choice, ErrorCode::SlotInUse);
         QCOMPARE(sentence(choice.error()),
-            "slot Small1 is in use by the cogging compensation of axis 1");
+            "slot Small1 is in use by the cogging compensation of axis 1: name another slot, or "
+            "none, and a free one is chosen");
     }
 
     void aSlotThatTheAxisSharesIsNotOverwritten()
