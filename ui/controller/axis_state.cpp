@@ -82,7 +82,7 @@ void AxisState::begin(bool isAnother)
 
 void AxisState::forget()
 {
-    ++m_reading;
+    m_underWay = 0;
     m_status.reset();
     m_watched.clear();
     m_unfinished.reset();
@@ -108,17 +108,20 @@ void AxisState::readNow()
         quiet.progress = {};
         return readAxis(compensator, store, axis, quiet);
     };
+    m_underWay = ++m_lastNumber;
     whenDone(drive->session().run<AxisReading>(read), this,
-        [this, number = ++m_reading](const Result<AxisReading>& reading) {
-            if (number == m_reading)
-                take(reading);
+        [this, number = m_underWay](const Result<AxisReading>& reading) {
+            if (number != m_underWay)
+                return;
+            m_underWay = 0;
+            take(reading);
         });
 }
 
 void AxisState::pause()
 {
     m_isPaused = true;
-    ++m_reading;
+    m_underWay = 0;
     m_live.pause();
 }
 
@@ -176,9 +179,11 @@ void AxisState::take(const AxisStatus& now, bool isComplete)
         readAgainLater();
 }
 
+/// One that is under way will tell: where it takes longer than the interval, another one each time
+/// would leave none that is the newest when it ends.
 void AxisState::readAgainLater()
 {
-    if (!m_readAgain.isActive())
+    if (m_underWay == 0 && !m_readAgain.isActive())
         m_readAgain.start();
 }
 

@@ -93,7 +93,8 @@ private:
     LiveMonitor m_live;
     std::map<std::string, double> m_watched; ///< as last read
     QTimer m_readAgain;
-    int m_reading = 0; ///< the newest one counts
+    int m_lastNumber = 0; ///< of a reading
+    int m_underWay = 0; ///< the reading that counts; 0: none
     bool m_isPaused = false;
     bool m_isChangeExpected = false;
 };

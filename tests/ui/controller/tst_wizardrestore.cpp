@@ -162,6 +162,27 @@ private Q_SLOTS:
         QVERIFY(!isUnfinished(bench));
     }
 
+    /// What is read again and again says that there is one, long before all of it is read.
+    void anUnfinishedWriteIsSaidOfASlowDriveToo()
+    {
+        ControllerFixture bench;
+        bench.options.liveInterval = std::chrono::milliseconds(1);
+        bench.options.reconnectInterval = std::chrono::milliseconds(5);
+        bench.options.linkFactory = [&bench, link = bench.options.linkFactory](
+                                        const std::string& endpoint) {
+            auto slow = link(endpoint);
+            bench.drive().faults.load()->beginning = [](std::string_view) { QThread::msleep(2); };
+            return slow;
+        };
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        QVERIFY(
+            QTest::qWaitFor([&] { return !bench->unfinishedWrite().isEmpty(); }, test::patienceMs));
+    }
+
     void anUnfinishedWriteIsFinishedOrUndone_data()
     {
         QTest::addColumn<bool>("finishes");
