@@ -70,14 +70,14 @@ ProgramRun Sandbox::run(const QStringList& arguments, const QByteArray& standard
     return runProgram(axiscompProgram(), arguments, standardInput);
 }
 
-ProgramRun Sandbox::runProgram(
-    const QString& program, const QStringList& arguments, const QByteArray& standardInput) const
+ProgramRun Sandbox::runProgram(const QString& program, const QStringList& arguments,
+    const QByteArray& standardInput, int patience) const
 {
     const std::unique_ptr<QProcess> process = start(program, arguments);
     process->write(standardInput);
     process->closeWriteChannel();
     ProgramRun run;
-    if (process->waitForFinished(patienceMs)) {
+    if (process->waitForFinished(patience)) {
         const bool isCrash = process->exitStatus() == QProcess::CrashExit;
         run.code = process->exitCode() + (isCrash ? 128 : 0);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/drive/register_value.h"
+#include "tests/support/patience.h"
 
 #include <QByteArray>
 #include <QJsonDocument>
@@ -43,7 +44,7 @@ public:
         const QStringList& arguments, const QByteArray& standardInput = {}) const;
     /// Runs any program to its end.
     [[nodiscard]] ProgramRun runProgram(const QString& program, const QStringList& arguments,
-        const QByteArray& standardInput = {}) const;
+        const QByteArray& standardInput = {}, int patience = patienceMs) const;
     /// Starts a program and leaves it running.
     [[nodiscard]] std::unique_ptr<QProcess> start(
         const QString& program, const QStringList& arguments) const;
