@@ -47,7 +47,9 @@ def build(arguments):
         shutil.copyfile(ICONS / icon, pages / icon)
     shutil.copyfile(HERE / "conf.py", pages / "conf.py")
     shutil.rmtree(output, ignore_errors=True)
-    subprocess.run(["sphinx-build", "-q", "-W", "--keep-going", "-j", "auto", "-b", "html",
+    # In one process, and from the beginning: the search index has the pages in the order in which
+    # they were read.
+    subprocess.run(["sphinx-build", "-q", "-W", "--keep-going", "-E", "-b", "html",
                     "-d", work / "doctrees", pages, output],
                    check=True, env={**os.environ, "AXISCOMP_VERSION": arguments.version})
     # What Sphinx keeps for its next run, and for other projects.
