@@ -179,8 +179,8 @@ void AxisState::take(const AxisStatus& now, bool isComplete)
         readAgainLater();
 }
 
-/// One that is under way will tell: where it takes longer than the interval, another one each time
-/// would leave none that is the newest when it ends.
+/// Not beside a reading that is under way, which would not count any more: where readings take
+/// longer than the interval, none ever would.
 void AxisState::readAgainLater()
 {
     if (m_underWay == 0 && !m_readAgain.isActive())

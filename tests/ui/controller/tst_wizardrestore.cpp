@@ -162,7 +162,7 @@ private Q_SLOTS:
         QVERIFY(!isUnfinished(bench));
     }
 
-    /// What is read again and again says that there is one, long before all of it is read.
+    /// Each live value says that there is one, and comes sooner than a full reading ends.
     void anUnfinishedWriteIsSaidOfASlowDriveToo()
     {
         ControllerFixture bench;
