@@ -379,17 +379,16 @@ void PlanDialog::showState()
 {
     static constexpr std::array fields{AxisField, FromField, ToField, TargetsField, PeriodField,
         CyclesField, OverrunField, FeedField, DwellField};
-    const auto faulty =
-        m_fault ? std::optional(fields.at(static_cast<std::size_t>(m_fault->field))) : std::nullopt;
+    const auto faulty = [this] { return fields.at(static_cast<std::size_t>(m_fault->field)); };
     for (int field = 0; field < FieldCount; ++field)
         m_labels.at(static_cast<std::size_t>(field))
-            ->setTone(faulty == field ? std::optional(Tone::Error) : std::nullopt);
+            ->setTone(m_fault && faulty() == field ? std::optional(Tone::Error) : std::nullopt);
     const bool isOfAxis = m_plan && m_plan->isAngular == m_isAxisAngular
         && sameLetters(m_plan->axis, m_axisName.toStdString());
     const Text travel = isOfAxis ? travelProblem(*m_plan, m_travel) : Text();
     if (m_fault) {
         m_reason->setTone(Tone::Error);
-        m_reason->setText(tr("%1: %2").arg(nameOf(*faulty), sentenceText(m_fault->reason)));
+        m_reason->setText(tr("%1: %2").arg(nameOf(faulty()), sentenceText(m_fault->reason)));
     } else if (!m_outcome.isEmpty()) {
         m_reason->setTone(m_hasFailed ? Tone::Error : Tone::Success);
         m_reason->setText(m_outcome);
