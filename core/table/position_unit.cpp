@@ -26,7 +26,7 @@ struct Unit {
     double size; ///< in metres or radians
 };
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr std::array units{
+constexpr std::array knownUnits{
     Unit{"nm", Kind::Length, 1e-9},
     Unit{"um", Kind::Length, 1e-6},
     Unit{"\u00b5m", Kind::Length, 1e-6}, // micro sign
@@ -104,8 +104,8 @@ std::string inSmallLetters(std::string_view text)
 
 const Unit* unitNamed(std::string_view text)
 {
-    const auto* const unit = std::ranges::find(units, inSmallLetters(text), &Unit::spelling);
-    return unit == units.end() ? nullptr : unit;
+    const auto* const unit = std::ranges::find(knownUnits, inSmallLetters(text), &Unit::spelling);
+    return unit == knownUnits.end() ? nullptr : unit;
 }
 
 /// "1/100 mm", "0.1 um", "mm x 1000": a unit with a factor.
@@ -165,7 +165,7 @@ bool looksLikeUnknownUnit(std::string_view text)
         std::array<std::string_view, 5>{"\u00b5", "\u03bc", "\u00b0", "\u2032", "\u2033"},
         [&](std::string_view sign) { return small.find(sign) != std::string::npos; });
     return hasSign || std::ranges::find(others, small) != others.end()
-        || std::ranges::any_of(units, [&](const Unit& unit) {
+        || std::ranges::any_of(knownUnits, [&](const Unit& unit) {
                return unit.spelling.size() >= fewestLetters
                    && editDistance(small, unit.spelling, LetterCase::Matters, 2) < 2;
            });

@@ -5,18 +5,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 
 using namespace axiscomp;
 
 namespace {
 
-const MeasurementFormat& formatOf(std::string_view name)
+/// How an input is read, as its first line says.
+struct Way {
+    const MeasurementFormat* format = nullptr;
+    MeasurementReadOptions options;
+};
+
+/// The name of a format; `order`, which takes directions from the order; columns that are mapped
+/// (`target=1,deviation=2`); or anything, which then chooses a format.
+std::optional<Way> wayOf(std::string_view line, std::string_view text)
 {
     const auto formats = measurementFormats();
-    for (const MeasurementFormat* format : formats)
-        if (format->facts.name == name)
-            return *format;
-    return *formats[static_cast<unsigned char>(name.front()) % formats.size()];
+    Way way;
+    if (line.find('=') != std::string_view::npos) {
+        auto columns = columnMappingFromText(line);
+        if (!columns)
+            return std::nullopt;
+        way.options.columns = *std::move(columns);
+        way.options.unit = "mm";
+        way.options.valueUnit = "um";
+        way.options.values = MeasurementReadOptions::Values::Deviation;
+        const auto chosen = chooseMeasurementFormat(text, "m.csv", way.options);
+        if (!chosen)
+            return std::nullopt;
+        way.format = *chosen;
+        return way;
+    }
+    way.options.takesDirectionFromOrder = line.front() == 'o';
+    const auto named = measurementFormatNamed(line);
+    way.format =
+        named ? *named : formats[static_cast<unsigned char>(line.front()) % formats.size()];
+    return way;
+}
+
+/// Whether the fuzzer is to stay with another way: AXISCOMP_FUZZ_FORMAT is the name of a format, or
+/// `mapped`.
+bool isLeftOut(const Way& way)
+{
+    static const char* const wanted = std::getenv("AXISCOMP_FUZZ_FORMAT");
+    if (wanted == nullptr)
+        return false;
+    return (way.options.columns.empty() ? way.format->facts.name : "mapped") != wanted;
 }
 
 void expectConsistent(const Measurement& measurement)
@@ -67,8 +103,7 @@ void judgeIt(const Measurement& measurement)
 
 } // namespace
 
-/// The first line is the name of a format, or anything, which then chooses one; the rest is the
-/// file.
+/// The first line says how the rest is read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string_view input(reinterpret_cast<const char*>(data), size);
@@ -77,9 +112,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const std::string_view text = input.substr(end + 1);
     static_cast<void>(chooseMeasurementFormat(text, "m.csv", {}));
-    MeasurementReadOptions options;
-    options.takesDirectionFromOrder = input.front() == 'o';
-    const MeasurementReading reading = formatOf(input.substr(0, end)).read(text, options);
+    static_cast<void>(previewMeasurement(text, 0, 20));
+    const auto way = wayOf(input.substr(0, end), text);
+    if (!way || isLeftOut(*way))
+        return 0;
+    const MeasurementReading reading = way->format->read(text, way->options);
     FUZZ_EXPECT(reading.measurement.has_value() != reading.hasErrors());
     for (const Diagnostic& diagnostic : reading.diagnostics)
         FUZZ_EXPECT(!message(diagnostic).empty());
