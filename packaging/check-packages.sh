@@ -89,7 +89,8 @@ expect_files axiscomp bin/axiscomp bin/axiscomp-virtualdrive \
     share/fish/vendor_completions.d/axiscomp.fish share/zsh/vendor-completions/_axiscomp \
     share/axiscomp/profiles/generic.json share/axiscomp/schemas/axcal.schema.json \
     share/axiscomp/machines/screw.json share/axiscomp/examples/calibration-2d.csv \
-    share/axiscomp/examples/machine.toml share/axiscomp/examples/tour.sh
+    share/axiscomp/examples/machine.toml share/axiscomp/examples/tour.sh \
+    "lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)/axiscomp/axiscomp-program.so"
 expect_files axis-compensation-wizard bin/axis-compensation-wizard \
     share/man/man1/axis-compensation-wizard.1.gz share/man/de/man1/axis-compensation-wizard.1.gz \
     share/bash-completion/completions/axis-compensation-wizard \
@@ -124,6 +125,15 @@ for name in axiscomp axis-compensation-wizard axiscomp-report-pdf; do
 done
 for program in axiscomp axiscomp-virtualdrive axis-compensation-wizard; do
     "$unpacked/usr/bin/$program" --version
+done
+# By itself, and by its module, which shows a language that there are no texts in as English.
+"$unpacked/usr/bin/axiscomp" example "$unpacked/x.csv" --dims 1 >/dev/null
+for command in --version formats "inspect $unpacked/x.csv" "convert $unpacked/x.csv $unpacked/x.TAMtbl --dims 1" \
+    "convert --help"; do
+    # shellcheck disable=SC2086 # words of a command
+    diff <(LC_ALL=C.UTF-8 "$unpacked/usr/bin/axiscomp" $command 2>&1) \
+        <(LC_ALL=fi_FI.UTF-8 "$unpacked/usr/bin/axiscomp" $command 2>&1) ||
+        fail "axiscomp $command: its module says something else"
 done
 desktop-file-validate "$unpacked/usr/share/applications/axis-compensation-wizard.desktop"
 grep -q "<release version=\"${version%-*}\"" "$unpacked"/usr/share/metainfo/*.xml ||

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/texts/program_texts.h"
 
+#include "core/text/wanted_languages.h"
+
 #include <QDir>
 #include <QLocale>
 #include <QTranslator>
 
 #include <algorithm>
-#include <array>
-#include <cstdlib>
 #include <limits>
-#include <string_view>
 
 /// Q_INIT_RESOURCE declares a function, which must not be in a namespace.
 static void useTranslations()
@@ -22,38 +21,6 @@ namespace axiscomp::app {
 namespace {
 
 const QLatin1StringView folderOfTexts(":/axiscomp-texts");
-
-std::string variable(const char* name)
-{
-    const char* const value = std::getenv(name);
-    return value == nullptr ? std::string() : value;
-}
-
-/// "de_CH.UTF-8"
-std::string localeOfMessages()
-{
-    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
-        if (std::string value = variable(name); !value.empty())
-            return value;
-    }
-    return "C";
-}
-
-std::string languageOf(std::string_view locale)
-{
-    return std::string(locale.substr(0, locale.find_first_of("_.@")));
-}
-
-bool isUtf8(std::string_view locale)
-{
-    const auto dot = locale.find('.');
-    std::string encoding(locale.substr(dot == std::string_view::npos ? locale.size() : dot + 1));
-    encoding.resize(std::min(encoding.size(), encoding.find('@')));
-    std::erase(encoding, '-');
-    std::ranges::transform(
-        encoding, encoding.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return encoding == "utf8";
-}
 
 } // namespace
 
@@ -69,19 +36,10 @@ std::vector<std::string> textLanguages()
 
 std::string languageOfEnvironment()
 {
-    const std::string locale = localeOfMessages();
-    const std::string language = languageOf(locale);
-    if (language == "C" || language == "POSIX" || !isUtf8(locale))
-        return "en";
     const std::vector<std::string> known = textLanguages();
-    std::string wanted = variable("LANGUAGE") + ":" + locale;
-    while (!wanted.empty()) {
-        const std::size_t end = std::min(wanted.find(':'), wanted.size());
-        const std::string next = languageOf(std::string_view(wanted).substr(0, end));
-        if (std::ranges::find(known, next) != known.end())
-            return next;
-        wanted.erase(0, end + 1);
-    }
+    for (const std::string& wanted : wantedLanguages())
+        if (std::ranges::find(known, wanted) != known.end())
+            return wanted;
     return "en";
 }
 

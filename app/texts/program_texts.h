@@ -12,9 +12,7 @@ namespace axiscomp::app {
 /// "en" and every language that there is a translation for.
 [[nodiscard]] std::vector<std::string> textLanguages();
 
-/// The one of textLanguages() that the environment asks for, as gettext reads it: LC_ALL, else
-/// LC_MESSAGES, else LANG; LANGUAGE before it where that is another one than C. "en" where it asks
-/// for none that there is, or for an encoding other than UTF-8.
+/// The first of wantedLanguages() that is one of textLanguages(), else "en".
 [[nodiscard]] std::string languageOfEnvironment();
 
 /// The texts of a program in one language. program_texts.cpp; without Qt, and so in English alone,
