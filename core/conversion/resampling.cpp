@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/resampling.h"
-#include "core/base/parallel.h"
-#include "core/conversion/conversion_errors.h"
 
+#include "core/base/parallel.h"
 #include "core/conversion/axis_interpolant.h"
+#include "core/conversion/conversion_errors.h"
 #include "core/curve/curve_grid.h"
+#include "core/io/large_memory.h"
 #include "core/neutral/table_motion.h"
 
 #include <algorithm>
@@ -56,7 +57,9 @@ void interpolateAlong(
         stride *= data.sizes[n];
     const std::size_t count = data.sizes[axis];
     const std::size_t lines = data.values.size() / count;
-    std::vector<double> made(lines * places.size());
+    std::vector<double> made;
+    reserveLarge(made, lines * places.size());
+    made.resize(lines * places.size());
     constexpr std::size_t enough = 32'768; // numbers for a thread to be worth its while
     const std::size_t atOnce =
         8 * std::max<std::size_t>(1, enough / (8 * std::max(count, places.size())));
@@ -87,14 +90,16 @@ ColumnDeviation::Density densityAlong(
         stride *= data.sizes[n];
     const double to = grid.start + static_cast<double>(grid.size - 1) * grid.distance;
     ColumnDeviation::Density density{axis, grid.size};
-    AxisInterpolant::Line line;
-    for (std::size_t first = 0; first < data.values.size(); ++first) {
-        if (first / stride % data.sizes[axis] != 0)
-            continue;
-        interpolant.load(&data.values[first], stride, line);
-        const CurveGrid made = curveGrid(interpolant.curve(line), grid.start, to, grid.size);
-        density.largestDistance = std::max(density.largestDistance, made.largestDistance);
-        density.largestSlopeChange = std::max(density.largestSlopeChange, made.largestSlopeChange);
+    const std::size_t count = data.sizes[axis];
+    std::vector<CurveGrid> made(data.values.size() / count);
+    shareWork(made.size(), 0, [&](std::size_t n) {
+        AxisInterpolant::Line line;
+        interpolant.load(&data.values[n / stride * stride * count + n % stride], stride, line);
+        made[n] = curveGrid(interpolant.curve(line), grid.start, to, grid.size);
+    });
+    for (const CurveGrid& line : made) {
+        density.largestDistance = std::max(density.largestDistance, line.largestDistance);
+        density.largestSlopeChange = std::max(density.largestSlopeChange, line.largestSlopeChange);
     }
     return density;
 }

@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/csv/calibration_csv.h"
 #include "core/csv/header.h"
+#include "core/io/large_memory.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_parser.h"
 #include "core/text/number_text.h"
@@ -202,7 +203,7 @@ std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads
     std::size_t size = text.size();
     for (const PointWriter::Lines& piece : pieces)
         size += piece.size;
-    text.reserve(size);
+    reserveLarge(text, size);
     for (PointWriter::Lines& piece : pieces) {
         text.append(piece.text.get(), piece.size);
         piece.text.reset();

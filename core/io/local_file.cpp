@@ -2,6 +2,7 @@
 #include "core/io/local_file.h"
 
 #include "core/base/parallel.h"
+#include "core/io/large_memory.h"
 #include "core/io/system.h"
 
 #include <algorithm>
@@ -195,7 +196,7 @@ Result<void> saveFile(const std::filesystem::path& file, ByteView bytes)
 void FileContent::resize(std::size_t size)
 {
     if (size > m_size) {
-        auto larger = std::make_unique_for_overwrite<std::byte[]>(size);
+        auto larger = makeLarge<std::byte>(size);
         std::copy_n(m_bytes.get(), m_size, larger.get());
         m_bytes = std::move(larger);
     }

@@ -136,6 +136,10 @@ struct FileSystemFacts {
 /// Of the program that runs.
 [[nodiscard]] std::filesystem::path programFolder();
 
+/// Asks for few large pages in place of many small ones in memory that nothing has been written to
+/// yet. What is in it does not change, and nothing is promised.
+void preferLargePages(void* begin, std::size_t size);
+
 /// Of a clock that no person sets, and that goes on while the computer sleeps.
 [[nodiscard]] std::chrono::nanoseconds timeSinceStart();
 

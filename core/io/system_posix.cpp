@@ -13,6 +13,7 @@
 #include <iconv.h>
 #include <pwd.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/vfs.h>
@@ -411,6 +412,17 @@ fs::path programFolder()
 {
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+void preferLargePages(void* begin, std::size_t size)
+{
+    constexpr std::size_t enough = std::size_t{3} << 20; // one large page at least, wherever it begins
+    constexpr std::uintptr_t page = 4096;
+    if (size < enough)
+        return;
+    const std::uintptr_t address = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t first = (address + page - 1) / page * page;
+    ::madvise(reinterpret_cast<void*>(first), address + size - first, MADV_HUGEPAGE);
 }
 
 std::chrono::nanoseconds timeSinceStart()

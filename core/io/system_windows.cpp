@@ -561,6 +561,9 @@ fs::path programFolder()
 }
 
 /// As Microsoft says, this counter goes on in standby and hibernation.
+/// Large pages are a privilege there.
+void preferLargePages(void* /*begin*/, std::size_t /*size*/) { }
+
 std::chrono::nanoseconds timeSinceStart()
 {
     LARGE_INTEGER ticks{};
