@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Independent lookups at random positions that were made beforehand; the time is that of one.
+// Independent lookups at random positions that were made beforehand, one by one and a million in
+// one call; the time is that of one.
 #include "core/table/lookup.h"
 
 #include <benchmark/benchmark.h>
@@ -59,6 +60,26 @@ void lookup(benchmark::State& state, std::uint32_t size, Outside outside, double
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+template <std::size_t dimensions> void batch(benchmark::State& state, std::uint32_t size)
+{
+    constexpr std::size_t count = 1'000'000;
+    const CompensationTable table = randomTable(static_cast<int>(dimensions), size);
+    const Lookup lookup(table, Outside::Hold);
+    const auto queries = randomQueries<dimensions>(table.grid, 1.0);
+    std::vector<double> positions;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& query = queries[i % queryCount];
+        positions.insert(positions.end(), query.begin(), query.end());
+    }
+    std::vector<double> values(count);
+    for (auto _ : state) {
+        lookup.atEach(positions, values);
+        benchmark::DoNotOptimize(values.data());
+    }
+    state.counters["each"] = benchmark::Counter(static_cast<double>(count),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
 void linear(benchmark::State& state)
 {
     lookup<1>(state, 8000, Outside::Hold, 1.0);
@@ -84,12 +105,23 @@ void trilinearSomeWrapped(benchmark::State& state)
     lookup<3>(state, 80, Outside::Wrap, 1.1);
 }
 
+void bilinearBatch(benchmark::State& state)
+{
+    batch<2>(state, 720);
+}
+void trilinearBatch(benchmark::State& state)
+{
+    batch<3>(state, 80);
+}
+
 BENCHMARK(linear);
 BENCHMARK(bilinear);
 BENCHMARK(trilinear);
 BENCHMARK(trilinearExtrapolate);
 BENCHMARK(trilinearSomeHeld);
 BENCHMARK(trilinearSomeWrapped);
+BENCHMARK(bilinearBatch)->UseRealTime();
+BENCHMARK(trilinearBatch)->UseRealTime();
 
 } // namespace
 

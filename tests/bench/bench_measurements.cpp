@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading measurements of a million lines, and judging one of 1000 targets with ten runs in each
-// direction.
+// Reading measurements of a million lines; judging one of 1000 targets with ten runs in each
+// direction, fitting it and foretelling it, as the command line and the window do.
+#include "core/metrology/fit/measured_state.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "core/metrology/judge/judgement.h"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <optional>
 #include <string>
 
 namespace {
@@ -17,7 +23,7 @@ constexpr int lines = 1'000'000;
 
 std::string runsText(int targets, int runs)
 {
-    std::string text = "target [mm],direction,run,deviation [um]\n";
+    std::string text = "// compensation: off\ntarget [mm],direction,run,deviation [um]\n";
     for (int run = 1; run <= runs; ++run)
         for (const char* direction : {",+,", ",-,"})
             for (int target = 0; target < targets; ++target)
@@ -31,9 +37,9 @@ std::string pointsText()
 {
     std::string text = "X [mm],Y [mm],dX [um]\n";
     for (int n = 0; n < lines; ++n)
-        text += std::to_string(1e-4 * (n * 7919LL % lines)) + ","
-            + std::to_string(1e-4 * (n * 104729LL % lines)) + "," + std::to_string(0.01 * (n % 17))
-            + "\n";
+        text += std::to_string(1e-4 * static_cast<double>(n * 7919LL % lines)) + ","
+            + std::to_string(1e-4 * static_cast<double>(n * 104729LL % lines)) + ","
+            + std::to_string(0.01 * (n % 17)) + "\n";
     return text;
 }
 
@@ -59,10 +65,56 @@ void judgeThousandTargets(benchmark::State& state)
         benchmark::DoNotOptimize(judge(*reading.measurement, {}));
 }
 
+/// The whole of it, with the prediction at targets that were left out.
+void fitRuns(benchmark::State& state, FitMethod method, std::optional<double> smoothness)
+{
+    const auto format = measurementFormatNamed("runs");
+    const auto targets = static_cast<int>(state.range(0));
+    const MeasurementReading reading = (*format)->read(runsText(targets, 10), {});
+    FitSettings settings;
+    settings.method = method;
+    settings.smoothness = smoothness;
+    settings.lookupAt = LookupAt::Encoder;
+    const auto found = findState({.onFile = reading.measurement->header.compensation});
+    if (!found) {
+        state.SkipWithError(sentence(found.error()).c_str());
+        return;
+    }
+    for (auto _ : state) {
+        const auto report = fitMeasurement(*reading.measurement, settings, *found);
+        if (!report || !report->heldOut)
+            state.SkipWithError("it was not fitted");
+        benchmark::DoNotOptimize(report);
+    }
+}
+
 } // namespace
 
+BENCHMARK_CAPTURE(fitRuns, linear, FitMethod::Linear, std::nullopt)
+    ->Arg(81)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fitRuns, smooth, FitMethod::Smooth, 100.0)
+    ->Arg(81)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fitRuns, automatic, FitMethod::Smooth, std::nullopt)
+    ->Arg(81)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read, points, "points", pointsText())->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(read, runs, "runs", runsText(1000, 500))->Unit(benchmark::kMillisecond);
 BENCHMARK(judgeThousandTargets)->Unit(benchmark::kMillisecond);
 
-BENCHMARK_MAIN();
+/// --sample FILE writes the points instead.
+int main(int argc, char** argv)
+{
+    if (argc == 3 && std::strcmp(argv[1], "--sample") == 0) {
+        std::ofstream file(argv[2], std::ios::binary);
+        file << pointsText();
+        return file.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
+    }
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return EXIT_SUCCESS;
+}

@@ -13,12 +13,14 @@ import pandas
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
+    with open(sys.argv[1], encoding="utf-8") as file:
+        comments = 1 if file.readline().startswith("//") else 0
     best = float("inf")
     for _ in range(int(sys.argv[2])):
         begin = time.perf_counter()
-        table = pandas.read_csv(sys.argv[1], skiprows=1)  # the comment line
+        table = pandas.read_csv(sys.argv[1], skiprows=comments)
         best = min(best, time.perf_counter() - begin)
-        assert table.shape[1] == 4, table.shape
+        assert table.shape[1] >= 3, table.shape
     print(f"{1e3 * best:.2f}")
 
 

@@ -3,12 +3,24 @@
 """Fits of scattered points and curves beside scipy: scipy_fit.py PATH/bench_fit
 
 Both make points of the same field and noise; the time is that of the processor, the error the rms against the field on
-the grid. scipy's griddata leaves holes, which do not count.
+the grid. scipy's griddata leaves holes, which do not count. Prints a table of docs/performance.md.
 """
 import json
 import subprocess
 import sys
 import time
+
+NAMES = {
+    "scatteredPoints/2/100000/200/0": "1e5 points to 200 x 200, smoothness given",
+    "scatteredPoints/2/100000/200/1": "the same, smoothness searched for",
+    "scatteredPoints/2/1000000/200/1": "1e6 points to 200 x 200, smoothness searched for",
+    "scatteredPoints/3/100000/80/1": "1e5 points to 80 x 80 x 80, smoothness searched for",
+    "scatteredPoints/3/1000000/80/0": "1e6 points to 80 x 80 x 80, smoothness given",
+    "scatteredPoints/3/1000000/80/1": "the same, smoothness searched for",
+    "automaticSmoothingSpline/81": "automatic smoothing spline, 81 points",
+    "automaticSmoothingSpline/10000": "1e4 points",
+    "automaticSmoothingSpline/100000": "1e5 points",
+}
 
 
 def field(np, x, y, z):
@@ -17,17 +29,19 @@ def field(np, x, y, z):
             + 2 * np.cos(turn * (1.4 * x - z)) + 6 * x * y / 1e4)
 
 
+def row(name, seconds, error, holes=0):
+    print(f"| {name} | {seconds:.3g} s | {error:.3f} um" + (f", {holes} holes |" if holes else " |"))
+
+
 def timed(name, job):
     begin = time.process_time()
     error, holes = job()
-    print(f"{name:62}{time.process_time() - begin:9.2f} s {error:9.3f} um" + (f" {holes} holes" if holes else ""))
+    row(f"scipy: {name}", time.process_time() - begin, error, holes)
 
 
 def compare_scipy():
     import numpy as np
-    import scipy
     from scipy.interpolate import LSQBivariateSpline, griddata, make_smoothing_spline
-    print(f"scipy {scipy.__version__}")
     rng = np.random.default_rng(5)
 
     def scatter(dimensions, count):
@@ -67,13 +81,14 @@ def compare_scipy():
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
+    print("| what | time | rms to the truth |\n|---|---|---|")
     out = subprocess.run([sys.argv[1], "--benchmark_format=json"], check=True, capture_output=True, text=True)
     for result in json.loads(out.stdout)["benchmarks"]:
-        print(f"{result['name']:62}{result['cpu_time'] / 1e3:9.3f} s {result['rmsToTruth_um']:9.3f} um")
+        row(NAMES.get(result["name"], result["name"]), result["cpu_time"] / 1e3, result["rmsToTruth_um"])
     try:
         compare_scipy()
     except ImportError:
-        print("scipy is not installed (Debian: python3-scipy): only bench_fit is measured")
+        print("\nscipy is not installed (Debian: python3-scipy): only bench_fit was measured")
 
 
 if __name__ == "__main__":
