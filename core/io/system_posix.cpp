@@ -416,7 +416,8 @@ fs::path programFolder()
 
 void preferLargePages(void* begin, std::size_t size)
 {
-    constexpr std::size_t enough = std::size_t{3} << 20; // one large page at least, wherever it begins
+    constexpr std::size_t enough = std::size_t{3}
+        << 20; // one large page at least, wherever it begins
     constexpr std::uintptr_t page = 4096;
     if (size < enough)
         return;

@@ -142,6 +142,28 @@ void download(benchmark::State& state)
     transfer(state, false);
 }
 
+/// As `monitor` and the window's live values ask.
+void readEightRegisters(benchmark::State& state)
+{
+    Connection connection;
+    if (connection.link == nullptr) {
+        state.SkipWithError("AXISCOMP_BENCH_DRIVE is no endpoint");
+        return;
+    }
+    const std::string axis = "Axes[0]/Signals/Compensations/Axis/";
+    const std::vector<std::string> paths{axis + "State", axis + "Error", axis + "Output",
+        axis + "Dim1Index", axis + "Dim2Index", axis + "Dim3Index",
+        "Axes[0]/Signals/PositionController/MasterPosition",
+        "Axes[0]/Signals/PositionController/Encoders[0]/Position"};
+    if (!isDone(state, connection.link->readRegisters(paths, {})))
+        return;
+    for (auto _ : state) {
+        if (!isDone(state, connection.link->readRegisters(paths, {})))
+            break;
+    }
+}
+
+BENCHMARK(readEightRegisters)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(50);
 BENCHMARK(transferAndCommit)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(writeFullTable)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(upload)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);

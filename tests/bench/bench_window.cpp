@@ -90,7 +90,8 @@ WizardOptions optionsIn(const QTemporaryDir& folder)
     WizardOptions options;
     options.profile = &drivecomm::genericProfile();
     options.storeRoot = folder.filePath(QStringLiteral("store")).toStdString();
-    options.liveInterval = std::chrono::milliseconds(0); // their cross-hair is painted again and again
+    options.liveInterval =
+        std::chrono::milliseconds(0); // their cross-hair is painted again and again
     options.linkFactory = drivecomm::linkFactory(drivecomm::genericProfile());
     return options;
 }

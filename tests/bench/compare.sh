@@ -231,6 +231,12 @@ row_serial() {
         "${peer[1]:+rb $(share "$bytes" "${peer[1]}")}"
 }
 
+row_registers() {
+    start_drive 115200
+    export AXISCOMP_BENCH_DRIVE="serial:$terminal?baud=115200"
+    row 'eight registers over a line of 115 200 baud' "$(bench bench_link '^readEightRegisters') ms" '100 ms'
+}
+
 row_window() {
     row 'first paint of the window, from the start of the program' "$(python3 - "$rounds" \
         "$build/bin/axis-compensation-wizard" --drive demo: <<'PY'
@@ -291,6 +297,6 @@ for name in lookup conversion; do "row_$name"; done
 heading 'Whole processes, and the window'
 for name in convert version window; do "row_$name"; done
 heading 'Links, to the virtual drive'
-for name in web serial; do "row_$name"; done
+for name in web serial registers; do "row_$name"; done
 table_growth
 table_fit

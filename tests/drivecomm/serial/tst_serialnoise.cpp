@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bad cable, and the speed of a good one. Set AXISCOMP_NOISE_RUNS=200 for more writes, and
-// AXISCOMP_SERIAL_SPEED=1 for the figures of docs/performance.md.
+// A bad cable. Set AXISCOMP_NOISE_RUNS=200 for more writes.
 #include "tests/drivecomm/serial/serial_link_fixture.h"
 #include "tests/support/test_registry.h"
-
-#include <QElapsedTimer>
 
 namespace tst_serialnoise {
 
@@ -31,9 +28,6 @@ private Q_SLOTS:
     void aWriteEndsCorrectOrWithAnErrorAndTheOldTable();
     void readsAreRightOrAnError();
     void theSameRegisterIsNotSetTwice();
-    void fillsTheLine_data();
-    void fillsTheLine();
-    void monitorsEightRegisters();
 };
 
 void SerialNoiseTest::aWriteEndsCorrectOrWithAnErrorAndTheOldTable()
@@ -113,65 +107,6 @@ void SerialNoiseTest::theSameRegisterIsNotSetTwice()
     const std::vector<RegisterWrite> writes{{variable0, 1.0F}};
     VERIFY_RESULT(link->writeRegisters(writes, {}));
     QCOMPARE(served.drive.readRegisters({variable0})->front().value, RegisterValue(1.0F));
-}
-
-void SerialNoiseTest::fillsTheLine_data()
-{
-    QTest::addColumn<int>("baud");
-    QTest::addColumn<int>("points");
-    QTest::addColumn<double>("least");
-    QTest::newRow("921600 baud") << 921'600 << (2'096'976 - 128) / 4 << 0.90;
-    // Qt Test ends a test function after five minutes.
-    QTest::newRow("115200 baud") << 115'200 << 100'000 << 0.93;
-}
-
-void SerialNoiseTest::fillsTheLine()
-{
-    if (!qEnvironmentVariableIsSet("AXISCOMP_SERIAL_SPEED"))
-        QSKIP("a measurement, not a test");
-    QFETCH(int, baud);
-    QFETCH(int, points);
-    QFETCH(double, least);
-    SerialServerOptions options;
-    options.baud = baud;
-    SerialDrive served(options);
-    const auto link = serialLinkTo(served.server->url());
-    VERIFY_RESULT(link->identify({}));
-    const Bytes file = serialTableFile(static_cast<std::uint32_t>(points));
-    QElapsedTimer timer;
-    timer.start();
-    VERIFY_RESULT(link->upload(large1, file, {}));
-    const double up = static_cast<double>(timer.restart()) / 1000.0;
-    VERIFY_RESULT(link->download(large1, {}));
-    const double down = static_cast<double>(timer.elapsed()) / 1000.0;
-    const double whole = static_cast<double>(file.size()) * 10.0 / baud;
-    qInfo("%zu bytes: upload %.2f s = %.1f %%, download %.2f s = %.1f %%", file.size(), up,
-        100.0 * whole / up, down, 100.0 * whole / down);
-    QVERIFY(whole / up >= least);
-}
-
-void SerialNoiseTest::monitorsEightRegisters()
-{
-    if (!qEnvironmentVariableIsSet("AXISCOMP_SERIAL_SPEED"))
-        QSKIP("a measurement, not a test");
-    SerialServerOptions options;
-    options.baud = 115'200;
-    SerialDrive served(options);
-    const auto link = serialLinkTo(served.server->url());
-    const std::string axis = "Axes[0]/Signals/Compensations/Axis/";
-    const std::vector<std::string> paths{axis + "State", axis + "Error", axis + "Output",
-        axis + "Dim1Index", axis + "Dim2Index", axis + "Dim3Index",
-        "Axes[0]/Signals/PositionController/MasterPosition",
-        "Axes[0]/Signals/PositionController/Encoders[0]/Position"};
-    VERIFY_RESULT(link->readRegisters(paths, {}));
-    QElapsedTimer timer;
-    timer.start();
-    constexpr int times = 50;
-    for (int n = 0; n < times; ++n)
-        VERIFY_RESULT(link->readRegisters(paths, {}));
-    const double each = static_cast<double>(timer.elapsed()) / times;
-    qInfo("eight registers at 115200 baud: %.1f ms", each);
-    QVERIFY(each < 100.0);
 }
 
 AXISCOMP_TEST(SerialNoiseTest)
