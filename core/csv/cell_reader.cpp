@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/cell_reader.h"
 
+#include <algorithm>
+
 namespace axiscomp::csv {
 
 void CellReader::begin(char separator, std::size_t columns, std::size_t headerLine)
@@ -8,6 +10,8 @@ void CellReader::begin(char separator, std::size_t columns, std::size_t headerLi
     m_format.separator = separator;
     m_format.decimal = separator == ';' ? '\0' : '.';
     m_columns = columns;
+    m_cells.resize(columns);
+    m_numbers.resize(columns);
     m_headerLine = headerLine;
 }
 
@@ -20,8 +24,8 @@ void CellReader::setNoValueHint(std::size_t firstColumn, const TextPattern& hint
 bool CellReader::take(std::string_view line, std::size_t lineNumber)
 {
     m_line = lineNumber;
-    const std::size_t count = splitCells(line, m_format.separator, m_columns, m_cells);
-    if (!checkQuotes())
+    const std::size_t count = split(line);
+    if (!checkQuotes(std::min(count, m_columns)))
         return false;
     if (count == m_columns)
         return true;
@@ -29,9 +33,27 @@ bool CellReader::take(std::string_view line, std::size_t lineNumber)
     return false;
 }
 
-bool CellReader::checkQuotes()
+/// As splitCells, but a number is read where its cell would be looked through for its end.
+std::size_t CellReader::split(std::string_view line)
 {
-    for (std::size_t i = 0; i < m_cells.size(); ++i) {
+    std::size_t count = 0;
+    for (bool more = true; more; ++count) {
+        Cell cell;
+        Number number;
+        const bool isNumber = takeShortNumber(line, m_format, m_textEnd, cell, number, more);
+        if (!isNumber)
+            cell = takeCell(line, m_format.separator, more);
+        if (count < m_columns) {
+            m_cells[count] = cell;
+            m_numbers[count] = isNumber ? std::optional(number) : std::nullopt;
+        }
+    }
+    return count;
+}
+
+bool CellReader::checkQuotes(std::size_t cells)
+{
+    for (std::size_t i = 0; i < cells; ++i) {
         if (m_cells[i].quoting != Quoting::NotClosed && m_cells[i].quoting != Quoting::TextBehind)
             continue;
         m_diagnostics.error(DiagnosticCode::UnterminatedQuote, m_line, i + 1,
@@ -75,16 +97,13 @@ void CellReader::reportColumnCount(std::string_view line, std::size_t count)
 
 bool CellReader::readNumber(std::size_t column, Number& number)
 {
-    const std::string_view cell = text(column);
-    // The first number with a decimal sign decides what the sign is; after that most are short.
-    const bool isReadable = m_format.decimal != '\0' && !cell.empty()
-        && static_cast<std::size_t>(m_textEnd - cell.data()) >= shortNumberReach;
-    if (isReadable
-        && parseShortNumber(cell.data(), m_format.decimal, number) == cell.data() + cell.size())
+    if (const std::optional<Number>& known = m_numbers[column - 1]) {
+        number = *known;
         return true;
+    }
     if (!decideDecimal(column))
         return false;
-    const NumberFault fault = parseNumber(cell, m_format.decimal, number);
+    const NumberFault fault = parseNumber(text(column), m_format.decimal, number);
     reportFault(fault, column);
     return fault == NumberFault::None;
 }

@@ -5,6 +5,8 @@
 #include "core/csv/fast_rows.h"
 #include "core/text/number_parser.h"
 
+#include <optional>
+
 namespace axiscomp::csv {
 
 /// The cells of one data line after the other, and what is wrong with them. Columns count from 1.
@@ -49,7 +51,8 @@ public:
     void reportFault(NumberFault fault, std::size_t column);
 
 private:
-    bool checkQuotes();
+    std::size_t split(std::string_view line);
+    bool checkQuotes(std::size_t cells);
     void reportColumnCount(std::string_view line, std::size_t count);
 
     Encoding m_encoding;
@@ -60,7 +63,8 @@ private:
     std::size_t m_headerLine = 0;
     std::size_t m_decimalLine = 0; ///< where the first decimal sign stands
     std::size_t m_line = 0;
-    std::vector<Cell> m_cells;
+    std::vector<Cell> m_cells; ///< one for each column
+    std::vector<std::optional<Number>> m_numbers; ///< of the cells that turned out to be short ones
     std::size_t m_hintColumn = 0;
     TextPattern m_hint;
 };

@@ -7,9 +7,6 @@
 
 namespace axiscomp::csv {
 
-namespace {
-
-/// Takes one cell off the line; more is false when it was the last.
 Cell takeCell(std::string_view& line, char separator, bool& more)
 {
     std::size_t first = 0;
@@ -38,7 +35,31 @@ Cell takeCell(std::string_view& line, char separator, bool& more)
     return cell;
 }
 
-} // namespace
+bool takeShortNumber(std::string_view& line, const CellFormat& format, const char* textEnd,
+    Cell& cell, Number& number, bool& more)
+{
+    const char* const lineEnd = line.data() + line.size();
+    const auto behindBlanks = [&format, lineEnd](const char* p) {
+        while (p != lineEnd && (*p == ' ' || *p == '\t') && *p != format.separator)
+            ++p;
+        return p;
+    };
+    const char* const first = behindBlanks(line.data());
+    // The first number with a decimal sign decides what the sign is; after that most are short.
+    if (format.decimal == '\0' || first == lineEnd
+        || static_cast<std::size_t>(textEnd - first) < shortNumberReach)
+        return false;
+    const char* const end = parseShortNumber(first, format.decimal, number);
+    if (end == nullptr || end > lineEnd)
+        return false;
+    const char* const next = behindBlanks(end);
+    if (next != lineEnd && *next != format.separator)
+        return false;
+    more = next != lineEnd;
+    cell = {{first, static_cast<std::size_t>(end - first)}, Quoting::None};
+    line.remove_prefix(static_cast<std::size_t>(next - line.data()) + (more ? 1 : 0));
+    return true;
+}
 
 void RowLines::add(std::size_t row, std::size_t line)
 {

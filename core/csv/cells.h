@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/text/number_parser.h"
 #include "core/text/text_file.h"
 
 #include <cstddef>
@@ -24,6 +25,11 @@ private:
     std::vector<Run> m_runs;
 };
 
+struct CellFormat {
+    char separator = ',';
+    char decimal = '\0'; ///< '\0' while no number of the file has decimals
+};
+
 enum class Quoting {
     None,
     Quoted,
@@ -35,6 +41,15 @@ struct Cell {
     std::string_view text; ///< without blanks round it and without its quotes
     Quoting quoting = Quoting::None;
 };
+
+/// Takes one cell off the line; more is false when it was the last.
+[[nodiscard]] Cell takeCell(std::string_view& line, char separator, bool& more);
+
+/// The same for a cell that is a number as most are: digits with or without decimals. textEnd: of
+/// the text that the line is part of. False: nothing was taken, and it needs takeCell to tell what
+/// the cell is.
+[[nodiscard]] bool takeShortNumber(std::string_view& line, const CellFormat& format,
+    const char* textEnd, Cell& cell, Number& number, bool& more);
 
 /// Splits a line. Returns the number of its cells; the first `maximum` are put into cells.
 std::size_t splitCells(

@@ -5,11 +5,6 @@
 
 namespace axiscomp::csv {
 
-struct CellFormat {
-    char separator = ',';
-    char decimal = '\0'; ///< '\0' while no number of the file has decimals
-};
-
 /// Reads data lines as programs write them, without quotes and blanks, into the piece. Stops before
 /// the first line that is anything else, after `until`, before the last characters of the text
 /// (end), or when the piece has maximumRows. Returns where it stopped, at the beginning of a line.
