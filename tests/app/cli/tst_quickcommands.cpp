@@ -109,6 +109,14 @@ private Q_SLOTS:
         }
     }
 
+    void aLanguageIsTheModules()
+    {
+        const Bench german(QStringLiteral("de_DE.UTF-8"));
+        const ProgramRun run = german.run({QStringLiteral("convert"), QStringLiteral("--help")});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("Diese Hilfe zeigen"), run.out.constData());
+    }
+
     void theProgramNeedsNothingOfQtToStart()
     {
         const QByteArray program = librariesOf(test::axiscompProgram());
