@@ -323,6 +323,34 @@ void MeasurementCsv::checkSameKind(const std::optional<MeasurementUnit>& a,
                          : AXISCOMP_TEXT("Error", "a length as the targets are"));
 }
 
+std::size_t MeasurementCsv::expectedLines() const
+{
+    constexpr std::ptrdiff_t most = 4'000'000; // lines may be blank
+    constexpr std::ptrdiff_t sample = 16'384;
+    const std::ptrdiff_t size = m_lines.end() - m_lines.position();
+    const std::ptrdiff_t looked = std::min(sample, size);
+    const std::ptrdiff_t lines =
+        std::count(m_lines.position(), m_lines.position() + looked, '\n') + 1;
+    return static_cast<std::size_t>(std::min(most, lines * (1 + size / (looked + 1))));
+}
+
+std::vector<csv::NumberLines> MeasurementCsv::readAhead() const
+{
+    if (m_axisColumn != 0 || m_options.stop.stop_requested())
+        return {};
+    return csv::readNumberLines(
+        {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())},
+        m_cells.format(), m_columns.size());
+}
+
+bool MeasurementCsv::take(const csv::NumberLines& piece)
+{
+    if (m_lines.position() != piece.begin)
+        return false;
+    m_lines.skipTo(piece.end, piece.lines);
+    return true;
+}
+
 bool MeasurementCsv::next()
 {
     while (!m_lines.atEnd()) {

@@ -3,6 +3,7 @@
 
 #include "core/csv/cell_reader.h"
 #include "core/csv/header.h"
+#include "core/csv/number_lines.h"
 #include "core/metrology/formats/measurement_format.h"
 #include "core/text/line_reader.h"
 
@@ -71,6 +72,17 @@ public:
     /// The next data line with as many cells as the header. False: the end, or stopped.
     bool next();
     [[nodiscard]] std::size_t line() const { return m_line; }
+
+    /// The next megabytes as far as every column holds numbers: what next() and number() would give
+    /// for these lines. What follows up to the limit of each piece is for next(). Nothing at the
+    /// end, when it is stopped, and where a column names the axis.
+    [[nodiscard]] std::vector<csv::NumberLines> readAhead() const;
+    /// Goes on behind the lines of a piece. False: its first line has been read already, behind
+    /// comments at the end of the piece before, and all of its lines are for next().
+    [[nodiscard]] bool take(const csv::NumberLines& piece);
+    [[nodiscard]] bool isBefore(const char* limit) const { return m_lines.position() < limit; }
+    /// For how many data lines room is worth making beforehand: about as many as there are.
+    [[nodiscard]] std::size_t expectedLines() const;
     [[nodiscard]] std::string_view text(std::size_t column) const { return m_cells.text(column); }
     [[nodiscard]] bool isEmpty(std::size_t column) const { return m_cells.hasNoValue(column); }
     /// Nothing: the cell is no number, which is reported.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/large_memory.h"
 #include "core/metrology/formats/measurement_csv.h"
 #include "core/metrology/formats/measurement_formats.h"
 #include "core/metrology/formats/run_assembly.h"
@@ -57,7 +58,9 @@ private:
     [[nodiscard]] std::optional<std::size_t> axisOfReference(std::string_view name) const;
     void addValues(std::size_t column, std::string name, std::optional<std::size_t> axis);
     void readPoints();
-    bool readPoint();
+    template <typename NumberOf> void addPoint(NumberOf numberOf);
+    void readPoint();
+    void takePoints(const csv::NumberLines& piece);
     void checkValues();
 
     MeasurementCsv& m_csv;
@@ -68,7 +71,7 @@ private:
     std::vector<std::size_t> m_axes; ///< columns
     std::vector<MeasurementUnit> m_units; ///< of the axes
     std::vector<ValueColumn> m_values;
-    std::vector<double> m_lineValues; ///< of the line that is being read
+    std::vector<double> m_lineNumbers; ///< of the line that is being read, by column
 };
 
 bool Reader::findAxes()
@@ -154,36 +157,56 @@ bool Reader::findValues()
     return !m_diagnostics.hasErrors();
 }
 
-bool Reader::readPoint()
+/// numberOf: the number in a column.
+template <typename NumberOf> void Reader::addPoint(NumberOf numberOf)
 {
     std::array<double, axisNames.size()> position{};
-    bool isGood = true;
     for (std::size_t a = 0; a < m_axes.size(); ++a) {
-        const auto number = m_csv.number(m_axes[a]);
-        isGood = isGood && number;
-        position[a] = number.value_or(0.0) * m_units[a].factor;
+        position[a] = numberOf(m_axes[a]) * m_units[a].factor;
+        m_points.positions[a].push_back(position[a]);
     }
-    m_lineValues.clear();
-    for (const ValueColumn& column : m_values) {
-        const auto number = m_csv.number(column.column);
-        isGood = isGood && number;
+    for (std::size_t v = 0; v < m_values.size(); ++v) {
+        const ValueColumn& column = m_values[v];
         const bool isCorrection = !column.axis && m_csv.comments().holdsCorrections;
         const bool isTurned = isCorrection || (column.axis && m_options.invertsReference);
-        const double scaled = number.value_or(0.0) * (isTurned ? -column.factor : column.factor);
-        m_lineValues.push_back(!column.axis ? scaled : scaled - position[*column.axis]);
+        const double scaled = numberOf(column.column) * (isTurned ? -column.factor : column.factor);
+        m_points.values[v].push_back(!column.axis ? scaled : scaled - position[*column.axis]);
     }
+}
+
+void Reader::readPoint()
+{
+    bool isGood = true;
+    const auto read = [&](std::size_t column) {
+        const auto number = m_csv.number(column);
+        isGood = isGood && number;
+        m_lineNumbers[column - 1] = number.value_or(0.0);
+    };
+    for (const std::size_t column : m_axes)
+        read(column);
+    for (const ValueColumn& column : m_values)
+        read(column.column);
     if (!isGood)
-        return false;
-    for (std::size_t a = 0; a < m_axes.size(); ++a)
-        m_points.positions[a].push_back(position[a]);
-    for (std::size_t v = 0; v < m_lineValues.size(); ++v) {
-        m_points.values[v].push_back(m_lineValues[v]);
-        isGood = isGood && std::isfinite(m_lineValues[v]);
-    }
+        return;
+    addPoint([this](std::size_t column) { return m_lineNumbers[column - 1]; });
+    for (const std::vector<double>& values : m_points.values)
+        isGood = isGood && std::isfinite(values.back());
     if (!isGood)
         m_csv.error(DiagnosticCode::NotFinite, 0, {},
             AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
-    return isGood;
+}
+
+/// Short numbers are finite in every unit.
+void Reader::takePoints(const csv::NumberLines& piece)
+{
+    const std::size_t columns = m_csv.columns().size();
+    const std::size_t lines = m_csv.take(piece) ? piece.lines : 0;
+    for (std::size_t n = 0; n < lines; ++n) {
+        const double* const numbers = &piece.values[n * columns];
+        addPoint([numbers](std::size_t column) { return numbers[column - 1]; });
+    }
+    while (m_csv.isBefore(piece.limit) && m_csv.next())
+        readPoint();
 }
 
 void Reader::readPoints()
@@ -192,6 +215,16 @@ void Reader::readPoints()
         std::ranges::any_of(m_values, [](const ValueColumn& one) { return !one.axis; }));
     m_points.positions.resize(m_axes.size());
     m_points.values.resize(m_values.size());
+    const std::size_t lines = m_csv.expectedLines();
+    for (auto* const columns : {&m_points.positions, &m_points.values})
+        for (std::vector<double>& column : *columns)
+            reserveLarge(column, lines);
+    m_lineNumbers.resize(m_csv.columns().size());
+    if (m_csv.next()) // may be what shows the decimal sign
+        readPoint();
+    for (auto pieces = m_csv.readAhead(); !pieces.empty(); pieces = m_csv.readAhead())
+        for (const csv::NumberLines& piece : pieces)
+            takePoints(piece);
     while (m_csv.next())
         readPoint();
     checkValues();
