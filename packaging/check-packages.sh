@@ -127,7 +127,7 @@ for program in axiscomp axiscomp-virtualdrive axis-compensation-wizard; do
     "$unpacked/usr/bin/$program" --version
 done
 # By itself, and by its module, which shows a language that there are no texts in as English.
-"$unpacked/usr/bin/axiscomp" example "$unpacked/x.csv" --dims 1 >/dev/null
+"$unpacked/usr/bin/axiscomp" example --dims 1 -o "$unpacked/x.csv"
 for command in --version formats "inspect $unpacked/x.csv" "convert $unpacked/x.csv $unpacked/x.TAMtbl --dims 1" \
     "convert --help"; do
     # shellcheck disable=SC2086 # words of a command

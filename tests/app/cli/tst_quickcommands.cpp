@@ -72,7 +72,7 @@ private Q_SLOTS:
                 << QString::fromLatin1(arguments).split(u' ') << QString::fromLatin1(made);
         };
         row("--version");
-        row("example e.csv --dims 1", "e.csv");
+        row("example --dims 1 -o e.csv", "e.csv");
         row("inspect t.csv");
         row("inspect t.csv --json");
         row("inspect uneven.csv");
