@@ -91,7 +91,8 @@ endfunction()
 # The files of one folder, for the library axiscomp_NAME. HEADERS is what other parts may include:
 # every header of it must compile alone with nothing but what the PUBLIC_DEPS of the library give,
 # which is how the direction between the parts is kept (target all_verify_interface_header_sets).
-# POSIX, WINDOWS: for these systems only. DRIVES: not without AXISCOMP_DRIVES.
+# POSIX, WINDOWS: for these systems only. DRIVES: not without AXISCOMP_DRIVES. Where there is a library axiscomp_NAME_quick,
+# it has the SOURCES, and axiscomp_NAME has them from there (app/cli).
 function(axiscomp_add_sources name)
   cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;POSIX;WINDOWS;DRIVES" ${ARGN})
   list(TRANSFORM arg_HEADERS PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
