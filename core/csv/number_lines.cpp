@@ -11,14 +11,6 @@ namespace {
 constexpr std::size_t pieceSize = std::size_t{256} << 10;
 constexpr std::size_t piecesAtOnce = 64;
 
-/// Behind the LF at or after the position.
-const char* nextLine(std::string_view text, std::size_t position)
-{
-    const std::size_t feed =
-        position < text.size() ? text.find('\n', position) : std::string_view::npos;
-    return text.data() + (feed == std::string_view::npos ? text.size() : feed + 1);
-}
-
 bool readLine(std::string_view line, const CellFormat& format, const char* textEnd,
     std::size_t columns, std::vector<double>& values)
 {
@@ -53,13 +45,10 @@ std::vector<NumberLines> readNumberLines(
 {
     std::vector<NumberLines> pieces;
     const char* const textEnd = text.data() + text.size();
-    for (const char* begin = text.data(); begin != textEnd && pieces.size() < piecesAtOnce;) {
-        NumberLines& piece = pieces.emplace_back();
-        piece.begin = begin;
-        piece.end = begin;
-        const auto place = static_cast<std::size_t>(begin - text.data());
-        piece.limit = nextLine(text, place + pieceSize);
-        begin = piece.limit;
+    const char* begin = text.data();
+    for (const char* const end : pieceEnds(text, pieceSize, piecesAtOnce)) {
+        pieces.push_back({.values = {}, .lines = 0, .begin = begin, .end = begin, .limit = end});
+        begin = end;
     }
     shareWork(
         pieces.size(), 0, [&](std::size_t n) { readPiece(pieces[n], format, textEnd, columns); });

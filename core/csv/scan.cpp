@@ -162,17 +162,9 @@ std::vector<const char*> Scanner::pieceEnds() const
     constexpr std::size_t mostPieces = 64;
     const std::size_t count = m_cells.format().decimal == '\0' ? 1 : mostPieces;
     const std::size_t bytes = std::clamp<std::size_t>(m_options.pieceBytes, 1, mostPieceBytes);
-    const char* const end = m_lines.end();
-    std::vector<const char*> ends;
-    for (const char* p = m_lines.position(); p != end && ends.size() < count; ends.push_back(p)) {
-        p += std::min(bytes - 1, static_cast<std::size_t>(end - p));
-        while (p != end && *p != '\n' && *p != '\r')
-            ++p;
-        if (end - p > 1 && p[0] == '\r' && p[1] == '\n')
-            ++p;
-        p += p == end ? 0 : 1;
-    }
-    return ends;
+    return axiscomp::pieceEnds(
+        {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())}, bytes,
+        count);
 }
 
 /// All threads read pieces as far as their lines are plain; the rest of each is read here, in the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/line_reader.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace axiscomp {
@@ -47,6 +48,21 @@ void LineReader::skipTo(const char* position, std::size_t lines)
         m_nextFeed = find(position, m_end, '\n');
     if (m_nextReturn < position)
         m_nextReturn = find(position, m_nextFeed, '\r');
+}
+
+std::vector<const char*> pieceEnds(std::string_view text, std::size_t bytes, std::size_t mostPieces)
+{
+    const char* const end = text.data() + text.size();
+    std::vector<const char*> ends;
+    for (const char* p = text.data(); p != end && ends.size() < mostPieces; ends.push_back(p)) {
+        p += std::min(bytes - 1, static_cast<std::size_t>(end - p));
+        while (p != end && *p != '\n' && *p != '\r')
+            ++p;
+        if (end - p > 1 && p[0] == '\r' && p[1] == '\n')
+            ++p;
+        p += p == end ? 0 : 1;
+    }
+    return ends;
 }
 
 } // namespace axiscomp

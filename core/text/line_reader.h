@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace axiscomp {
 
@@ -29,5 +30,10 @@ private:
     const char* m_nextReturn; ///< the first CR before that LF, or the same
     std::size_t m_lineNumber = 1;
 };
+
+/// Where the first pieces of a text end, at most so many: each behind the line in which it gets
+/// this long. bytes: at least 1.
+[[nodiscard]] std::vector<const char*> pieceEnds(
+    std::string_view text, std::size_t bytes, std::size_t mostPieces);
 
 } // namespace axiscomp
