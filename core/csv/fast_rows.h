@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/csv/cells.h"
 #include "core/csv/columns.h"
 
 namespace axiscomp::csv {
