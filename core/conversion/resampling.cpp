@@ -10,8 +10,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <span>
+#include <utility>
 
 namespace axiscomp {
 
@@ -19,10 +23,13 @@ namespace {
 
 constexpr std::array<std::string_view, 4> methodNames{"linear", "cubic", "spline", "smooth"};
 
-/// Values over a grid of these sizes, the first axis fastest.
+/// Values over a grid of these sizes, the first axis fastest: those of a table, until they are
+/// interpolated.
 struct Values {
     std::vector<std::size_t> sizes;
-    std::vector<double> values;
+    std::span<const double> values;
+    std::unique_ptr<double[]> made = {};
+    bool areFinite = true; ///< what was made of them
 };
 
 using Places = std::vector<AxisInterpolant::Place>;
@@ -57,15 +64,15 @@ void interpolateAlong(
         stride *= data.sizes[n];
     const std::size_t count = data.sizes[axis];
     const std::size_t lines = data.values.size() / count;
-    std::vector<double> made;
-    reserveLarge(made, lines * places.size());
-    made.resize(lines * places.size());
+    auto made = makeLarge<double>(lines * places.size());
     constexpr std::size_t enough = 32'768; // numbers for a thread to be worth its while
     const std::size_t atOnce =
         8 * std::max<std::size_t>(1, enough / (8 * std::max(count, places.size())));
+    std::atomic<bool> areFinite = true;
     shareWork((lines + atOnce - 1) / atOnce, 0, [&](std::size_t part) {
         AxisInterpolant::EightLines eight;
         Eight found;
+        Eight zero{}; // stays that, unless a number is infinite or none
         const std::size_t end = std::min(lines, (part + 1) * atOnce);
         for (std::size_t line = part * atOnce; line < end; line += 8) {
             interpolant.load(
@@ -73,11 +80,17 @@ void interpolateAlong(
             const EightPlaces targets = placesOfLines(line, lines, stride, places.size());
             for (std::size_t n = 0; n < places.size(); ++n) {
                 interpolant.at(eight, places[n], found);
+                zero += found - found;
                 targets.store(found, &made[n * stride]);
             }
         }
+        for (std::size_t n = 0; n < 8; ++n)
+            if (zero[n] != 0.0)
+                areFinite = false;
     });
-    data.values = std::move(made);
+    data.areFinite = data.areFinite && areFinite;
+    data.values = {made.get(), lines * places.size()};
+    data.made = std::move(made);
     data.sizes[axis] = places.size();
 }
 
@@ -104,12 +117,12 @@ ColumnDeviation::Density densityAlong(
     return density;
 }
 
-std::vector<std::size_t> sizesOf(const NeutralTable& table)
+NeutralTable withoutValues(const NeutralTable& table)
 {
-    std::vector<std::size_t> sizes;
-    for (const SourceAxis& axis : table.axes)
-        sizes.push_back(axis.knots.size());
-    return sizes;
+    NeutralTable copy{table.name, table.axes, {}, table.sign, table.notes};
+    for (const CompensationColumn& column : table.columns)
+        copy.columns.push_back({column.name, column.target, column.unit, column.direction, {}});
+    return copy;
 }
 
 /// Which knots of the source are within the wanted range, and count.
@@ -129,7 +142,7 @@ std::vector<std::vector<bool>> wantedKnots(
 }
 
 ColumnDeviation deviationOf(const NeutralTable& source, const std::vector<PlannedAxis>& plan,
-    const std::vector<double>& values, const std::vector<double>& found)
+    std::span<const double> values, std::span<const double> found)
 {
     ColumnDeviation deviation;
     double sum = 0.0;
@@ -175,7 +188,7 @@ std::vector<ColumnDeviation> deviationsOf(
     }
     std::vector<ColumnDeviation> deviations;
     for (std::size_t i = 0; i < source.columns.size(); ++i) {
-        Values data{sizesOf(resampled), resampled.columns[i].values};
+        Values data{knotCounts(resampled), resampled.columns[i].values};
         for (std::size_t n = 0; n < plan.size(); ++n)
             if (!plan[n].isKept)
                 interpolateAlong(data, n, interpolants[n], places[n]);
@@ -277,8 +290,7 @@ Result<void> checkResamplable(const NeutralTable& table)
 Result<ResampledTable> resampleOnto(
     const NeutralTable& table, const std::vector<PlannedAxis>& plan, ResamplingMethod method)
 {
-    ResampledTable result;
-    result.table = table;
+    ResampledTable result{withoutValues(table), {}, {}};
     std::vector<AxisInterpolant> interpolants;
     std::vector<Places> places;
     for (std::size_t n = 0; n < plan.size(); ++n) {
@@ -294,8 +306,8 @@ Result<ResampledTable> resampleOnto(
     }
     const bool isKept = std::ranges::all_of(plan, &PlannedAxis::isKept);
     std::vector<std::vector<ColumnDeviation::Density>> densities;
-    for (CompensationColumn& column : result.table.columns) {
-        Values data{sizesOf(table), std::move(column.values)};
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        Values data{knotCounts(table), table.columns[i].values};
         densities.emplace_back();
         for (std::size_t n = 0; n < plan.size(); ++n) {
             if (plan[n].isKept)
@@ -304,14 +316,15 @@ Result<ResampledTable> resampleOnto(
                 densities.back().push_back(densityAlong(data, n, interpolants[n], plan[n].grid));
             interpolateAlong(data, n, interpolants[n], places[n]);
         }
-        column.values = std::move(data.values);
-        if (!isKept)
-            column.filled.clear(); // other points
-        for (const double value : column.values)
-            if (!std::isfinite(value))
-                return resamplingImpossible(AXISCOMP_TEXT(
-                    "Error", "the values for {column} are too large to be interpolated")
-                                                .with("column", columnText(table, column)));
+        CompensationColumn& column = result.table.columns[i];
+        if (!data.areFinite)
+            return resamplingImpossible(
+                AXISCOMP_TEXT("Error", "the values for {column} are too large to be interpolated")
+                    .with("column", columnText(table, column)));
+        reserveLarge(column.values, data.values.size());
+        column.values.assign(data.values.begin(), data.values.end());
+        if (isKept)
+            column.filled = table.columns[i].filled;
     }
     result.report.columns = deviationsOf(table, plan, result.table);
     for (std::size_t i = 0; i < densities.size(); ++i)
