@@ -266,10 +266,11 @@ void TestFaultMatrix::aKilledProgramLeavesTheOldOrTheNewState()
     std::vector<MatrixCase> cases;
     for (std::size_t s = 0; s < scenarios; ++s) {
         for (int at = 1; at <= recorded[s].requests; ++at) {
-            // Each request ends one of the programs, carried out or not.
-            const std::size_t number =
-                static_cast<std::size_t>(at) + s + (isRequestLost ? scenarios : 0);
-            if (!m_choice.has(number, 2 * scenarios))
+            // Each request ends one of the programs, over one of the links, carried out or not.
+            const std::size_t number = static_cast<std::size_t>(at) + s
+                + (isRequestLost ? scenarios : 0)
+                + 2 * scenarios * static_cast<std::size_t>(attachment - 1);
+            if (!m_choice.has(number, 4 * scenarios))
                 continue;
             cases.push_back({std::string(programs[s].scenario->name) + ", request "
                     + std::to_string(at) + " of " + std::to_string(recorded[s].requests),
