@@ -116,6 +116,7 @@ private Q_SLOTS:
             table.axes.push_back(source);
         addColumn(table, "X", [](const Values& p) { return std::sin(40 * p[0]) / (2 + p.back()); });
         table.columns[0].values[3] = -0.0;
+        table.columns[0].filled = {2, 5};
         const auto result = resample(
             table, request(std::vector(static_cast<std::size_t>(dimensions), axis), method));
         VERIFY_RESULT(result);
@@ -425,11 +426,13 @@ private Q_SLOTS:
         addColumn(
             table, "X", [](const Values& p) { return -p[0]; }, Direction::Negative);
         table.axes[0].step = 1;
+        table.columns[1].filled = {1};
         const auto result = resample(table, request({byPoints(3)}));
         VERIFY_RESULT(result);
         QCOMPARE(result->table.columns[0].values, (Values{0, 5, 10}));
         QCOMPARE(result->table.columns[1].values, (Values{0, -5, -10}));
         QCOMPARE(result->table.columns[1].direction, Direction::Negative);
+        QVERIFY(result->table.columns[1].filled.empty()); // other points
         QCOMPARE(result->table.axes[0].step, 0.0); // not multiples any more
         QCOMPARE(result->table.notes, table.notes);
     }
