@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <system_error>
 
 namespace {
 
@@ -24,20 +25,24 @@ int runModule(int argc, char** argv)
     const std::filesystem::path program = system::programFolder();
     const std::array files{
         program / programModuleName, program / AXISCOMP_MODULE_FOLDER / programModuleName};
+    std::string reason;
     for (const std::filesystem::path& file : files) {
         if (void* const module = ::dlopen(file.c_str(), RTLD_NOW))
             if (void* const function = ::dlsym(module, programModuleFunction))
                 return reinterpret_cast<ProgramModuleFunction>(function)(argc, argv);
+        // What one that is there lacks says more than that another one is not there.
+        const char* const said = ::dlerror();
+        std::error_code none;
+        if (said != nullptr && (reason.empty() || std::filesystem::exists(file, none)))
+            reason = said;
     }
-    const char* const said = ::dlerror();
-    const std::string reason = said == nullptr ? std::string() : said;
     return runGuarded([&reason](Console& console) {
         return static_cast<int>(noteError(console,
             {ErrorCode::FileNotReadable,
                 {{"file", std::string(programModuleName)},
                     {"reason",
-                        std::string("axiscomp is not installed completely; install it again")}},
-                reason}));
+                        "axiscomp is not installed completely (" + reason + "); install it again"}},
+                {}}));
     });
 }
 

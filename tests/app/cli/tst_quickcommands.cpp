@@ -137,7 +137,20 @@ private Q_SLOTS:
         const ProgramRun run = box.runProgram(alone, {QStringLiteral("axes")});
         VERIFY_CODE(run, 3);
         QVERIFY2(run.err.contains("axiscomp-program.so cannot be read: axiscomp is not installed "
-                                  "completely; install it again"),
+                                  "completely (")
+                && run.err.contains("No such file or directory); install it again"),
+            run.err.constData());
+    }
+
+    void aModuleThatCannotBeLoadedSaysWhy()
+    {
+        Sandbox box;
+        const QString program = box.path(QStringLiteral("axiscomp"));
+        QVERIFY(QFile::copy(test::axiscompProgram(), program));
+        box.file(QLatin1StringView(app::programModuleName), "this is no module\n");
+        const ProgramRun run = box.runProgram(program, {QStringLiteral("axes")});
+        VERIFY_CODE(run, 3);
+        QVERIFY2(run.err.contains("axiscomp-program.so: file too short); install it again"),
             run.err.constData());
     }
 };
