@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <array>
+#include <condition_variable>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 namespace axiscomp {
 
@@ -152,21 +155,19 @@ public:
                 texts.emplace_back(axis.position(texts.size()));
     }
 
-    struct Lines {
-        std::unique_ptr<char[]> text;
-        std::size_t size = 0;
-    };
-    [[nodiscard]] Lines write(std::size_t firstPoint, std::size_t lastPoint) const
+    /// What so many lines may need.
+    [[nodiscard]] std::size_t roomFor(std::size_t points) const
     {
         const std::size_t longestLine = (m_positions.size() + m_tables.size()) * (longestText + 1);
-        const std::size_t room =
-            (lastPoint - firstPoint) * longestLine + sizeof(PositionText) + shortNumberReach;
-        Lines lines{std::make_unique_for_overwrite<char[]>(room), 0};
-        char* end = lines.text.get();
+        return points * longestLine + sizeof(PositionText) + shortNumberReach;
+    }
+    [[nodiscard]] std::string_view write(
+        std::size_t firstPoint, std::size_t lastPoint, char* room) const
+    {
+        char* end = room;
         for (std::size_t point = firstPoint; point < lastPoint; ++point)
             end = writeLine(point, end);
-        lines.size = static_cast<std::size_t>(end - lines.text.get());
-        return lines;
+        return {room, static_cast<std::size_t>(end - room)};
     }
 
 private:
@@ -187,6 +188,31 @@ private:
     std::vector<std::vector<PositionText>> m_positions; ///< per dimension
 };
 
+/// A text of pieces that are made beside each other, each put behind the one before it.
+class OrderedPieces {
+public:
+    OrderedPieces(std::string& text, std::size_t count) : m_text(text), m_count(count) { }
+
+    /// Returns when all pieces before this one have their places, and this one has.
+    void append(std::size_t n, std::string_view piece)
+    {
+        std::unique_lock lock(m_mutex);
+        m_turn.wait(lock, [&] { return m_next == n; });
+        ++m_next; // whether there is memory for this one or not: no other waits for ever
+        m_turn.notify_all();
+        if (n == 0) // the others are about as long
+            reserveLarge(m_text, m_text.size() + piece.size() * (m_count + m_count / 16 + 1));
+        m_text.append(piece);
+    }
+
+private:
+    std::string& m_text;
+    std::size_t m_count;
+    std::mutex m_mutex;
+    std::condition_variable m_turn;
+    std::size_t m_next = 0;
+};
+
 } // namespace
 
 std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads)
@@ -195,19 +221,21 @@ std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads
     const std::size_t points = data.grid.pointCount();
     const std::size_t pointsAtOnce = 1 + cellsAtOnce / (data.grid.axes.size() + data.tables.size());
     const PointWriter writer(data);
-    std::vector<PointWriter::Lines> pieces((points + pointsAtOnce - 1) / pointsAtOnce);
-    shareWork(pieces.size(), threads, [&](std::size_t n) {
-        pieces[n] = writer.write(n * pointsAtOnce, std::min(points, (n + 1) * pointsAtOnce));
-    });
+    const std::size_t pieceCount = (points + pointsAtOnce - 1) / pointsAtOnce;
+    if (threads == 0)
+        threads = std::max(1U, std::thread::hardware_concurrency());
+    // They end in their order, so that one of them begins where the last one to use its room has.
+    std::vector<std::unique_ptr<char[]>> rooms(std::min(threads, pieceCount));
+    for (std::unique_ptr<char[]>& room : rooms)
+        room =
+            std::make_unique_for_overwrite<char[]>(writer.roomFor(std::min(points, pointsAtOnce)));
     std::string text = notes(data) + targetLine(data) + headerLine(data);
-    std::size_t size = text.size();
-    for (const PointWriter::Lines& piece : pieces)
-        size += piece.size;
-    reserveLarge(text, size);
-    for (PointWriter::Lines& piece : pieces) {
-        text.append(piece.text.get(), piece.size);
-        piece.text.reset();
-    }
+    OrderedPieces pieces(text, pieceCount);
+    shareWork(pieceCount, threads, [&](std::size_t n) {
+        pieces.append(n,
+            writer.write(n * pointsAtOnce, std::min(points, (n + 1) * pointsAtOnce),
+                rooms[n % rooms.size()].get()));
+    });
     return text;
 }
 
