@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/table_fit.h"
 
+#include "core/base/parallel.h"
 #include "core/curve/harmonic_curve.h"
 #include "core/curve/smoothing_spline.h"
 #include "core/metrology/fit/fit_errors.h"
@@ -529,15 +530,21 @@ Result<HeldOut> predictHeldOut(std::span<const MeasuredValue> values,
     const auto errorAt = [&errors](const FitKnot& knot) -> const FitKnot& {
         return *std::ranges::find(errors, knot.target, &FitKnot::target);
     };
+    // All but the first and the last.
+    std::vector<Result<HeldOut::Residual>> found(
+        knots.size() - std::min<std::size_t>(2, knots.size()));
+    shareWork(found.size(), 0, [&](std::size_t n) {
+        const auto left = static_cast<std::ptrdiff_t>(n) + 1;
+        std::vector<FitKnot> others = knots;
+        others.erase(others.begin() + left);
+        const FitKnot& knot = knots[n + 1];
+        found[n] = stop.stop_requested() ? Result<HeldOut::Residual>(fail(ErrorCode::Cancelled))
+                                         : residualOf(others, knot, errorAt(knot), request);
+    });
     HeldOut result;
     double square = 0.0;
-    for (std::size_t left = 1; left + 1 < knots.size(); ++left) {
-        if (stop.stop_requested())
-            return fail(ErrorCode::Cancelled);
-        std::vector<FitKnot> others = knots;
-        others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
-        AXISCOMP_TRY(
-            const auto residual, residualOf(others, knots[left], errorAt(knots[left]), request));
+    for (const Result<HeldOut::Residual>& one : found) {
+        AXISCOMP_TRY(const auto residual, one);
         result.residuals.push_back(residual);
         square += residual.value * residual.value;
     }
