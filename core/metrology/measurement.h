@@ -17,6 +17,13 @@ namespace axiscomp {
 // whatever the file had. Words as in ISO 230-2: a target is a position that the axis was sent to, a
 // run is one pass over the targets in one direction.
 
+/// Whether a machine, or the air round it, can be as warm as this. The limits are ours: they are
+/// wide, and leave out what is in kelvin or in hundredths of a degree.
+[[nodiscard]] constexpr bool isPossibleTemperature(double celsius)
+{
+    return celsius >= -200.0 && celsius <= 200.0;
+}
+
 /// The positive direction (up) or the negative one (down) in which a target was approached.
 enum class Approach { Up, Down };
 [[nodiscard]] std::string_view approachName(Approach direction); ///< "up", "down"

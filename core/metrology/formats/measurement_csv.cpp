@@ -394,10 +394,13 @@ std::optional<double> MeasurementCsv::time(std::size_t column)
 
 std::optional<double> MeasurementCsv::temperature(std::size_t column)
 {
-    return inBase(column, temperatureUnits,
-        AXISCOMP_TEXT("Error",
-            "a temperature in C, K or F, in brackets behind the name; without a unit it is in "
-            "C"));
+    const TextPattern expected = AXISCOMP_TEXT("Error",
+        "a temperature in C, K or F, in brackets behind the name; without a unit it is in "
+        "C");
+    const auto found = inBase(column, temperatureUnits, expected);
+    if (found && !isPossibleTemperature(*found))
+        error(DiagnosticCode::Syntax, column, Verbatim{shown(text(column))}, expected);
+    return found;
 }
 
 std::optional<double> MeasurementCsv::inBase(
@@ -596,7 +599,7 @@ bool MeasurementCsv::takeNumber(std::string_view key, const std::string& value, 
     if (isAir || sameLetters(key, "material temperature")) {
         const auto number = numberWithUnit(value, {"C", "degC", "deg C", "\u00b0C"});
         (isAir ? header.airTemperature : header.materialTemperature) = number;
-        if (!number)
+        if (!number || !isPossibleTemperature(*number))
             refuse(line, value, AXISCOMP_TEXT("Error", "a temperature in deg C, such as 20.4"));
         return true;
     }

@@ -73,11 +73,9 @@ Result<Measurement> correctedForTemperature(
     Measurement measurement, const TemperatureCorrection& correction)
 {
     AXISCOMP_CHECK(checkCorrectable(measurement, correction.isConfirmed));
-    constexpr double coldest = -273.15;
     constexpr double largestExpansion = 1e-3; // 20 times that of any metal
     const auto isPossible = [](double celsius, double expansion) {
-        return celsius > coldest && celsius < -4.0 * coldest
-            && std::abs(expansion) <= largestExpansion;
+        return isPossibleTemperature(celsius) && std::abs(expansion) <= largestExpansion;
     };
     if (!isPossible(correction.materialCelsius, correction.expansionPerKelvin)
         || !isPossible(correction.referenceCelsius, correction.referenceExpansionPerKelvin))

@@ -298,6 +298,9 @@ private Q_SLOTS:
         VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
         measurement.header.corrected = MeasurementHeader::Corrected::None;
         VERIFY_RESULT(correctedForTemperature(measurement, correction));
+        correction.materialCelsius = 295.15; // kelvin
+        VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
+        correction.materialCelsius = 22.0;
         correction.expansionPerKelvin = 11.5;
         VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
         measurement.isAngular = true;

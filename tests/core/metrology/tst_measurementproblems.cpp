@@ -72,6 +72,14 @@ private Q_SLOTS:
         row("no temperature", "runs",
             "target [mm],direction,deviation [um],temperature [mK]\n0,+,1,291150\n1,+,1,291150\n",
             {"1:4 Syntax temperature [mK]|a temperature in C, K or F"});
+        row("kelvin without a unit", "runs",
+            "target [mm],direction,deviation [um],temperature\n0,+,1,291.15\n1,+,1,20\n",
+            {"2:4 Syntax 291.15|a temperature in C, K or F"});
+        row("deg C with the unit of kelvin", "runs",
+            "target [mm],direction,deviation [um],temperature [K]\n0,+,1,20\n1,+,1,293\n",
+            {"2:4 Syntax 20|a temperature in C, K or F"});
+        row("a machine at 291 deg C", "runs", "// material temperature: 291\n" + head + "0,+,1,1\n",
+            {"1:0 Syntax 291|a temperature in deg C"});
         row("no time", "runs", "target [mm],direction,deviation [um],time [d]\n0,+,1,1\n1,+,1,2\n",
             {"1:4 Syntax time [d]|a time in s, ms, min or h"});
         row("bad direction", "runs", head + "0,sideways,1,1\n1,+,1,1\n",
