@@ -67,6 +67,11 @@ void takeOnThreads(std::size_t threads, bool callerHelps, SharedWork& shared)
 
 } // namespace
 
+std::size_t processorCount()
+{
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
 void forEachAtOnce(
     std::size_t count, std::size_t mostAtOnce, const std::function<void(std::size_t)>& work)
 {
@@ -77,7 +82,7 @@ void forEachAtOnce(
 void shareWork(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& work)
 {
     if (threads == 0)
-        threads = std::max(1U, std::thread::hardware_concurrency());
+        threads = processorCount();
     SharedWork shared(count, work);
     takeOnThreads(std::max<std::size_t>(1, std::min(count, threads)) - 1, true, shared);
 }

@@ -6,6 +6,8 @@
 
 namespace axiscomp {
 
+[[nodiscard]] std::size_t processorCount(); ///< at least 1
+
 /// Calls work(0) to work(count - 1), at most mostAtOnce of them at the same time, each on a thread
 /// that is not the caller's where the system has one, and returns when all have ended. An exception
 /// is thrown on to the caller; what had not begun by then is left out. A call that waits, as for a

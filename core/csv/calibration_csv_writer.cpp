@@ -14,7 +14,6 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
-#include <thread>
 
 namespace axiscomp {
 
@@ -223,7 +222,7 @@ std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads
     const PointWriter writer(data);
     const std::size_t pieceCount = (points + pointsAtOnce - 1) / pointsAtOnce;
     if (threads == 0)
-        threads = std::max(1U, std::thread::hardware_concurrency());
+        threads = processorCount();
     // They end in their order, so that one of them begins where the last one to use its room has.
     std::vector<std::unique_ptr<char[]>> rooms(std::min(threads, pieceCount));
     for (std::unique_ptr<char[]>& room : rooms)

@@ -9,7 +9,6 @@
 #include "core/neutral/lookup_note.h"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace axiscomp {
@@ -95,12 +94,11 @@ std::vector<std::vector<MachineTable>> readMachineTables(const MachineFile& mach
             places.emplace_back(tables.size(), axis);
         tables.emplace_back(drive.axes.size());
     }
-    forEachAtOnce(
-        places.size(), std::max(1U, std::thread::hardware_concurrency()), [&](std::size_t index) {
-            const auto [drive, axis] = places[index];
-            tables[drive][axis] =
-                readMachineTable(machine.drives[drive].axes[axis], folder, layout, {}, stop);
-        });
+    forEachAtOnce(places.size(), processorCount(), [&](std::size_t index) {
+        const auto [drive, axis] = places[index];
+        tables[drive][axis] =
+            readMachineTable(machine.drives[drive].axes[axis], folder, layout, {}, stop);
+    });
     return tables;
 }
 
