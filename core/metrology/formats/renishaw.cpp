@@ -188,7 +188,8 @@ void Reader::takeLine(const Token& line)
     else if (sameLetters(m_section, "ENVIRONMENT")) {
         const auto entry = entryOf(content);
         const auto number = entry ? numberOf(entry->value.text) : std::nullopt;
-        if (entry && sameLetters(entry->key, "Air temp") && number)
+        if (entry && sameLetters(entry->key, "Air temp") && number
+            && isPossibleTemperature(*number))
             m_measurement.header.airTemperature = number;
         note(content.text);
     }

@@ -663,6 +663,20 @@ private Q_SLOTS:
         QVERIFY(std::ranges::find(notes, "Location: hall 3") != notes.end());
     }
 
+    /// It is only told, and what is written must be readable.
+    void aTemperatureThatNoMachineHasStaysANote()
+    {
+        std::string text = asRtl(publicRuns("bifrost.csv"));
+        const std::string entry = "Air temp   : 20.1";
+        text.replace(text.find(entry), entry.size(), "Air temp   : 293.25");
+        const MeasurementReading reading = test::readAs("renishaw", text);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(!reading.measurement->header.airTemperature);
+        QVERIFY(std::ranges::find(reading.measurement->notes, "Air temp   : 293.25")
+            != reading.measurement->notes.end());
+        VERIFY_MEASUREMENT(test::readAs("runs", writeRunsCsv(*reading.measurement)));
+    }
+
     void textsOfRenishawFilesMayBeChinese()
     {
         const auto machineOf = [](const std::string& machine) {
