@@ -129,8 +129,8 @@ void TestFaultMatrix::runRow(std::span<const MatrixFault> faults)
         QVERIFY(steps > 0 && write.exchanges > 5);
         for (int at = 1; at <= steps; ++at) {
             const std::size_t number = static_cast<std::size_t>(at) + s + f;
-            // In process every step meets a sixth of the faults. Over a wire a third of the steps
-            // of each scenario, each with one fault; together all of them.
+            // In process every step meets one fault in nine. Over a wire a quarter of the steps of
+            // each scenario, each with one fault; together all of them.
             const bool isFew = faults[f].step == MatrixFault::Step::WriteRequest;
             const bool isChosenOnWire = (isFew || m_choice.has(number, faults.size()))
                 && m_choice.has(static_cast<std::size_t>(at) + 2 * s, 4);

@@ -51,11 +51,16 @@ QString leastHeights(const QWidget& window)
     return heights.join(QStringLiteral(", "));
 }
 
-/// The smallest screen is the one that a language is too long for: the others are looked at in one
-/// language only, and in all with AXISCOMP_EVERY_MOMENT.
-bool looksEverywhere(const QString& language)
+/// The languages that a state is looked at in, on every screen or on the smallest alone, which is
+/// the one that a language is too long for. German is on every screen; the others take turns on the
+/// smallest, and with AXISCOMP_EVERY_MOMENT all are on every screen.
+enum class Looks { Everywhere, Smallest, Nowhere };
+Looks looksAt(const QString& language, int state)
 {
-    return test::takesEveryMoment() || language == QStringLiteral("de");
+    if (test::takesEveryMoment() || language == QStringLiteral("de"))
+        return Looks::Everywhere;
+    const auto place = static_cast<int>(Language::available().indexOf(language));
+    return test::hasTurn(place + state, 2) ? Looks::Smallest : Looks::Nowhere;
 }
 
 } // namespace
@@ -107,11 +112,11 @@ private Q_SLOTS:
         const bool isPage = &window == &scene.page();
         const QSize own = window.size();
         QStringList problems;
-        const auto check = [&](const QString& language, bool isLong) {
+        const auto check = [&](const QString& language, Looks looks, bool isLong) {
             for (const auto& screen : test::screenSizes) {
                 if (isLong && screen.scale > 1)
                     continue; // the page becomes as wide as its texts
-                if (screen.scale == 1 && !isLong && !looksEverywhere(language))
+                if (screen.scale == 1 && looks != Looks::Everywhere)
                     continue;
                 window.resize(own);
                 test::fitTo(window, screen.size, isPage);
@@ -131,13 +136,16 @@ private Q_SLOTS:
             }
         };
         for (const QString& language : Language::available()) {
+            const Looks looks = looksAt(language, state);
+            if (looks == Looks::Nowhere)
+                continue;
             const Language spoken(language);
-            check(language, false);
+            check(language, looks, false);
         }
         const Language english(QStringLiteral("en"));
         test::LongTexts longTexts;
         QCoreApplication::installTranslator(&longTexts);
-        check(QStringLiteral("long"), true);
+        check(QStringLiteral("long"), Looks::Everywhere, true);
         QCoreApplication::removeTranslator(&longTexts);
         scene.stage().gate().releaseUploads();
         QVERIFY2(problems.isEmpty(), qPrintable(u'\n' + problems.join(u'\n')));
