@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace axiscomp {
@@ -37,19 +38,46 @@ std::optional<double> valueInPositions(const CompensationTable& table, const Gri
     return unitFactor(table.unit, axis.unit);
 }
 
-/// The largest |step| between each of `count` values and the one a stride behind it. Eight at a
-/// time, which wait for each other no more.
+using FourValues = float __attribute__((vector_size(16)));
+
+template <typename Number> Number numberAt(const float* values)
+{
+    Number number{};
+    std::memcpy(&number, values, sizeof number);
+    return number;
+}
+
+/// The largest |number| of numbersAt(Number(), i), i from 0 to count - 1; 0 for none, and a NaN is
+/// left out. Number is float, or FourValues: those of i to i + 3. Eight at a time, which do not
+/// wait for each other.
+template <typename NumbersAt> float largestSize(std::size_t count, const NumbersAt& numbersAt)
+{
+    constexpr std::size_t width = 4;
+    std::array<FourValues, 2> highest{};
+    std::array<FourValues, 2> lowest{};
+    std::size_t i = 0;
+    for (; i + 2 * width <= count; i += 2 * width)
+        for (std::size_t k = 0; k < 2; ++k) {
+            const FourValues numbers = numbersAt(FourValues{}, i + width * k);
+            highest[k] = numbers > highest[k] ? numbers : highest[k];
+            lowest[k] = numbers < lowest[k] ? numbers : lowest[k];
+        }
+    float largest = 0.0F;
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t n = 0; n < width; ++n)
+            largest = std::max({largest, highest[k][n], -lowest[k][n]});
+    for (; i < count; ++i)
+        largest = std::max(largest, std::fabs(numbersAt(0.0F, i)));
+    return largest;
+}
+
+/// The largest |step| between each of `count` values and the one a stride behind it.
 float largestStep(const float* values, std::size_t stride, std::size_t count)
 {
-    constexpr std::size_t lanes = 8;
-    std::array<float, lanes> largest{};
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes)
-        for (std::size_t k = 0; k < lanes; ++k)
-            largest[k] = std::max(largest[k], std::fabs(values[i + stride + k] - values[i + k]));
-    for (; i < count; ++i)
-        largest[0] = std::max(largest[0], std::fabs(values[i + stride] - values[i]));
-    return std::ranges::max(largest);
+    return largestSize(count, [=](auto number, std::size_t i) {
+        using Number = decltype(number);
+        return numberAt<Number>(values + i + stride) - numberAt<Number>(values + i);
+    });
 }
 
 /// The steepest step in one dimension. The runs of neighbouring values are compared as a whole,
@@ -81,10 +109,10 @@ SteepestStep steepestAlong(
 
 float largestValue(const CompensationTable& table)
 {
-    float largest = 0.0F;
-    for (const float value : table.values)
-        largest = std::max(largest, std::fabs(value));
-    return largest;
+    return largestSize(
+        table.values.size(), [values = table.values.data()](auto number, std::size_t i) {
+            return numberAt<decltype(number)>(values + i);
+        });
 }
 
 Text slopeText(const CompensationTable& table, const SteepestStep& step)

@@ -4,6 +4,8 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <algorithm>
+
 namespace tst_largecorrection {
 
 using namespace axiscomp;
@@ -73,6 +75,29 @@ private Q_SLOTS:
         QCOMPARE(sentences.filter(QStringLiteral("slope")),
             QStringList(QStringLiteral("The correction has a slope of 0.101 along dimension 1, %1.")
                             .arg(place)));
+    }
+
+    void theLargestIsFoundWhereverItStands()
+    {
+        constexpr std::size_t points = 19; // eight at a time, and three more
+        for (std::size_t n = 0; n < points; ++n) {
+            for (const float value : {20.0F, -20.0F}) {
+                CompensationTable table;
+                table.unit = "mm";
+                table.grid.axes = {{"X", "mm", 0.0, 100.0, points}};
+                table.values.assign(points, 0.0F);
+                table.values[n] = value;
+                const std::size_t from = std::min(n, points - 2) * 100;
+                const QStringList wanted{
+                    QStringLiteral("The largest correction, 20 mm, is 1.111 % of the range of "
+                                   "dimension 1, 1800 mm."),
+                    QStringLiteral("The correction has a slope of 0.2 along dimension 1, between "
+                                   "%1 mm and %2 mm.")
+                        .arg(from)
+                        .arg(from + 100)};
+                QCOMPARE(sentencesOf(table), wanted);
+            }
+        }
     }
 
     void aStepAlongTheSecondDimensionIsFound()
