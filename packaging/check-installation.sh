@@ -115,7 +115,7 @@ END
 
 check_report() {
     as_user <<'END'
-axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 30 -o plan.csv
+axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 60 -o plan.csv
 axiscomp-virtualdrive --machine /usr/share/axiscomp/machines/screw.json --program plan.csv \
     --program-after 3 --speed 60 --http 127.0.0.1:8123 >ready &
 until [ -s ready ]; do sleep 0.1; done

@@ -142,7 +142,7 @@ measure()
 }
 
 say "6. A plan: 9 uneven targets, two runs in each direction. The machine's control plays it; capture only reads."
-show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 30 -o plan.csv
+show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 60 -o plan.csv
 start_drive "${machine[@]}" --program plan.csv --program-after 3
 measure plan.csv before.csv
 
@@ -158,7 +158,7 @@ expect_active
 
 say "9. Measured again at other targets, after the machine was switched off and on."
 stop_drive
-show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 30 --seed 2 -o again.csv
+show axiscomp targets --from 0 --to 200 --count 9 --cycles 2 --overrun 20 --feed 100 --dwell 60 --seed 2 -o again.csv
 start_drive "${machine[@]}" --program again.csv --program-after 3
 show axiscomp activate --axis X --record screw.axcal
 measure again.csv after.csv

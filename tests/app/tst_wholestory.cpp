@@ -64,7 +64,7 @@ private Q_SLOTS:
     void theTourRunsWithoutATerminal()
     {
         const Sandbox box;
-        // It measures a machine twice: a minute of a quiet computer.
+        // It measures a machine twice: a minute and a half of a quiet computer.
         const ProgramRun run = box.runProgram("/bin/bash",
             {AXISCOMP_SOURCE_FOLDER "/app/cli/tour.sh", AXISCOMP_PROGRAM_FOLDER}, {},
             10 * test::patienceMs);
