@@ -1807,7 +1807,7 @@
     </message>
     <message>
         <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
-        <translation>die neue Tabelle des unterbrochenen Schreibvorgangs für Achse {axis} wurde auf diesem Rechner nicht aufbewahrt: neu schreiben oder den Vorgang rückgängig machen</translation>
+        <translation>die neue Tabelle für Achse {axis} liegt nicht auf diesem Rechner: neu schreiben oder zurücknehmen</translation>
     </message>
     <message>
         <source>slot {slot}</source>
@@ -15601,15 +15601,15 @@
     </message>
     <message>
         <source>&amp;Finish Write</source>
-        <translation>Schreiben a&amp;bschließen</translation>
+        <translation>A&amp;bschließen</translation>
     </message>
     <message>
         <source>Undo Wri&amp;te</source>
-        <translation>Schreiben zurück&amp;nehmen</translation>
+        <translation>Zurück&amp;nehmen</translation>
     </message>
     <message>
         <source>&amp;Keep for Later</source>
-        <translation>S&amp;päter entscheiden</translation>
+        <translation>S&amp;päter</translation>
     </message>
     <message>
         <source>S&amp;how Certificate…</source>
@@ -15946,7 +15946,7 @@
     </message>
     <message>
         <source>The drive holds the complete new state, but its parameters may not be saved.</source>
-        <translation>Der Antrieb hat den vollständigen neuen Zustand, aber seine Parameter sind möglicherweise nicht gespeichert.</translation>
+        <translation>Der Antrieb hat den vollständigen neuen Zustand, aber seine Parameter sind vielleicht nicht gespeichert.</translation>
     </message>
     <message>
         <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>

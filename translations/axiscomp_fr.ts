@@ -1807,7 +1807,7 @@
     </message>
     <message>
         <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
-        <translation>la nouvelle table de l&apos;écriture interrompue de l&apos;axe {axis} n&apos;a pas été conservée sur cet ordinateur&#xa0;: l&apos;écrire de nouveau ou annuler l&apos;écriture</translation>
+        <translation>la nouvelle table de l&apos;axe {axis} n&apos;a pas été conservée sur cet ordinateur&#xa0;: l&apos;écrire de nouveau ou annuler l&apos;écriture</translation>
     </message>
     <message>
         <source>slot {slot}</source>
@@ -15601,15 +15601,15 @@
     </message>
     <message>
         <source>&amp;Finish Write</source>
-        <translation>Achever l&apos;écri&amp;ture</translation>
+        <translation>Acheve&amp;r</translation>
     </message>
     <message>
         <source>Undo Wri&amp;te</source>
-        <translation>Annule&amp;r l&apos;écriture</translation>
+        <translation>Annuler l&apos;écri&amp;ture</translation>
     </message>
     <message>
         <source>&amp;Keep for Later</source>
-        <translation>&amp;Garder pour plus tard</translation>
+        <translation>Plu&amp;s tard</translation>
     </message>
     <message>
         <source>S&amp;how Certificate…</source>
