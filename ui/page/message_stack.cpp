@@ -76,7 +76,8 @@ private:
         button->setToolTip(description.reason);
         button->setEnabled(description.isEnabled);
         button->setAutoDefault(true);
-        layout.addWidget(button);
+        // Of a long text, the lines beyond the first two are scrolled to: not so what to press.
+        layout.addWidget(button, 0, Qt::AlignTop);
         connect(button, &QPushButton::clicked, &stack,
             [&stack, id = objectName(), run = description.run] {
                 stack.remove(id);

@@ -117,6 +117,21 @@ private Q_SLOTS:
         QTRY_VERIFY(!messages.isVisible());
         QVERIFY(placesOf(bench) == before);
     }
+
+    void theButtonsOfALongMessageAreWhole()
+    {
+        PageFixture bench;
+        bench.window.resize(960, 540);
+        QVERIFY(bench.open());
+        auto& messages = *bench.wizard.findChild<MessageStack*>();
+        messages.show({.id = QStringLiteral("long"),
+            .text = QStringLiteral("Words. ").repeated(160),
+            .buttons = {{QStringLiteral("longButton"), QStringLiteral("Do"), [] {}}}});
+        QTRY_VERIFY(bench.user.sees("longButton"));
+        const QWidget& button = bench.user.the("longButton");
+        QTRY_VERIFY(messages.height() > 2 * messages.heightOfOne());
+        QCOMPARE(button.visibleRegion().boundingRect(), button.rect());
+    }
 };
 
 AXISCOMP_WINDOW_TEST(TestPageSize)
