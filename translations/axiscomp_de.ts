@@ -1807,7 +1807,7 @@
     </message>
     <message>
         <source>the new table of the unfinished write to axis {axis} was not kept on this computer: write it again, or undo the write</source>
-        <translation>die neue Tabelle für Achse {axis} liegt nicht auf diesem Rechner: neu schreiben oder zurücknehmen</translation>
+        <translation>die neue Tabelle für Achse {axis} fehlt auf diesem Rechner: neu schreiben oder rückgängig machen</translation>
     </message>
     <message>
         <source>slot {slot}</source>
@@ -15601,11 +15601,11 @@
     </message>
     <message>
         <source>&amp;Finish Write</source>
-        <translation>A&amp;bschließen</translation>
+        <translation>Vo&amp;llenden</translation>
     </message>
     <message>
         <source>Undo Wri&amp;te</source>
-        <translation>Zurück&amp;nehmen</translation>
+        <translation>Rückgä&amp;ngig machen</translation>
     </message>
     <message>
         <source>&amp;Keep for Later</source>
@@ -15946,7 +15946,7 @@
     </message>
     <message>
         <source>The drive holds the complete new state, but its parameters may not be saved.</source>
-        <translation>Der Antrieb hat den vollständigen neuen Zustand, aber seine Parameter sind vielleicht nicht gespeichert.</translation>
+        <translation>Der Antrieb hat den vollständigen neuen Zustand, seine Parameter sind vielleicht nicht gespeichert.</translation>
     </message>
     <message>
         <source>The drive holds neither the old nor the new state: finish or undo the write before activating the axis.</source>
