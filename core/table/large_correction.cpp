@@ -40,7 +40,7 @@ std::optional<double> valueInPositions(const CompensationTable& table, const Gri
 
 using FourValues = float __attribute__((vector_size(16)));
 
-template <typename Number> Number numberAt(const float* values)
+template <typename Number> Number valuesAt(const float* values)
 {
     Number number{};
     std::memcpy(&number, values, sizeof number);
@@ -76,7 +76,7 @@ float largestStep(const float* values, std::size_t stride, std::size_t count)
 {
     return largestSize(count, [=](auto number, std::size_t i) {
         using Number = decltype(number);
-        return numberAt<Number>(values + i + stride) - numberAt<Number>(values + i);
+        return valuesAt<Number>(values + i + stride) - valuesAt<Number>(values + i);
     });
 }
 
@@ -111,7 +111,7 @@ float largestValue(const CompensationTable& table)
 {
     return largestSize(
         table.values.size(), [values = table.values.data()](auto number, std::size_t i) {
-            return numberAt<decltype(number)>(values + i);
+            return valuesAt<decltype(number)>(values + i);
         });
 }
 

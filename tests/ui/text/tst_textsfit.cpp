@@ -66,7 +66,8 @@ Looks looksAt(const QString& language, int state)
 } // namespace
 
 /// On every size of screen and in every language no text is cut and nothing is off the screen; nor
-/// in one whose texts are a third longer, where the screen is not the smallest.
+/// in one whose texts are a third longer, where the screen is not the smallest. looksAt() says
+/// which are looked at.
 class TestTextsFit : public QObject {
     Q_OBJECT
 
