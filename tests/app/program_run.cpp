@@ -30,8 +30,9 @@ QJsonObject ProgramRun::json() const
 
 QByteArray ProgramRun::text() const
 {
-    return "exit code " + QByteArray::number(code) + "\n--- stdout\n" + out.left(4000)
-        + "\n--- stderr\n" + err.left(4000);
+    // Qt Test cuts a message after a thousand characters, and what went wrong was said last.
+    return "exit code " + QByteArray::number(code) + "\n--- stderr\n" + err.right(400)
+        + "\n--- stdout\n" + out.right(500);
 }
 
 Sandbox::Sandbox() : m_environment(QProcessEnvironment::systemEnvironment())
