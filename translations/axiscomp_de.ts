@@ -6182,16 +6182,20 @@
         <translation>{problem}; dies ist die Zielposition von Schritt {other}: Fahren Sie die Achse zurück</translation>
     </message>
     <message>
+        <source>how the axis came to step {step} is not known, as nothing could be read for {time}; go to {approach} and come back</source>
+        <translation>Wie die Achse zu Schritt {step} kam, ist nicht bekannt, da {time} lang nichts gelesen werden konnte; fahren Sie nach {approach} und zurück</translation>
+    </message>
+    <message>
+        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
+        <translation>Die Achse kam nur {way} weit in der Richtung von Schritt {step}, weniger als der Überlauf von {overrun}; fahren Sie nach {approach} und zurück</translation>
+    </message>
+    <message>
         <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
         <translation>Schritt {step} wird aufwärts angefahren, und die Achse kam nicht von unten; fahren Sie nach {approach} und zurück</translation>
     </message>
     <message>
         <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
         <translation>Schritt {step} wird abwärts angefahren, und die Achse kam nicht von oben; fahren Sie nach {approach} und zurück</translation>
-    </message>
-    <message>
-        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
-        <translation>Die Achse kam nur {way} weit in der Richtung von Schritt {step}, weniger als der Überlauf von {overrun}; fahren Sie nach {approach} und zurück</translation>
     </message>
     <message>
         <source>the instrument gives no position</source>

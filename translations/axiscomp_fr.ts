@@ -6182,16 +6182,20 @@
         <translation>{problem}&#xa0;; c&apos;est la position cible de l&apos;étape {other}&#xa0;: ramener l&apos;axe</translation>
     </message>
     <message>
+        <source>how the axis came to step {step} is not known, as nothing could be read for {time}; go to {approach} and come back</source>
+        <translation>on ne sait pas comment l&apos;axe est venu à l&apos;étape {step}, car rien n&apos;a pu être lu pendant {time}&#xa0;; aller à {approach} et revenir</translation>
+    </message>
+    <message>
+        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
+        <translation>l&apos;axe n&apos;est venu que de {way} dans le sens de l&apos;étape {step}, moins que le dépassement de {overrun}&#xa0;; aller à {approach} et revenir</translation>
+    </message>
+    <message>
         <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
         <translation>l&apos;étape {step} s&apos;aborde en sens positif, et l&apos;axe n&apos;est pas venu d&apos;en dessous&#xa0;; aller à {approach} et revenir</translation>
     </message>
     <message>
         <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
         <translation>l&apos;étape {step} s&apos;aborde en sens négatif, et l&apos;axe n&apos;est pas venu d&apos;au-dessus&#xa0;; aller à {approach} et revenir</translation>
-    </message>
-    <message>
-        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
-        <translation>l&apos;axe n&apos;est venu que de {way} dans le sens de l&apos;étape {step}, moins que le dépassement de {overrun}&#xa0;; aller à {approach} et revenir</translation>
     </message>
     <message>
         <source>the instrument gives no position</source>

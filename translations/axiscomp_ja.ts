@@ -6148,16 +6148,20 @@
         <translation>{problem}。ここはステップ {other} の目標位置です。軸を戻してください</translation>
     </message>
     <message>
+        <source>how the axis came to step {step} is not known, as nothing could be read for {time}; go to {approach} and come back</source>
+        <translation>{time} の間何も読み取れなかったため、軸がステップ {step} へどう動いたか分かりません。{approach} まで動かしてから戻ってください</translation>
+    </message>
+    <message>
+        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
+        <translation>ステップ {step} の方向への移動量が {way} しかなく、オーバーラン {overrun} に足りません。{approach} まで動かしてから戻ってください</translation>
+    </message>
+    <message>
         <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
         <translation>ステップ {step} には正方向に近づきますが、軸が小さい側から来ていません。{approach} まで動かしてから戻ってください</translation>
     </message>
     <message>
         <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
         <translation>ステップ {step} には負方向に近づきますが、軸が大きい側から来ていません。{approach} まで動かしてから戻ってください</translation>
-    </message>
-    <message>
-        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
-        <translation>ステップ {step} の方向への移動量が {way} しかなく、オーバーラン {overrun} に足りません。{approach} まで動かしてから戻ってください</translation>
     </message>
     <message>
         <source>the instrument gives no position</source>

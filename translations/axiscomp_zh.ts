@@ -6148,16 +6148,20 @@
         <translation>{problem}；这是第 {other} 步的目标位置：请将轴移回</translation>
     </message>
     <message>
+        <source>how the axis came to step {step} is not known, as nothing could be read for {time}; go to {approach} and come back</source>
+        <translation>由于有 {time} 无法读取，不知道轴是如何到达第 {step} 步的；请移到 {approach} 再返回</translation>
+    </message>
+    <message>
+        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
+        <translation>轴沿第 {step} 步的方向只移动了 {way}，小于越程 {overrun}；请移到 {approach} 再返回</translation>
+    </message>
+    <message>
         <source>step {step} is approached upwards, and the axis did not come from below; go to {approach} and come back</source>
         <translation>第 {step} 步应正向趋近，而轴不是从负侧移来；请移到 {approach} 再返回</translation>
     </message>
     <message>
         <source>step {step} is approached downwards, and the axis did not come from above; go to {approach} and come back</source>
         <translation>第 {step} 步应负向趋近，而轴不是从正侧移来；请移到 {approach} 再返回</translation>
-    </message>
-    <message>
-        <source>the axis came only {way} in the direction of step {step}, less than the overrun of {overrun}; go to {approach} and come back</source>
-        <translation>轴沿第 {step} 步的方向只移动了 {way}，小于越程 {overrun}；请移到 {approach} 再返回</translation>
     </message>
     <message>
         <source>the instrument gives no position</source>

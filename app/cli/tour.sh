@@ -137,7 +137,7 @@ END
 machine=(--machine machine.json --name Machine --state flash --speed 60)
 measure()
 {
-    show axiscomp capture --axis X --plan "$1" --dwell 0.1 --average 3 --rate 50 -o "$2" \
+    show axiscomp capture --axis X --plan "$1" --dwell 0.4 --average 3 --rate 50 -o "$2" \
         --reference 'Machine/Axes[0]/ReferencePosition'
 }
 

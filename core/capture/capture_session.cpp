@@ -54,6 +54,7 @@ void CaptureSession::Way::add(double position, double turn)
         begin = farthest;
         farthest = position;
         direction = -direction;
+        unread = {};
         widestStep = std::abs(position - *begin);
     }
 }
@@ -105,6 +106,7 @@ void CaptureSession::followTime(const CaptureReading& reading)
     // A clock that was put back says nothing of the axis.
     if (last && reading.time > *last) {
         m_way = {};
+        m_way.unread = reading.time - *last;
         m_isStanding = false;
     }
 }
@@ -144,34 +146,46 @@ Text CaptureSession::otherTarget(double position) const
         .with("other", later->step);
 }
 
+/// Empty: the axis has come to the step that is due as its plan says.
+Text CaptureSession::obstacleOfWay() const
+{
+    const MeasuringStep& due = m_plan.steps[m_due];
+    const int wanted = due.direction == Approach::Up ? 1 : -1;
+    const double needed = std::min(m_plan.overrun, std::abs(due.target - due.approach));
+    const bool isShort = m_way.length() + m_way.widestStep < needed - m_tolerance;
+    if (m_way.direction == wanted && !isShort)
+        return {};
+    const auto go = [&](const Text& text) {
+        return text.with("step", due.step).with("approach", shownPosition(due.approach, m_plan));
+    };
+    if (m_way.unread.count() > 0 && m_way.direction != -wanted)
+        return go(AXISCOMP_TEXT("Error",
+                      "how the axis came to step {step} is not known, as nothing could be read for "
+                      "{time}; "
+                      "go to {approach} and come back"))
+            .with("time",
+                Quantity{fixedDigits(std::chrono::duration<double>(m_way.unread).count(), 2), "s"});
+    if (m_way.direction == wanted)
+        return go(AXISCOMP_TEXT("Error",
+                      "the axis came only {way} in the direction of step {step}, less than the "
+                      "overrun of "
+                      "{overrun}; go to {approach} and come back"))
+            .with("way", shownPosition(m_way.length(), m_plan))
+            .with("overrun", shownPosition(needed, m_plan));
+    return go(due.direction == Approach::Up ? AXISCOMP_TEXT("Error",
+                  "step {step} is approached upwards, and the axis did not come from below; go to "
+                  "{approach} and come back")
+                                            : AXISCOMP_TEXT("Error",
+                                                "step {step} is approached downwards, and the axis "
+                                                "did not come from above; go to "
+                                                "{approach} and come back"));
+}
+
 /// Empty: the value of the step that is due can be taken here.
 Text CaptureSession::obstacle(double position) const
 {
-    const MeasuringStep& due = m_plan.steps[m_due];
-    if (std::abs(position - due.target) > m_tolerance)
-        return otherTarget(position);
-    const int wanted = due.direction == Approach::Up ? 1 : -1;
-    if (m_way.direction != wanted)
-        return (
-            due.direction == Approach::Up ? AXISCOMP_TEXT("Error",
-                "step {step} is approached upwards, and the axis did not come from below; go to "
-                "{approach} and come back")
-                                          : AXISCOMP_TEXT("Error",
-                                              "step {step} is approached downwards, and the axis "
-                                              "did not come from above; go to "
-                                              "{approach} and come back"))
-            .with("step", due.step)
-            .with("approach", shownPosition(due.approach, m_plan));
-    const double needed = std::min(m_plan.overrun, std::abs(due.target - due.approach));
-    if (m_way.length() + m_way.widestStep < needed - m_tolerance)
-        return AXISCOMP_TEXT("Error",
-            "the axis came only {way} in the direction of step {step}, less than the overrun of "
-            "{overrun}; go to {approach} and come back")
-            .with("way", shownPosition(m_way.length(), m_plan))
-            .with("step", due.step)
-            .with("overrun", shownPosition(needed, m_plan))
-            .with("approach", shownPosition(due.approach, m_plan));
-    return {};
+    const bool isThere = std::abs(position - m_plan.steps[m_due].target) <= m_tolerance;
+    return isThere ? obstacleOfWay() : otherTarget(position);
 }
 
 Text CaptureSession::scaleProblem(const CapturedValue& value) const

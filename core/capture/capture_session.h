@@ -92,6 +92,7 @@ private:
         double farthest = 0.0;
         double widestStep = 0.0; ///< between two readings: so far it may have gone unseen
         int direction = 0; ///< 1 up, -1 down, 0 not moved yet
+        std::chrono::nanoseconds unread{0}; ///< before it nothing was read for so long
 
         void add(double position, double turn);
         [[nodiscard]] double length() const { return direction * (farthest - *begin); }
@@ -104,6 +105,7 @@ private:
     void followTime(const CaptureReading& reading);
     [[nodiscard]] bool isMoving(const CaptureReading& reading);
     [[nodiscard]] Text obstacle(double position) const;
+    [[nodiscard]] Text obstacleOfWay() const;
     [[nodiscard]] Text otherTarget(double position) const;
     /// Empty: the reference has moved as the axis has since the value before.
     [[nodiscard]] Text scaleProblem(const CapturedValue& value) const;

@@ -365,9 +365,33 @@ private Q_SLOTS:
         axis.move(0.0);
         axis.reading.time += 3s;
         QCOMPARE(axis.stand(60).back(), Event::Refused);
+        QCOMPARE(axis.problem(),
+            "how the axis came to step 1 is not known, as nothing could be read for 3.05 s; go to "
+            "-1.000 mm and come back");
         axis.move(-1.0);
         axis.move(0.0);
         QVERIFY(axis.takes());
+    }
+
+    void afterAPauseOnTheWayItIsSaidThatItWasThePause()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.reading.encoder = -0.3;
+        axis.reading.time += 3s;
+        for (const double place : {-0.2, -0.1, 0.0}) {
+            axis.reading.encoder = place;
+            (void)axis.read();
+        }
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(axis.problem().find("nothing could be read for 3.05 s") != std::string::npos,
+            axis.problem().c_str());
+        // What was seen of the way after it is not hidden behind the pause.
+        axis.move(1.0);
+        axis.move(0.0);
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(axis.problem().find("did not come from below") != std::string::npos,
+            axis.problem().c_str());
     }
 
     void aProgramIsCapturedAndJudged()
