@@ -386,12 +386,18 @@ private Q_SLOTS:
         QCOMPARE(axis.stand(40).back(), Event::Refused);
         QVERIFY2(axis.problem().find("nothing could be read for 3.05 s") != std::string::npos,
             axis.problem().c_str());
-        // What was seen of the way after it is not hidden behind the pause.
+        // The pause does not excuse what was seen after it.
         axis.move(1.0);
         axis.move(0.0);
         QCOMPARE(axis.stand(40).back(), Event::Refused);
         QVERIFY2(axis.problem().find("did not come from below") != std::string::npos,
             axis.problem().c_str());
+        for (const double place : {-0.1, -0.2, -0.3, -0.2, -0.1, 0.0}) {
+            axis.reading.encoder = place;
+            (void)axis.read();
+        }
+        QCOMPARE(axis.stand(40).back(), Event::Refused);
+        QVERIFY2(axis.problem().starts_with("the axis came only 0.300 mm"), axis.problem().c_str());
     }
 
     void aProgramIsCapturedAndJudged()
