@@ -106,9 +106,6 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
 {
     csv::GridReading grid = csv::readGrid(scan, options, diagnostics);
     const csv::Places places(scan, grid.lines);
-    csv::checkPoints(scan, grid, places, options, diagnostics);
-    if (diagnostics.hasErrors())
-        return std::nullopt;
     CalibrationData data;
     data.tables = csv::readTables(scan, grid, places, options, diagnostics);
     if (diagnostics.hasErrors())

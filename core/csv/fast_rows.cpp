@@ -23,6 +23,8 @@ public:
         , m_end(end)
         , m_reach(static_cast<std::ptrdiff_t>(
               (Dimensions + m_tables) * (shortNumberReach + 1) + lineEndReach))
+        , m_batchRows(std::clamp<std::size_t>(64 / m_tables, 1, 64))
+        , m_values(m_tables * m_batchRows)
     {
     }
 
@@ -31,22 +33,28 @@ public:
     const char* fill(RowStore::Block& block, std::size_t firstRow, std::size_t lastRow,
         const char* p, const char* until)
     {
-        std::size_t row = block.rows;
-        while (p < until && row < lastRow) {
-            const char* const next =
-                read(p, block.ids.get() + row, block.values.get() + row, firstRow + row);
-            if (next == nullptr)
-                break;
-            p = next;
-            ++row;
+        bool isPlain = true;
+        while (isPlain && p < until && block.rows < lastRow) {
+            const std::size_t batch = std::min(m_batchRows, lastRow - block.rows);
+            std::uint16_t* const ids = block.ids.get() + block.rows;
+            std::size_t rows = 0;
+            while (p < until && rows < batch) {
+                const char* const next = read(p, ids + rows, rows);
+                isPlain = next != nullptr;
+                if (!isPlain)
+                    break;
+                p = next;
+                ++rows;
+            }
+            finish(block.values.get() + block.rows, rows, firstRow + block.rows);
+            block.rows += rows;
         }
-        block.rows = row;
         return p;
     }
 
 private:
     /// Returns the beginning of the next line; nullptr: this one is not taken.
-    const char* read(const char* p, std::uint16_t* ids, float* values, std::size_t row)
+    const char* read(const char* p, std::uint16_t* ids, std::size_t row)
     {
         if (!hasRoom(p))
             return nullptr;
@@ -65,21 +73,47 @@ private:
             }
         }
         for (std::size_t table = 0; table < m_tables; ++table) {
-            Number value;
             if (table > 0 && *p++ != m_format.separator)
                 return nullptr;
-            p = number(p, value);
-            const auto stored = static_cast<float>(value.value);
-            if (p == nullptr || !(std::fabs(stored) <= largestFloat))
+            p = value(p, m_values[table * m_batchRows + row]);
+            if (p == nullptr)
                 return nullptr;
-            values[table * m_stride] = stored;
-            m_ranges[table].add(value.value, stored, row);
         }
         p = lineEnd(p);
         if constexpr (Dimensions == 1)
             if (p != nullptr)
                 m_columns[0].append(position);
         return p;
+    }
+
+    /// The divisions of several rows beside each other: one would wait for the text of its row, and
+    /// the next row for it.
+    void finish(float* values, std::size_t rows, std::size_t firstRow)
+    {
+        for (std::size_t table = 0; table < m_tables; ++table) {
+            const ShortNumber* const numbers = m_values.data() + table * m_batchRows;
+            ValueRange range = m_ranges[table];
+            for (std::size_t i = 0; i < rows; ++i) {
+                const double value = numbers[i].value();
+                const auto stored = static_cast<float>(value);
+                values[table * m_stride + i] = stored;
+                range.add(value, stored, firstRow + i);
+            }
+            m_ranges[table] = range;
+        }
+    }
+    const char* value(const char* p, ShortNumber& result) const
+    {
+        const char* const after = parseShortNumber(p, m_format.decimal, result);
+        return after != nullptr ? after : longValue(p, result);
+    }
+    [[gnu::noinline]] const char* longValue(const char* p, ShortNumber& result) const
+    {
+        Number number;
+        p = longNumber(p, number);
+        result = {number.value, 0};
+        return p != nullptr && std::fabs(static_cast<float>(number.value)) <= largestFloat ? p
+                                                                                           : nullptr;
     }
 
     /// For a line of short cells from here on; so nothing else has to look for the end.
@@ -137,6 +171,8 @@ private:
     const CellFormat m_format;
     const char* const m_end;
     const std::ptrdiff_t m_reach;
+    const std::size_t m_batchRows;
+    std::vector<ShortNumber> m_values; ///< [table * m_batchRows + row], not divided yet
 };
 
 template <int Dimensions>

@@ -6,7 +6,6 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -225,16 +224,13 @@ public:
         : m_scan(scan)
         , m_grid(grid)
         , m_places(places)
-        , m_threads(options.threads)
         , m_diagnostics(diagnostics)
+        , m_pointCount(grid.pointCount())
     {
-        for (const GridLines& lines : grid.lines)
-            m_pointCount *= static_cast<double>(lines.positions.size());
         const double columns = static_cast<double>(scan.columns.size());
         m_mayMiss = options.missing != MissingPoints::Refuse
             && m_pointCount * columns <= static_cast<double>(options.maximumCells);
-        // Enough to find the first missing points of a grid of any size, and all points of a full
-        // one.
+        // Enough to find the first missing points of a grid of any size.
         const double enough = m_mayMiss ? m_pointCount : static_cast<double>(scan.rows + mostNamed);
         m_looked = static_cast<std::size_t>(std::min(m_pointCount, enough));
     }
@@ -242,7 +238,6 @@ public:
     void run();
 
 private:
-    [[nodiscard]] bool isFull() const;
     void findDuplicates();
     void reportDuplicates();
     void reportMissing();
@@ -260,9 +255,8 @@ private:
     const Scan& m_scan;
     const GridReading& m_grid;
     const Places& m_places;
-    std::size_t m_threads;
     DiagnosticList& m_diagnostics;
-    double m_pointCount = 1.0; ///< may be beyond any integer in a file that is no grid
+    double m_pointCount;
     bool m_mayMiss = false; ///< points without a line are no error
     std::size_t m_looked = 0; ///< points that are looked at, from the first
     std::vector<bool> m_occupied;
@@ -272,31 +266,11 @@ private:
 
 void PointCheck::run()
 {
-    if (isFull())
-        return;
     findDuplicates();
     reportDuplicates();
     // What a grid misses is worth saying when there is a grid: not when positions scatter.
     if (m_grid.even && !m_mayMiss)
         reportMissing();
-}
-
-/// As many rows as points, and no point without a row: then none has two.
-bool PointCheck::isFull() const
-{
-    if (m_pointCount != static_cast<double>(m_scan.rows))
-        return false;
-    std::vector<std::uint8_t> occupied(m_looked);
-    shareWork(m_scan.pieces.size(), m_threads, [&](std::size_t n) {
-        m_places.forEachBlock(m_scan.pieces[n],
-            [&](std::size_t, const RowStore::Block&, std::span<const double> places) {
-                for (const double place : places)
-                    std::atomic_ref(occupied[static_cast<std::size_t>(place)])
-                        .store(1, std::memory_order_relaxed);
-                return true;
-            });
-    });
-    return std::ranges::find(occupied, std::uint8_t{0}) == occupied.end();
 }
 
 void PointCheck::findDuplicates()
@@ -412,6 +386,14 @@ Text columnText(const ColumnName& column, std::size_t dimension)
     return column.name.empty()
         ? AXISCOMP_TEXT("Error", "position {number}").with("number", dimension + 1)
         : Text(Verbatim{column.name});
+}
+
+double GridReading::pointCount() const
+{
+    double count = 1.0;
+    for (const GridLines& each : lines)
+        count *= static_cast<double>(each.positions.size());
+    return count;
 }
 
 GridReading readGrid(const Scan& scan, const CsvOptions& options, DiagnosticList& diagnostics)

@@ -12,6 +12,9 @@ struct GridReading {
     std::vector<std::vector<double>>
         knots; ///< per dimension: those of the grid, or the uneven ones
     bool even = false; ///< every dimension has enough lines and is evenly spaced, or need not be
+
+    /// May be beyond any integer in a file that is no grid.
+    [[nodiscard]] double pointCount() const;
 };
 
 /// "X", or "position 1"

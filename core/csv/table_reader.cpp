@@ -6,6 +6,7 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -97,17 +98,15 @@ std::size_t TableCheck::lineOf(std::size_t point) const
     return row == m_scan.rows ? 0 : m_scan.rowLines.lineOf(row);
 }
 
-/// A point without a row is NaN.
+/// A point without a row is NaN, and one with several has any of them.
 std::vector<CompensationTable> placedTables(
     const Scan& scan, const Grid& grid, const Places& places, std::size_t threads)
 {
-    const std::size_t points = grid.pointCount();
     std::vector<CompensationTable> tables;
     for (std::size_t index = 0; index < scan.tables(); ++index) {
         const ColumnName& name = scan.columns[static_cast<std::size_t>(scan.dimensions) + index];
         tables.push_back({name.name, name.unit, grid,
-            std::vector<float>(
-                points, points > scan.rows ? std::numeric_limits<float>::quiet_NaN() : 0.0F)});
+            std::vector<float>(grid.pointCount(), std::numeric_limits<float>::quiet_NaN())});
     }
     shareWork(scan.pieces.size(), threads, [&](std::size_t n) {
         const std::size_t stride = scan.pieces[n].rows.blockRows();
@@ -116,13 +115,19 @@ std::vector<CompensationTable> placedTables(
                 const float* values = block.values.get();
                 for (CompensationTable& table : tables) {
                     for (std::size_t i = 0; i < own.size(); ++i)
-                        table.values[static_cast<std::size_t>(own[i])] = values[i];
+                        std::atomic_ref(table.values[static_cast<std::size_t>(own[i])])
+                            .store(values[i], std::memory_order_relaxed);
                     values += stride;
                 }
                 return true;
             });
     });
     return tables;
+}
+
+bool hasValueEverywhere(const CompensationTable& table)
+{
+    return std::ranges::none_of(table.values, [](float value) { return std::isnan(value); });
 }
 
 std::vector<double> positionsOf(const GridAxis& axis)
@@ -188,8 +193,18 @@ bool complete(const Scan& scan, GridReading& reading, MissingPoints missing,
 std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading,
     const Places& places, const CsvOptions& options, DiagnosticList& diagnostics)
 {
-    std::vector<CompensationTable> tables =
-        placedTables(scan, reading.grid, places, options.threads);
+    // As many rows as points, and a value at each: then no point has two.
+    const bool mayBeFull =
+        reading.even && reading.pointCount() == static_cast<double>(scan.rows);
+    std::vector<CompensationTable> tables;
+    if (mayBeFull)
+        tables = placedTables(scan, reading.grid, places, options.threads);
+    if (!mayBeFull || !hasValueEverywhere(tables.front()))
+        checkPoints(scan, reading, places, options, diagnostics);
+    if (diagnostics.hasErrors())
+        return {};
+    if (!mayBeFull)
+        tables = placedTables(scan, reading.grid, places, options.threads);
     const Grid whole = reading.grid;
     if (options.missing != MissingPoints::Refuse
         && !complete(scan, reading, options.missing, tables, diagnostics))

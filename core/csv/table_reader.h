@@ -9,8 +9,7 @@
 namespace axiscomp::csv {
 
 /// Puts the values in their places, makes up those that are missing or cuts the grid to those that
-/// are not, and looks at the tables. Every point must be there, or may be missing. None after an
-/// error.
+/// are not, and looks at the tables. None after an error, also of the grid.
 [[nodiscard]] std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading,
     const Places& places, const CsvOptions& options, DiagnosticList& diagnostics);
 

@@ -66,12 +66,27 @@ inline Digits leadingDigits(const char* p)
     return {(high + low) >> 32U, bits / 8};
 }
 
+/// The same behind eight others. Nanometres in millimetres with three digits more are one.
+inline Digits digitsAfterEight(const char* p)
+{
+    const unsigned first = digitAt(p);
+    return first < 10 && digitAt(p + 1) >= 10 ? Digits{first, 1} : leadingDigits(p);
+}
+
 } // namespace detail
+
+/// A number of few digits, before its one rounding: value() is the nearest double.
+struct ShortNumber {
+    double digits = 0.0; ///< a whole number, with the sign
+    unsigned decimals = 0; ///< of them
+
+    [[nodiscard]] double value() const { return digits / detail::powersOfTen[decimals]; }
+};
 
 /// The common case of parseNumber: digits with or without decimals, no exponent. Returns what
 /// follows the number, or nullptr when it takes parseNumber to tell. shortNumberReach characters
 /// must be readable.
-inline const char* parseShortNumber(const char* p, char decimal, Number& number)
+inline const char* parseShortNumber(const char* p, char decimal, ShortNumber& number)
 {
     // Clinger's fast path: a mantissa up to 2^53 and a power of ten up to 10^22 are exact doubles,
     // and the division rounds once.
@@ -95,7 +110,7 @@ inline const char* parseShortNumber(const char* p, char decimal, Number& number)
         mantissa = mantissa * detail::wholePowersOfTen[part.count] + part.value;
         decimals = part.count;
         if (part.count == 8) {
-            part = detail::leadingDigits(p + 9);
+            part = detail::digitsAfterEight(p + 9);
             if (digits + part.count > 10)
                 return nullptr;
             mantissa = mantissa * detail::wholePowersOfTen[part.count] + part.value;
@@ -107,9 +122,17 @@ inline const char* parseShortNumber(const char* p, char decimal, Number& number)
     const bool goesOn = detail::digitAt(p) < 10 || (static_cast<unsigned char>(*p) | 0x20U) == 'e';
     if (digits == 0 || goesOn || mantissa > exactMantissa)
         return nullptr;
-    const double size = static_cast<double>(mantissa) / detail::powersOfTen[decimals];
-    number.value = std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) | negative << 63U);
-    number.lastDecimal = -static_cast<int>(decimals);
+    const auto size = std::bit_cast<std::uint64_t>(static_cast<double>(mantissa));
+    number = {std::bit_cast<double>(size | negative << 63U), decimals};
+    return p;
+}
+
+inline const char* parseShortNumber(const char* p, char decimal, Number& number)
+{
+    ShortNumber found;
+    p = parseShortNumber(p, decimal, found);
+    if (p != nullptr)
+        number = {found.value(), -static_cast<int>(found.decimals)};
     return p;
 }
 
