@@ -9,6 +9,7 @@ PositionColumn::PositionColumn(std::string_view text, char separator)
     : m_text(text)
     , m_separators(everyByte(static_cast<std::uint8_t>(separator)))
     , m_entries(1, Entry{{1, 0}, {0, 0}, 0, 0, 0})
+    , m_slots(64)
 {
 }
 
@@ -21,7 +22,7 @@ std::optional<std::uint16_t> PositionColumn::intern(
     if (m_entries.size() * 2 >= m_slots.size())
         grow();
     const Key key = keyOf(cell);
-    std::uint16_t& slot = slotOf(key, cell);
+    std::uint16_t& slot = m_slots[slotOf(key, cell)];
     if (slot == 0) {
         Number number;
         fault = parse(cell, decimal, number);
@@ -30,10 +31,7 @@ std::optional<std::uint16_t> PositionColumn::intern(
         slot = add(key, cell);
         append(number);
     }
-    m_entries[m_last].follower = slot;
-    m_last = slot;
-    m_expected = m_entries[slot].follower;
-    return static_cast<std::uint16_t>(slot - 1);
+    return follow(slot);
 }
 
 void PositionColumn::close()
@@ -74,27 +72,16 @@ PositionColumn::Key PositionColumn::keyOf(std::string_view cell) const
     return key;
 }
 
-std::uint64_t PositionColumn::hashOf(const Key& key, std::string_view cell)
+/// Of any text.
+std::size_t PositionColumn::slotOf(const Key& key, std::string_view cell) const
 {
-    if (cell.size() > keyLength)
-        return std::hash<std::string_view>{}(cell);
-    // Odd numbers without a pattern. A product's upper bits depend on all lower ones of its factor.
-    std::uint64_t hash = key[0] ^ (key[1] * 0xC2B2AE3D27D4EB4FU);
-    hash = (hash ^ (hash >> 32U)) * 0x9E3779B97F4A7C15U;
-    return hash >> 32U;
-}
-
-/// Where the cell stands, or has its place.
-std::uint16_t& PositionColumn::slotOf(const Key& key, std::string_view cell)
-{
+    if (cell.size() <= keyLength)
+        return slotOf(key);
     const std::size_t mask = m_slots.size() - 1;
-    for (std::size_t i = hashOf(key, cell) & mask;; i = (i + 1) & mask) {
-        const Entry& entry = m_entries[m_slots[i]];
-        if (m_slots[i] == 0
-            || (isSame(entry.text, key)
-                && (cell.size() <= keyLength || textOf(m_slots[i]) == cell)))
-            return m_slots[i];
-    }
+    std::size_t slot = std::hash<std::string_view>{}(cell) & mask;
+    while (m_slots[slot] != 0 && textOf(m_slots[slot]) != cell)
+        slot = (slot + 1) & mask;
+    return slot;
 }
 
 std::uint16_t PositionColumn::add(const Key& key, std::string_view cell)
@@ -114,9 +101,9 @@ std::uint16_t PositionColumn::add(const Key& key, std::string_view cell)
 
 void PositionColumn::grow()
 {
-    m_slots.assign(std::max<std::size_t>(64, m_slots.size() * 2), 0);
+    m_slots.assign(m_slots.size() * 2, 0);
     for (std::uint32_t n = 1; n < m_entries.size(); ++n)
-        slotOf(m_entries[n].text, textOf(n)) = static_cast<std::uint16_t>(n);
+        m_slots[slotOf(m_entries[n].text, textOf(n))] = static_cast<std::uint16_t>(n);
 }
 
 RowStore::RowStore(std::size_t idsPerRow, std::size_t valuesPerRow)

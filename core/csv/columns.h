@@ -58,6 +58,17 @@ public:
         return std::nullopt;
     }
 
+    /// The id of a position at p that has come up before, and whose length shortLength has found.
+    [[nodiscard]] std::optional<std::uint16_t> known(const char* p, std::size_t length)
+    {
+        const Key found = loaded(p);
+        const Key& mask = masks[length];
+        const std::uint16_t entry = m_slots[slotOf({found[0] & mask[0], found[1] & mask[1]})];
+        if (entry == 0)
+            return std::nullopt;
+        return follow(entry);
+    }
+
     /// The id of any cell, new ones included. None: not a number, and why.
     std::optional<std::uint16_t> intern(std::string_view cell, char decimal, NumberFault& fault);
 
@@ -94,6 +105,14 @@ private:
     };
 
     static constexpr std::size_t keyLength = matchReach - 1;
+    /// By the length of a text: of its characters, and of the separator behind it.
+    static constexpr std::array<Key, matchReach> masks = [] {
+        std::array<Key, matchReach> result{};
+        for (std::size_t length = 0; length < matchReach; ++length)
+            for (std::size_t i = 0; i <= length; ++i)
+                result[length][i / 8] |= std::uint64_t{0xFF} << (i % 8 * 8);
+        return result;
+    }();
 
     static constexpr std::uint64_t everyByte(std::uint8_t byte)
     {
@@ -116,8 +135,31 @@ private:
         return ((a[0] ^ b[0]) | (a[1] ^ b[1])) == 0;
     }
     [[nodiscard]] Key keyOf(std::string_view cell) const;
-    [[nodiscard]] static std::uint64_t hashOf(const Key& key, std::string_view cell);
-    std::uint16_t& slotOf(const Key& key, std::string_view cell);
+    [[nodiscard]] static std::uint64_t hashOf(const Key& key)
+    {
+        // Odd numbers without a pattern. A product's upper bits depend on all lower ones of its
+        // factor.
+        std::uint64_t hash = key[0] ^ (key[1] * 0xC2B2AE3D27D4EB4FU);
+        hash = (hash ^ (hash >> 32U)) * 0x9E3779B97F4A7C15U;
+        return hash >> 32U;
+    }
+    /// Where a text of at most keyLength characters stands, or has its place.
+    [[nodiscard]] std::size_t slotOf(const Key& key) const
+    {
+        const std::size_t mask = m_slots.size() - 1;
+        std::size_t slot = hashOf(key) & mask;
+        while (!isSame(m_entries[m_slots[slot]].text, key) && m_slots[slot] != 0)
+            slot = (slot + 1) & mask;
+        return slot;
+    }
+    [[nodiscard]] std::size_t slotOf(const Key& key, std::string_view cell) const;
+    std::uint16_t follow(std::uint16_t entry)
+    {
+        m_entries[m_last].follower = entry;
+        m_last = entry;
+        m_expected = m_entries[entry].follower;
+        return static_cast<std::uint16_t>(entry - 1);
+    }
     NumberFault parse(std::string_view cell, char decimal, Number& number) const;
     std::uint16_t add(const Key& key, std::string_view cell);
     void grow();

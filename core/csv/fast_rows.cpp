@@ -150,11 +150,19 @@ private:
             hasRoom(p) && parseNumber(text, m_format.decimal, result) == NumberFault::None;
         return isNumber ? p : nullptr;
     }
-    [[gnu::noinline]] const char* otherPosition(
-        const char* p, PositionColumn& column, std::uint16_t& id) const
+    const char* otherPosition(const char* p, PositionColumn& column, std::uint16_t& id) const
     {
         const std::optional<std::size_t> length = column.shortLength(p);
-        const std::string_view text(p, length ? *length : numberText(p).size());
+        const auto known = length ? column.known(p, *length) : std::nullopt;
+        if (!known)
+            return newPosition(p, length ? *length : numberText(p).size(), column, id);
+        id = *known;
+        return p + *length + 1;
+    }
+    [[gnu::noinline]] const char* newPosition(
+        const char* p, std::size_t length, PositionColumn& column, std::uint16_t& id) const
+    {
+        const std::string_view text(p, length);
         p += text.size();
         NumberFault fault = NumberFault::None;
         if (!hasRoom(p) || *p != m_format.separator)
