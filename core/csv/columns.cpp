@@ -19,6 +19,14 @@ std::optional<std::uint16_t> PositionColumn::intern(
     fault = cell.empty() ? NumberFault::NotANumber : NumberFault::None;
     if (cell.empty())
         return std::nullopt;
+    if (!expectsRepeats()) {
+        Number number;
+        fault = parse(cell, decimal, number);
+        if (fault != NumberFault::None)
+            return std::nullopt;
+        append(number);
+        return static_cast<std::uint16_t>(m_values.size() - 1);
+    }
     if (m_entries.size() * 2 >= m_slots.size())
         grow();
     const Key key = keyOf(cell);
@@ -32,6 +40,14 @@ std::optional<std::uint16_t> PositionColumn::intern(
         append(number);
     }
     return follow(slot);
+}
+
+void PositionColumn::expectNoRepeats()
+{
+    // Nothing is expected of the entry that is no text.
+    m_entries.assign(1, m_entries.front());
+    m_last = m_expected = m_entries.front().follower = 0;
+    m_slots = std::vector<std::uint16_t>();
 }
 
 void PositionColumn::close()
@@ -78,7 +94,7 @@ std::size_t PositionColumn::slotOf(const Key& key, std::string_view cell) const
     if (cell.size() <= keyLength)
         return slotOf(key);
     const std::size_t mask = m_slots.size() - 1;
-    std::size_t slot = std::hash<std::string_view>{}(cell) & mask;
+    std::size_t slot = std::hash<std::string_view>{}(cell)&mask;
     while (m_slots[slot] != 0 && textOf(m_slots[slot]) != cell)
         slot = (slot + 1) & mask;
     return slot;

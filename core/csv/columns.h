@@ -21,7 +21,8 @@ namespace axiscomp::csv {
 /// The positions of one dimension in one piece of a file. A grid repeats few positions often, and
 /// in a regular order: each distinct text is parsed once and gets an id, and which text follows
 /// which is remembered, so that reading a cell mostly is one comparison. Positions that do not
-/// repeat (one dimension) are appended instead; then the id is the row.
+/// repeat (one dimension, or none of the first rows of a piece) are appended instead; then the id
+/// is the row.
 class PositionColumn {
 public:
     /// text: what all cells are part of; at most 4 GiB. separator: what is behind each of them.
@@ -69,7 +70,7 @@ public:
         return follow(entry);
     }
 
-    /// The id of any cell, new ones included. None: not a number, and why.
+    /// The id of any cell, a new one if need be. None: not a number, and why.
     std::optional<std::uint16_t> intern(std::string_view cell, char decimal, NumberFault& fault);
 
     void append(const Number& number)
@@ -77,6 +78,10 @@ public:
         m_values.push_back(number.value);
         m_lastDecimal = std::min(m_lastDecimal, number.lastDecimal);
     }
+
+    /// From here on each text gets an id of its own.
+    void expectNoRepeats();
+    [[nodiscard]] bool expectsRepeats() const { return !m_slots.empty(); }
 
     /// Keeps the values alone: nothing more is read.
     void close();

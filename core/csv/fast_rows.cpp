@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/fast_rows.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace axiscomp::csv {
 
@@ -23,6 +26,7 @@ public:
         , m_end(end)
         , m_reach(static_cast<std::ptrdiff_t>(
               (Dimensions + m_tables) * (shortNumberReach + 1) + lineEndReach))
+        , m_appends(Dimensions == 1 || !piece.positions.front().expectsRepeats())
         , m_batchRows(std::clamp<std::size_t>(64 / m_tables, 1, 64))
         , m_values(m_tables * m_batchRows)
     {
@@ -48,6 +52,7 @@ public:
             }
             finish(block.values.get() + block.rows, rows, firstRow + block.rows);
             block.rows += rows;
+            expectWhatCameUp(firstRow + block.rows);
         }
         return p;
     }
@@ -58,20 +63,10 @@ private:
     {
         if (!hasRoom(p))
             return nullptr;
-        Number position;
-        if constexpr (Dimensions == 1) {
-            p = number(p, position);
-            if (p == nullptr || *p++ != m_format.separator)
-                return nullptr;
-        } else {
-            for (std::size_t d = 0; d < Dimensions; ++d) {
-                std::uint16_t& id = ids[d * m_stride];
-                const char* const next = m_columns[d].match(p, id);
-                p = next != nullptr ? next : otherPosition(p, m_columns[d], id);
-                if (p == nullptr)
-                    return nullptr;
-            }
-        }
+        std::array<Number, Dimensions> appended;
+        p = m_appends ? numbers(p, appended) : knownPositions(p, ids);
+        if (p == nullptr)
+            return nullptr;
         for (std::size_t table = 0; table < m_tables; ++table) {
             if (table > 0 && *p++ != m_format.separator)
                 return nullptr;
@@ -80,10 +75,39 @@ private:
                 return nullptr;
         }
         p = lineEnd(p);
-        if constexpr (Dimensions == 1)
-            if (p != nullptr)
-                m_columns[0].append(position);
+        if (m_appends && p != nullptr)
+            append(appended, ids);
         return p;
+    }
+
+    const char* knownPositions(const char* p, std::uint16_t* ids) const
+    {
+        for (std::size_t d = 0; d < Dimensions; ++d) {
+            std::uint16_t& id = ids[d * m_stride];
+            const char* const next = m_columns[d].match(p, id);
+            p = next != nullptr ? next : otherPosition(p, m_columns[d], id);
+            if (p == nullptr)
+                return nullptr;
+        }
+        return p;
+    }
+    const char* numbers(const char* p, std::array<Number, Dimensions>& found) const
+    {
+        for (Number& each : found) {
+            p = number(p, each);
+            if (p == nullptr || *p++ != m_format.separator)
+                return nullptr;
+        }
+        return p;
+    }
+    /// When the whole line is taken: the thorough reader would append its positions once more.
+    void append(const std::array<Number, Dimensions>& found, std::uint16_t* ids)
+    {
+        for (std::size_t d = 0; d < Dimensions; ++d) {
+            if constexpr (Dimensions > 1)
+                ids[d * m_stride] = static_cast<std::uint16_t>(m_columns[d].values().size());
+            m_columns[d].append(found[d]);
+        }
     }
 
     /// The divisions of several rows beside each other: one would wait for the text of its row, and
@@ -102,6 +126,18 @@ private:
             m_ranges[table] = range;
         }
     }
+    /// In a grid at least one position repeats soon, whatever the order of the rows.
+    void expectWhatCameUp(std::size_t rows)
+    {
+        constexpr std::size_t fewRows = 256;
+        const std::span columns(m_columns, Dimensions);
+        if (m_appends || rows < fewRows)
+            return;
+        m_appends = std::ranges::all_of(
+            columns, [&](const PositionColumn& each) { return each.values().size() == rows; });
+        if (m_appends)
+            std::ranges::for_each(columns, &PositionColumn::expectNoRepeats);
+    }
     const char* value(const char* p, ShortNumber& result) const
     {
         const char* const after = parseShortNumber(p, m_format.decimal, result);
@@ -112,8 +148,9 @@ private:
         Number number;
         p = longNumber(p, number);
         result = {number.value, 0};
-        return p != nullptr && std::fabs(static_cast<float>(number.value)) <= largestFloat ? p
-                                                                                           : nullptr;
+        return p != nullptr && std::fabs(static_cast<float>(number.value)) <= largestFloat
+            ? p
+            : nullptr;
     }
 
     /// For a line of short cells from here on; so nothing else has to look for the end.
@@ -179,6 +216,7 @@ private:
     const CellFormat m_format;
     const char* const m_end;
     const std::ptrdiff_t m_reach;
+    bool m_appends; ///< positions do not repeat
     const std::size_t m_batchRows;
     std::vector<ShortNumber> m_values; ///< [table * m_batchRows + row], not divided yet
 };

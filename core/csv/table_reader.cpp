@@ -194,8 +194,7 @@ std::vector<CompensationTable> readTables(const Scan& scan, GridReading& reading
     const Places& places, const CsvOptions& options, DiagnosticList& diagnostics)
 {
     // As many rows as points, and a value at each: then no point has two.
-    const bool mayBeFull =
-        reading.even && reading.pointCount() == static_cast<double>(scan.rows);
+    const bool mayBeFull = reading.even && reading.pointCount() == static_cast<double>(scan.rows);
     std::vector<CompensationTable> tables;
     if (mayBeFull)
         tables = placedTables(scan, reading.grid, places, options.threads);

@@ -52,6 +52,17 @@ QByteArrayList planeLines(int columns, int rows)
     return lines;
 }
 
+/// The same plane, of as many rows as columns, so that no position repeats before each has come up.
+QByteArrayList diagonalLines(int columns)
+{
+    const QByteArrayList plane = planeLines(columns, columns);
+    QByteArrayList lines;
+    for (int shift = 0; shift < columns; ++shift)
+        for (int x = 0; x < columns; ++x)
+            lines += plane[(x + shift) % columns * columns + x];
+    return lines;
+}
+
 QByteArray planeText(const QByteArrayList& lines, const QByteArray& lineEnd = "\n")
 {
     return "X [mm],Y [mm],E [mm]" + lineEnd + lines.join(lineEnd) + lineEnd + longEnd();
@@ -257,6 +268,38 @@ private Q_SLOTS:
             for (const csv::PositionColumn& positions : piece.positions)
                 QCOMPARE(positions.memory(), positions.values().size() * sizeof(double));
         }
+    }
+
+    /// Positions that do not repeat in the first rows of a piece are taken for measured ones, and
+    /// get a number of their own from then on.
+    void positionsThatRepeatLateAreTheSameGrid()
+    {
+        constexpr int columns = 300;
+        QByteArrayList lines = diagonalLines(columns);
+        for (qsizetype i = 0; i < lines.size(); i += 97) {
+            const qsizetype value = lines[i].lastIndexOf(',') + 1;
+            lines[i] = lines[i].left(value) + '"' + lines[i].mid(value) + '"';
+        }
+        const CsvReading due = readIn(planeText(planeLines(columns, columns)), 2, whole, 1);
+        QVERIFY(due.data);
+        for (const std::size_t threads : {1, 3}) {
+            const CsvReading reading = readIn(planeText(lines), 2, whole, threads);
+            QVERIFY2(reading.data, describe(reading).join("; ").constData());
+            QCOMPARE(reading.data->grid, due.data->grid);
+            QCOMPARE(reading.data->tables, due.data->tables);
+        }
+        const std::string text = planeText(lines).toStdString();
+        CsvOptions options;
+        options.dimensions = 2;
+        options.pieceBytes = whole;
+        DiagnosticList diagnostics(100);
+        const TextInspection inspection(text, options.stop, diagnostics);
+        const csv::Scan scan = csv::scan(inspection, options, diagnostics);
+        QCOMPARE(scan.pieces.front().positions[0].values().size(), scan.pieces.front().rows.size());
+        for (const csv::Piece& piece : scan.pieces)
+            for (const csv::PositionColumn& positions : piece.positions)
+                QVERIFY2(positions.values().size() <= piece.rows.size(),
+                    "a line that is read twice has two numbers");
     }
 
     void pointsMayBeMissingInAnyPiece()
