@@ -56,15 +56,24 @@ EightPlaces placesOfLines(
     return EightPlaces(firsts);
 }
 
-void interpolateAlong(
-    Values& data, std::size_t axis, const AxisInterpolant& interpolant, const Places& places)
+/// into: what keeps the result; nullptr: data does.
+void interpolateAlong(Values& data, std::size_t axis, const AxisInterpolant& interpolant,
+    const Places& places, std::vector<double>* into = nullptr)
 {
     std::size_t stride = 1;
     for (std::size_t n = 0; n < axis; ++n)
         stride *= data.sizes[n];
     const std::size_t count = data.sizes[axis];
     const std::size_t lines = data.values.size() / count;
-    auto made = makeLarge<double>(lines * places.size());
+    const std::size_t size = lines * places.size();
+    std::unique_ptr<double[]> own;
+    if (into != nullptr) {
+        reserveLarge(*into, size);
+        into->resize(size);
+    } else {
+        own = makeLarge<double>(size);
+    }
+    double* const made = into != nullptr ? into->data() : own.get();
     constexpr std::size_t enough = 32'768; // numbers for a thread to be worth its while
     const std::size_t atOnce =
         8 * std::max<std::size_t>(1, enough / (8 * std::max(count, places.size())));
@@ -89,8 +98,8 @@ void interpolateAlong(
                 areFinite = false;
     });
     data.areFinite = data.areFinite && areFinite;
-    data.values = {made.get(), lines * places.size()};
-    data.made = std::move(made);
+    data.values = {made, size};
+    data.made = std::move(own);
     data.sizes[axis] = places.size();
 }
 
@@ -189,7 +198,8 @@ std::vector<ColumnDeviation> deviationsOf(
     std::vector<ColumnDeviation> deviations;
     for (std::size_t i = 0; i < source.columns.size(); ++i) {
         Values data{knotCounts(resampled), resampled.columns[i].values};
-        for (std::size_t n = 0; n < plan.size(); ++n)
+        // The first axis last: its lines lie crosswise in memory, and then there are fewer.
+        for (std::size_t n = plan.size(); n-- > 0;)
             if (!plan[n].isKept)
                 interpolateAlong(data, n, interpolants[n], places[n]);
         deviations.push_back(deviationOf(source, plan, source.columns[i].values, data.values));
@@ -304,27 +314,30 @@ Result<ResampledTable> resampleOnto(
         if (!plan[n].remark.isEmpty())
             result.report.remarks.push_back(plan[n].remark);
     }
-    const bool isKept = std::ranges::all_of(plan, &PlannedAxis::isKept);
+    const auto last = std::ranges::find_if_not(
+        plan.rbegin(), plan.rend(), &PlannedAxis::isKept); // of the axes that change
     std::vector<std::vector<ColumnDeviation::Density>> densities;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         Values data{knotCounts(table), table.columns[i].values};
+        CompensationColumn& column = result.table.columns[i];
         densities.emplace_back();
         for (std::size_t n = 0; n < plan.size(); ++n) {
             if (plan[n].isKept)
                 continue;
             if (followsCurve(method))
                 densities.back().push_back(densityAlong(data, n, interpolants[n], plan[n].grid));
-            interpolateAlong(data, n, interpolants[n], places[n]);
+            const bool isLast = &plan[n] == &*last;
+            interpolateAlong(
+                data, n, interpolants[n], places[n], isLast ? &column.values : nullptr);
         }
-        CompensationColumn& column = result.table.columns[i];
         if (!data.areFinite)
             return resamplingImpossible(
                 AXISCOMP_TEXT("Error", "the values for {column} are too large to be interpolated")
                     .with("column", columnText(table, column)));
-        reserveLarge(column.values, data.values.size());
-        column.values.assign(data.values.begin(), data.values.end());
-        if (isKept)
+        if (last == plan.rend()) {
+            column.values = table.columns[i].values;
             column.filled = table.columns[i].filled;
+        }
     }
     result.report.columns = deviationsOf(table, plan, result.table);
     for (std::size_t i = 0; i < densities.size(); ++i)

@@ -27,10 +27,9 @@ public:
             std::memcpy(&numbers, from + m_offsets[0], sizeof numbers);
             return;
         }
-        std::array<double, 8> found;
-        for (std::size_t n = 0; n < found.size(); ++n)
-            found[n] = from[m_offsets[n]];
-        std::memcpy(&numbers, found.data(), sizeof numbers);
+        // One by one into memory and back as vectors, each would be waited for.
+        const auto at = [&](std::size_t n) { return from[m_offsets[n]]; };
+        numbers = Eight{at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
     }
     void store(const Eight& numbers, double* to) const
     {
