@@ -178,19 +178,34 @@ struct LineLooks {
     const ControllerLookup& feedbackLookup;
     std::size_t along;
 
-    [[nodiscard]] Look at(const Unmoved& unmoved) const
+    /// So many are looked at beside each other, step by step: one alone would be waited for from
+    /// the correction to the value.
+    static constexpr std::size_t atOnce = 64;
+
+    /// At most atOnce positions; a look for each.
+    void at(std::span<const Unmoved> unmoved, std::span<Look> looks) const
     {
-        bool isInside = othersInside && unmoved.isInside;
-        if (!motion)
-            return {std::abs(a.at(unmoved.a) + factor * b.at(unmoved.b)), isInside};
+        if (!motion) {
+            for (std::size_t i = 0; i < unmoved.size(); ++i)
+                looks[i] = {std::abs(a.at(unmoved[i].a) + factor * b.at(unmoved[i].b)),
+                    othersInside && unmoved[i].isInside};
+            return;
+        }
         // the feedback table is looked up where the encoder is moved to
-        const double offset = motion->offset(isCommandA ? unmoved.a : unmoved.b);
-        const double moved = feedback.placeOf(along, unmoved.x + offset / motionFactor);
-        const ControllerLookup::Place place = feedbackLookup.placeOf(along, moved);
-        isInside = isInside && feedback.contains(along, moved);
-        const double ofA = a.at(isCommandA ? unmoved.a : place);
-        const double ofB = b.at(isCommandA ? place : unmoved.b);
-        return {std::abs(ofA + factor * ofB), isInside};
+        std::array<double, atOnce> moved;
+        for (std::size_t i = 0; i < unmoved.size(); ++i) {
+            const double offset = motion->offset(isCommandA ? unmoved[i].a : unmoved[i].b);
+            moved[i] = feedback.placeOf(along, unmoved[i].x + offset / motionFactor);
+        }
+        std::array<ControllerLookup::Place, atOnce> places;
+        for (std::size_t i = 0; i < unmoved.size(); ++i)
+            places[i] = feedbackLookup.placeOf(along, moved[i]);
+        for (std::size_t i = 0; i < unmoved.size(); ++i) {
+            const double ofA = a.at(isCommandA ? unmoved[i].a : places[i]);
+            const double ofB = b.at(isCommandA ? places[i] : unmoved[i].b);
+            looks[i] = {std::abs(ofA + factor * ofB),
+                othersInside && unmoved[i].isInside && feedback.contains(along, moved[i])};
+        }
     }
 };
 
@@ -553,18 +568,24 @@ Look Comparison::lookAcross(const Job& job, const Position& x) const
 void Comparison::compareLine(const Job& job, Position x, Finding& finding) const
 {
     const LineLooks line = looksAlong(job, x);
-    const auto look = [&](const Unmoved& unmoved) {
-        x[job.along] = unmoved.x;
-        finding.take(job.movesAcross ? lookAcross(job, x) : line.at(unmoved), x, job.axes.size());
-        ++finding.positions;
-    };
-    std::vector<double> met;
+    std::vector<Unmoved> met;
     if (job.movesAlong)
-        met = metKnots(job, x);
-    for (const Unmoved& unmoved : job.positions)
-        look(unmoved);
-    for (const double position : met)
-        look(unmovedAt(job, position));
+        for (const double position : metKnots(job, x))
+            met.push_back(unmovedAt(job, position));
+    std::array<Look, LineLooks::atOnce> looks;
+    for (std::span<const Unmoved> left :
+        {std::span<const Unmoved>(job.positions), std::span<const Unmoved>(met)})
+        while (!left.empty()) {
+            const auto some = left.first(std::min(left.size(), looks.size()));
+            left = left.subspan(some.size());
+            if (!job.movesAcross)
+                line.at(some, looks);
+            for (std::size_t i = 0; i < some.size(); ++i) {
+                x[job.along] = some[i].x;
+                finding.take(job.movesAcross ? lookAcross(job, x) : looks[i], x, job.axes.size());
+            }
+            finding.positions += some.size();
+        }
 }
 
 Result<ColumnDifference> Comparison::compare(
