@@ -53,7 +53,11 @@ class Plant(unittest.TestCase):
             if process.poll() is None:
                 process.terminate()
         for process in self.processes:
-            process.wait(60)
+            try:
+                process.wait(10)
+            except subprocess.TimeoutExpired:  # a worker that waits for a scheduler that has ended
+                process.kill()
+                process.wait()
             process.stderr.close()
         os.environ.pop("PLANT_SCHEDULER", None)
 
