@@ -49,15 +49,11 @@ class Plant(unittest.TestCase):
         self.folder = folder.name
 
     def tearDown(self):
-        for process in self.processes:
+        # The scheduler last: a worker whose scheduler ends meanwhile may wait for it.
+        for process in reversed(self.processes):
             if process.poll() is None:
                 process.terminate()
-        for process in self.processes:
-            try:
-                process.wait(10)
-            except subprocess.TimeoutExpired:  # a worker that waits for a scheduler that has ended
-                process.kill()
-                process.wait()
+            process.wait(60)
             process.stderr.close()
         os.environ.pop("PLANT_SCHEDULER", None)
 
