@@ -19,27 +19,20 @@ std::optional<std::uint16_t> PositionColumn::intern(
     fault = cell.empty() ? NumberFault::NotANumber : NumberFault::None;
     if (cell.empty())
         return std::nullopt;
-    if (!expectsRepeats()) {
-        Number number;
-        fault = parse(cell, decimal, number);
-        if (fault != NumberFault::None)
-            return std::nullopt;
-        append(number);
-        return static_cast<std::uint16_t>(m_values.size() - 1);
-    }
-    if (m_entries.size() * 2 >= m_slots.size())
+    if (m_entries.size() * 2 >= m_slots.size() && expectsRepeats())
         grow();
     const Key key = keyOf(cell);
-    std::uint16_t& slot = m_slots[slotOf(key, cell)];
-    if (slot == 0) {
-        Number number;
-        fault = parse(cell, decimal, number);
-        if (fault != NumberFault::None)
-            return std::nullopt;
-        slot = add(key, cell);
-        append(number);
-    }
-    return follow(slot);
+    std::uint16_t* const entry = expectsRepeats() ? &m_slots[slotOf(key, cell)] : nullptr;
+    if (entry != nullptr && *entry != 0)
+        return follow(*entry);
+    Number number;
+    fault = parse(cell, decimal, number);
+    if (fault != NumberFault::None)
+        return std::nullopt;
+    const std::uint16_t id = append(number);
+    if (entry != nullptr)
+        follow(*entry = add(key, cell));
+    return id;
 }
 
 void PositionColumn::expectNoRepeats()

@@ -73,10 +73,12 @@ public:
     /// The id of any cell, a new one if need be. None: not a number, and why.
     std::optional<std::uint16_t> intern(std::string_view cell, char decimal, NumberFault& fault);
 
-    void append(const Number& number)
+    /// Gives it an id of its own.
+    std::uint16_t append(const Number& number)
     {
         m_values.push_back(number.value);
         m_lastDecimal = std::min(m_lastDecimal, number.lastDecimal);
+        return static_cast<std::uint16_t>(m_values.size() - 1);
     }
 
     /// From here on each text gets an id of its own.

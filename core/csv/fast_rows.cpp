@@ -104,9 +104,9 @@ private:
     void append(const std::array<Number, Dimensions>& found, std::uint16_t* ids)
     {
         for (std::size_t d = 0; d < Dimensions; ++d) {
+            const std::uint16_t id = m_columns[d].append(found[d]);
             if constexpr (Dimensions > 1)
-                ids[d * m_stride] = static_cast<std::uint16_t>(m_columns[d].values().size());
-            m_columns[d].append(found[d]);
+                ids[d * m_stride] = id;
         }
     }
 
