@@ -161,24 +161,22 @@ Text CaptureSession::obstacleOfWay() const
     if (m_way.unread.count() > 0 && m_way.direction != -wanted)
         return go(AXISCOMP_TEXT("Error",
                       "how the axis came to step {step} is not known, as nothing could be read for "
-                      "{time}; "
-                      "go to {approach} and come back"))
+                      "{time}; go to {approach} and come back"))
             .with("time",
                 Quantity{fixedDigits(std::chrono::duration<double>(m_way.unread).count(), 2), "s"});
     if (m_way.direction == wanted)
         return go(AXISCOMP_TEXT("Error",
                       "the axis came only {way} in the direction of step {step}, less than the "
-                      "overrun of "
-                      "{overrun}; go to {approach} and come back"))
+                      "overrun of {overrun}; go to {approach} and come back"))
             .with("way", shownPosition(m_way.length(), m_plan))
             .with("overrun", shownPosition(needed, m_plan));
-    return go(due.direction == Approach::Up ? AXISCOMP_TEXT("Error",
-                  "step {step} is approached upwards, and the axis did not come from below; go to "
-                  "{approach} and come back")
-                                            : AXISCOMP_TEXT("Error",
-                                                "step {step} is approached downwards, and the axis "
-                                                "did not come from above; go to "
-                                                "{approach} and come back"));
+    if (due.direction == Approach::Up)
+        return go(AXISCOMP_TEXT("Error",
+            "step {step} is approached upwards, and the axis did not come from below; go to "
+            "{approach} and come back"));
+    return go(AXISCOMP_TEXT("Error",
+        "step {step} is approached downwards, and the axis did not come from above; go to "
+        "{approach} and come back"));
 }
 
 /// Empty: the value of the step that is due can be taken here.
