@@ -183,7 +183,7 @@ struct LineLooks {
     static constexpr std::size_t atOnce = 64;
 
     /// At most atOnce positions; a look for each.
-    void at(std::span<const Unmoved> unmoved, std::span<Look> looks) const
+    void atEach(std::span<const Unmoved> unmoved, std::span<Look> looks) const
     {
         if (!motion) {
             for (std::size_t i = 0; i < unmoved.size(); ++i)
@@ -568,24 +568,26 @@ Look Comparison::lookAcross(const Job& job, const Position& x) const
 void Comparison::compareLine(const Job& job, Position x, Finding& finding) const
 {
     const LineLooks line = looksAlong(job, x);
+    std::array<Look, LineLooks::atOnce> looks;
+    const auto lookAt = [&](std::span<const Unmoved> some) {
+        if (!job.movesAcross)
+            line.atEach(some, looks);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            x[job.along] = some[i].x;
+            finding.take(job.movesAcross ? lookAcross(job, x) : looks[i], x, job.axes.size());
+        }
+        finding.positions += some.size();
+    };
+    const auto lookAtAll = [&](std::span<const Unmoved> all) {
+        for (std::size_t i = 0; i < all.size(); i += looks.size())
+            lookAt(all.subspan(i, std::min(looks.size(), all.size() - i)));
+    };
     std::vector<Unmoved> met;
     if (job.movesAlong)
         for (const double position : metKnots(job, x))
             met.push_back(unmovedAt(job, position));
-    std::array<Look, LineLooks::atOnce> looks;
-    for (std::span<const Unmoved> left :
-        {std::span<const Unmoved>(job.positions), std::span<const Unmoved>(met)})
-        while (!left.empty()) {
-            const auto some = left.first(std::min(left.size(), looks.size()));
-            left = left.subspan(some.size());
-            if (!job.movesAcross)
-                line.at(some, looks);
-            for (std::size_t i = 0; i < some.size(); ++i) {
-                x[job.along] = some[i].x;
-                finding.take(job.movesAcross ? lookAcross(job, x) : looks[i], x, job.axes.size());
-            }
-            finding.positions += some.size();
-        }
+    lookAtAll(job.positions);
+    lookAtAll(met);
 }
 
 Result<ColumnDifference> Comparison::compare(
