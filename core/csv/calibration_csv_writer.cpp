@@ -2,6 +2,7 @@
 #include "core/base/parallel.h"
 #include "core/csv/calibration_csv.h"
 #include "core/csv/header.h"
+#include "core/csv/value_writer.h"
 #include "core/io/large_memory.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_parser.h"
@@ -18,22 +19,6 @@
 namespace axiscomp {
 
 namespace {
-
-/// The shortest text that is read back as the same float32. The reader goes by way of a double,
-/// which in rare cases rounds the shortest float32 text twice. shortNumberReach characters behind
-/// the buffer's beginning must be there. Writes a comma behind the text, and returns its end.
-char* writeValue(float value, char* buffer)
-{
-    char* end = writeText(value, buffer);
-    *end = ',';
-    Number read;
-    const bool isRead = parseShortNumber(buffer, '.', read) == end
-        || parseNumber({buffer, end}, '.', read) == NumberFault::None;
-    if (!isRead || static_cast<float>(read.value) != value)
-        end = writeText(static_cast<double>(value), buffer);
-    *end = ',';
-    return end + 1;
-}
 
 std::string oneLine(std::string text)
 {
@@ -164,13 +149,14 @@ public:
         std::size_t firstPoint, std::size_t lastPoint, char* room) const
     {
         char* end = room;
+        csv::ValueWriter values;
         for (std::size_t point = firstPoint; point < lastPoint; ++point)
-            end = writeLine(point, end);
+            end = writeLine(point, values, end);
         return {room, static_cast<std::size_t>(end - room)};
     }
 
 private:
-    char* writeLine(std::size_t point, char* end) const
+    char* writeLine(std::size_t point, csv::ValueWriter& values, char* end) const
     {
         std::size_t rest = point;
         for (const std::vector<PositionText>& axis : m_positions) {
@@ -178,7 +164,7 @@ private:
             rest /= axis.size();
         }
         for (const CompensationTable& table : m_tables)
-            end = writeValue(table.values[point], end);
+            end = values.write(table.values[point], end);
         end[-1] = '\n';
         return end;
     }
