@@ -22,8 +22,9 @@ struct TextReading {
         Text found, Text expected);
 };
 
-/// A warning for each axis that several tables of a file correct over the same sources and in the
-/// same direction, where the controller adds them: one alone is a part of what acts on the machine.
+/// A warning for each axis that several tables of a file correct, over different sources or over
+/// the same in the same direction, where the controller adds them: one alone is a part of what acts
+/// on the machine.
 void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& diagnostics);
 
 /// A warning for a statement that switches tables of the file off, or deletes them.

@@ -79,6 +79,9 @@ void describe(test::FormatSample& sample)
     };
     sample.warning("two tables of one axis, which the controller adds", twoTables("0", "1"),
         {"0:0 Assumption several tables of AX2 to AX1"});
+    sample.warning("two tables of one axis over different ones, which it adds too",
+        test::changing(twoTables("1", "-1"))("AXIS[1]=(AX2)", "AXIS[1]=(AX3)"),
+        {"0:0 Assumption several tables of AX2 to AX1, positive, AX3 to AX1, negative"});
     sample.warning("a table of each direction", twoTables("1", "-1"), {});
     sample.warning(
         "an unknown variable and another format", others, {"1:1 UnknownKey", "2:1 Assumption"});
