@@ -3,6 +3,7 @@
 
 #include "app/common/help_page.h"
 #include "app/texts/program_texts.h"
+#include "core/text/edit_distance.h"
 
 #include <algorithm>
 #include <memory>
@@ -26,13 +27,38 @@ public:
     }
 };
 
-/// The command that was being read when parsing failed: "axiscomp write".
-std::string commandBeingRead(const CLI::App& app)
+/// The command whose arguments were being read when parsing failed; the program itself where there
+/// was none.
+const CLI::App& readCommand(const CLI::App& app)
 {
-    std::string name = app.get_name();
     const std::vector<const CLI::App*> commands =
         app.get_subcommands([](const CLI::App* command) { return command->parsed(); });
-    return commands.empty() ? name : name + " " + commands.front()->get_name();
+    return commands.empty() ? app : *commands.front();
+}
+
+/// The same by name: "axiscomp write".
+std::string commandBeingRead(const CLI::App& app)
+{
+    const CLI::App& command = readCommand(app);
+    return &command == &app ? app.get_name() : app.get_name() + " " + command.get_name();
+}
+
+/// The first of the arguments that nothing takes.
+std::string unexpectedArgument(const CLI::App& app)
+{
+    const std::vector<std::string> rest = app.remaining(true);
+    const std::string argument = rest.empty() ? std::string() : rest.front();
+    if (!argument.starts_with("--"))
+        return "nothing takes the argument " + argument;
+    const std::string option = argument.substr(0, argument.find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* const one : readCommand(app).get_options())
+        for (const std::string& name : one->get_lnames())
+            known.push_back("--" + name);
+    const auto nearest = std::ranges::min_element(
+        known, {}, [&](const std::string& name) { return editDistance(option, name); });
+    return "there is no option " + option
+        + (nearest == known.end() ? std::string() : "; the nearest is " + *nearest);
 }
 
 std::string readableReason(const CLI::App& app, const CLI::ParseError& error)
@@ -41,13 +67,12 @@ std::string readableReason(const CLI::App& app, const CLI::ParseError& error)
         const std::vector<std::string> rest = app.remaining();
         return rest.empty() ? "the command is missing" : "there is no command " + rest.front();
     }
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError))
+        return unexpectedArgument(app);
     std::string text = error.what();
     // "--dims: 7 not in {1,2,3}"
     if (const auto place = text.find(" not in {"); place != std::string::npos)
         text.replace(place, 8, " is not one of ");
-    constexpr std::string_view theFollowing = "The following argument";
-    if (text.starts_with(theFollowing))
-        text.front() = 't';
     return text;
 }
 

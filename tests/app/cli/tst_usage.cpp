@@ -153,7 +153,12 @@ private Q_SLOTS:
         QTest::newRow("unknown command")
             << QStringList{"burn"} << QByteArray("no command burn (see axiscomp --help)");
         QTest::newRow("unknown option")
-            << QStringList{"axes", "--fast"} << QByteArray("--fast (see axiscomp axes --help)");
+            << QStringList{"axes", "--drvie", "demo:"}
+            << QByteArray(
+                   "there is no option --drvie; the nearest is --drive (see axiscomp axes --help)");
+        QTest::newRow("one argument too many")
+            << QStringList{"write", "--drive", "demo:", "table.csv"}
+            << QByteArray("nothing takes the argument table.csv (see axiscomp write --help)");
         QTest::newRow("missing argument")
             << QStringList{"inspect"} << QByteArray("(see axiscomp inspect --help)");
         QTest::newRow("missing value")
