@@ -1058,6 +1058,10 @@
         <translation>{source} ist Quelle sowohl der Dimension {first} als auch der Dimension {second}</translation>
     </message>
     <message>
+        <source>{doubt} Choose another source or column, or correct the unit in the file</source>
+        <translation>{doubt} Wählen Sie eine andere Quelle oder Spalte, oder berichtigen Sie die Einheit in der Datei</translation>
+    </message>
+    <message>
         <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
         <translation>die Tabelle braucht {size} Byte, der größte verfügbare Tabellenplatz {slot} fasst nur {largest}</translation>
     </message>
@@ -6542,10 +6546,6 @@
         <translation>der Name auf dem Antrieb ist {name}</translation>
     </message>
     <message>
-        <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>was an Achse {measured} gemessen wurde, wird nicht in {name} eingerechnet, das zu Achse {axis} gehört: die Tabelle der gemessenen Achse nehmen</translation>
-    </message>
-    <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
         <translation>die erste Messung ist von Achse {before}, die zweite von Achse {after}; sie sind nicht von derselben Achse</translation>
     </message>
@@ -8030,12 +8030,20 @@
         <translation>ein Faktor ist für Restabweichungen, die in eine Tabelle eingerechnet werden (--onto); hier sind die Werte der ganze Fehler</translation>
     </message>
     <message>
-        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>was entlang einer Achse gemessen wurde, wird in eine Tabelle von einer Dimension eingerechnet; {name} hat {dimensions}</translation>
+        <source>{name} is a table over {axes}, but what was measured is over {measured}: take a table over the same axes, in the same order</source>
+        <translation>{name} ist eine Tabelle über {axes}, gemessen wurde aber über {measured}: nehmen Sie eine Tabelle über denselben Achsen, in derselben Reihenfolge</translation>
     </message>
     <message>
-        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
-        <translation>gemessen wurde Achse {measured}; mit einer Tabelle von Achse {axis} wird davon nichts vorhergesagt: nehmen Sie die Tabelle der Achse, die gemessen wurde</translation>
+        <source>what was measured along one axis needs a table of one dimension; {name} has {dimensions}</source>
+        <translation>was entlang einer Achse gemessen wurde, braucht eine Tabelle von einer Dimension; {name} hat {dimensions}</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} is of axis {axis}: take the table of the axis that was measured</source>
+        <translation>gemessen wurde Achse {measured}, {name} gehört aber zu Achse {axis}: nehmen Sie die Tabelle der Achse, die gemessen wurde</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} corrects an axis that is no source: take the table of the axis that was measured, or state what the values correct (--target other)</source>
+        <translation>gemessen wurde Achse {measured}, {name} korrigiert aber eine Achse, die keine Quelle ist: nehmen Sie die Tabelle der Achse, die gemessen wurde, oder geben Sie an, was die Werte korrigieren (--target other)</translation>
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
@@ -8088,6 +8096,10 @@
     <message>
         <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
         <translation>diese Änderungen kosten zusammen {together} Flash-Vorgänge, mehr als jetzt möglich sind; {seconds} s warten oder weniger auf einmal ändern</translation>
+    </message>
+    <message>
+        <source>{doubt} Choose another source or column, or, if it is right all the same, name the column after axis {axis} in the file</source>
+        <translation>{doubt} Wählen Sie eine andere Quelle oder Spalte, oder benennen Sie, wenn es trotzdem stimmt, die Spalte in der Datei nach der Achse {axis}</translation>
     </message>
     <message>
         <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>

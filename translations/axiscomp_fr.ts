@@ -1058,6 +1058,10 @@
         <translation>{source} est la source à la fois de la dimension {first} et de la dimension {second}</translation>
     </message>
     <message>
+        <source>{doubt} Choose another source or column, or correct the unit in the file</source>
+        <translation>{doubt} Choisir une autre source ou colonne, ou corriger l&apos;unité dans le fichier</translation>
+    </message>
+    <message>
         <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
         <translation>la table nécessite {size} octets, mais le plus grand emplacement disponible, {slot}, n&apos;en contient que {largest}</translation>
     </message>
@@ -6542,10 +6546,6 @@
         <translation>le nom sur le variateur est {name}</translation>
     </message>
     <message>
-        <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>ce qui a été mesuré sur l&apos;axe {measured} ne se fusionne pas avec {name}, de l&apos;axe {axis}&#xa0;: prendre la table de l&apos;axe mesuré</translation>
-    </message>
-    <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
         <translation>la première mesure est de l&apos;axe {before} et la seconde de l&apos;axe {after}&#xa0;; elles ne sont pas du même axe</translation>
     </message>
@@ -8030,12 +8030,20 @@
         <translation>un gain s&apos;applique à des écarts résiduels fusionnés avec une table (--onto)&#xa0;; ici, les valeurs sont l&apos;erreur entière</translation>
     </message>
     <message>
-        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>ce qui a été mesuré suivant un axe est fusionné avec une table à une dimension&#xa0;; {name} en a {dimensions}</translation>
+        <source>{name} is a table over {axes}, but what was measured is over {measured}: take a table over the same axes, in the same order</source>
+        <translation>{name} est une table sur {axes}, mais la mesure porte sur {measured}&#xa0;: prendre une table sur les mêmes axes, dans le même ordre</translation>
     </message>
     <message>
-        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
-        <translation>l&apos;axe {measured} a été mesuré, et une table de l&apos;axe {axis} n&apos;en prédit rien&#xa0;: prendre la table de l&apos;axe mesuré</translation>
+        <source>what was measured along one axis needs a table of one dimension; {name} has {dimensions}</source>
+        <translation>ce qui a été mesuré suivant un axe demande une table à une dimension&#xa0;; {name} en a {dimensions}</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} is of axis {axis}: take the table of the axis that was measured</source>
+        <translation>l&apos;axe {measured} a été mesuré, mais {name} est de l&apos;axe {axis}&#xa0;: prendre la table de l&apos;axe mesuré</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} corrects an axis that is no source: take the table of the axis that was measured, or state what the values correct (--target other)</source>
+        <translation>l&apos;axe {measured} a été mesuré, mais {name} corrige un axe qui n&apos;est pas une source&#xa0;: prendre la table de l&apos;axe mesuré, ou indiquer ce que les valeurs corrigent (--target other)</translation>
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
@@ -8088,6 +8096,10 @@
     <message>
         <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
         <translation>ces modifications coûtent ensemble {together} opérations flash, plus qu&apos;il n&apos;est possible maintenant&#xa0;; attendre {seconds} s ou faire moins de modifications à la fois</translation>
+    </message>
+    <message>
+        <source>{doubt} Choose another source or column, or, if it is right all the same, name the column after axis {axis} in the file</source>
+        <translation>{doubt} Choisir une autre source ou colonne ou, si c&apos;est juste malgré tout, donner à la colonne le nom de l&apos;axe {axis} dans le fichier</translation>
     </message>
     <message>
         <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>

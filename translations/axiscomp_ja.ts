@@ -1058,6 +1058,10 @@
         <translation>{source} が次元 {first} と次元 {second} の両方のソースになっています</translation>
     </message>
     <message>
+        <source>{doubt} Choose another source or column, or correct the unit in the file</source>
+        <translation>{doubt}別のソースまたは列を選ぶか、ファイルの単位を修正してください</translation>
+    </message>
+    <message>
         <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
         <translation>テーブルには {size} バイト必要ですが、使用できる最大のスロット {slot} は {largest} です</translation>
     </message>
@@ -6506,10 +6510,6 @@
         <translation>ドライブでの名前は {name} です</translation>
     </message>
     <message>
-        <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>軸 {measured} の測定結果は、軸 {axis} の {name} に統合しません。測定した軸のテーブルを使ってください</translation>
-    </message>
-    <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
         <translation>1 回目の測定は軸 {before}、2 回目の測定は軸 {after} で、同じ軸のものではありません</translation>
     </message>
@@ -7989,12 +7989,20 @@
         <translation>ゲインは、テーブルに統合する残差に使うものです (--onto)。ここでの値は誤差全体です</translation>
     </message>
     <message>
-        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>1 軸に沿った測定を統合できるのは 1 次元のテーブルです。{name} は {dimensions} 次元です</translation>
+        <source>{name} is a table over {axes}, but what was measured is over {measured}: take a table over the same axes, in the same order</source>
+        <translation>{name} は {axes} に対するテーブルですが、測定は {measured} に対するものです。同じ軸の、同じ順序のテーブルを使用してください</translation>
     </message>
     <message>
-        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
-        <translation>測定されたのは軸 {measured} で、軸 {axis} のテーブルからは何も予測できません。測定した軸のテーブルを使用してください</translation>
+        <source>what was measured along one axis needs a table of one dimension; {name} has {dimensions}</source>
+        <translation>1 軸に沿った測定には 1 次元のテーブルが必要です。{name} は {dimensions} 次元です</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} is of axis {axis}: take the table of the axis that was measured</source>
+        <translation>測定されたのは軸 {measured} ですが、{name} は軸 {axis} のものです。測定した軸のテーブルを使用してください</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} corrects an axis that is no source: take the table of the axis that was measured, or state what the values correct (--target other)</source>
+        <translation>測定されたのは軸 {measured} ですが、{name} はソースではない軸を補正します。測定した軸のテーブルを使用するか、値が何を補正するかを指定してください (--target other)</translation>
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
@@ -8047,6 +8055,10 @@
     <message>
         <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
         <translation>これらの変更には合わせて {together} 回のフラッシュ操作が必要で、現在可能な回数を超えています。{seconds} s 待つか、一度の変更を減らしてください</translation>
+    </message>
+    <message>
+        <source>{doubt} Choose another source or column, or, if it is right all the same, name the column after axis {axis} in the file</source>
+        <translation>{doubt}別のソースまたは列を選んでください。それでも正しい場合は、ファイルの列に軸 {axis} の名前を付けてください</translation>
     </message>
     <message>
         <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>

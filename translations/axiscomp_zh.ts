@@ -1058,6 +1058,10 @@
         <translation>{source} 同时是维度 {first} 和维度 {second} 的源</translation>
     </message>
     <message>
+        <source>{doubt} Choose another source or column, or correct the unit in the file</source>
+        <translation>{doubt}请选择其他源或列，或更正文件中的单位</translation>
+    </message>
+    <message>
         <source>the table needs {size} bytes, but the largest slot that may be taken, {slot}, holds {largest}</source>
         <translation>该表需要 {size} 字节，而可占用的最大表槽 {slot} 只能容纳 {largest}</translation>
     </message>
@@ -6506,10 +6510,6 @@
         <translation>驱动器上的名称为 {name}</translation>
     </message>
     <message>
-        <source>what was measured of axis {measured} is not merged onto {name}, which is of axis {axis}: take the table of the axis that was measured</source>
-        <translation>轴 {measured} 的测量不能合并到属于轴 {axis} 的 {name}：请采用所测轴的表</translation>
-    </message>
-    <message>
         <source>the first measurement is of axis {before} and the second of axis {after}; they are not of the same axis</source>
         <translation>第一次测量为轴 {before}，第二次为轴 {after}；它们不属于同一轴</translation>
     </message>
@@ -7989,12 +7989,20 @@
         <translation>增益用于合并到表上的残差（--onto）；此处的值是全部误差</translation>
     </message>
     <message>
-        <source>what was measured along one axis is merged onto a table of one dimension; {name} has {dimensions}</source>
-        <translation>沿一个轴的测量只能合并到一维的表；{name} 为 {dimensions} 维</translation>
+        <source>{name} is a table over {axes}, but what was measured is over {measured}: take a table over the same axes, in the same order</source>
+        <translation>{name} 是关于 {axes} 的表，但测量是关于 {measured} 的：请使用相同轴、相同顺序的表</translation>
     </message>
     <message>
-        <source>axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: take the table of the axis that was measured</source>
-        <translation>测量的是轴 {measured}，无法用轴 {axis} 的表进行预测：请使用所测轴的表</translation>
+        <source>what was measured along one axis needs a table of one dimension; {name} has {dimensions}</source>
+        <translation>沿一个轴的测量需要一维的表；{name} 为 {dimensions} 维</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} is of axis {axis}: take the table of the axis that was measured</source>
+        <translation>测量的是轴 {measured}，但 {name} 属于轴 {axis}：请使用所测轴的表</translation>
+    </message>
+    <message>
+        <source>axis {measured} was measured, but {name} corrects an axis that is no source: take the table of the axis that was measured, or state what the values correct (--target other)</source>
+        <translation>测量的是轴 {measured}，但 {name} 补偿的轴不是源轴：请使用所测轴的表，或说明这些值补偿什么（--target other）</translation>
     </message>
     <message>
         <source>nothing is merged over temperature: leave out --onto, since with the raw positions on file the values are the whole error</source>
@@ -8047,6 +8055,10 @@
     <message>
         <source>together these changes cost {together} flash operations, more than are possible now; wait {seconds} s, or make fewer changes at a time</source>
         <translation>这些更改共需 {together} 次闪存操作，超过目前可用的次数；等待 {seconds} s，或一次少做些更改</translation>
+    </message>
+    <message>
+        <source>{doubt} Choose another source or column, or, if it is right all the same, name the column after axis {axis} in the file</source>
+        <translation>{doubt}请选择其他源或列；如果确实无误，请在文件中以轴 {axis} 命名该列</translation>
     </message>
     <message>
         <source>axis {axis} was {target} when the backup was made, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>

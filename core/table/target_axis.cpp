@@ -85,12 +85,6 @@ std::string_view letterInHeader(std::string_view header)
     return isAxisLetter(word) ? word : std::string_view();
 }
 
-bool mayBeCounted(std::string_view word)
-{
-    constexpr std::string_view counted = "ABCabc";
-    return word.size() == 1 && counted.find(word.front()) != std::string_view::npos;
-}
-
 std::optional<std::size_t> sourceNumber(std::string_view statement)
 {
     if (statement.size() != 2 || statement.front() != '#' || statement[1] < '1'
@@ -115,6 +109,12 @@ bool areDifferentAxes(std::string_view one, std::string_view other)
     const std::string_view a = trimmed(one);
     const std::string_view b = trimmed(other);
     return isAxisLetter(a) && isAxisLetter(b) && !sameLetters(a.substr(0, 1), b.substr(0, 1));
+}
+
+bool mayBeCounted(std::string_view header)
+{
+    constexpr std::string_view counted = "ABCabc";
+    return header.size() == 1 && counted.find(header.front()) != std::string_view::npos;
 }
 
 std::string sourceTarget(std::size_t source)
@@ -147,6 +147,12 @@ std::optional<TargetAxis> targetOf(const CompensationTable& table)
     for (const GridAxis& axis : table.grid.axes)
         sources.push_back(axis.name);
     return targetAxis(table.target, sources);
+}
+
+std::string targetName(const CompensationTable& table)
+{
+    const auto meant = targetOf(table);
+    return meant && meant->source ? table.grid.axes[*meant->source].name : table.target;
 }
 
 std::string_view axisInHeader(std::string_view header)

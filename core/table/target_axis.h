@@ -40,6 +40,9 @@ struct TargetAxis {
 struct CompensationTable;
 /// What the values of a table correct, by the names of its sources.
 [[nodiscard]] std::optional<TargetAxis> targetOf(const CompensationTable& table);
+/// The same by the name of the axis, also of a source that is stated by its number. What is stated,
+/// where that may or may not be a source.
+[[nodiscard]] std::string targetName(const CompensationTable& table);
 
 /// The axis that a header of positions names: "X" of "X", "X position", "Pos. X", "X-Achse", and
 /// "3" of "3". Empty: none, as in "Position" or "Dim 1".
@@ -50,6 +53,9 @@ struct CompensationTable;
 /// be told.
 [[nodiscard]] std::string targetAmong(
     std::string_view statement, std::span<const std::string> headers);
+
+/// A single A, B or C, which may be the letter that a spreadsheet counts a column by.
+[[nodiscard]] bool mayBeCounted(std::string_view header);
 
 /// What the header of a column of values states: "Z" for "Z", "dZ", "Z error", "Z-Abweichung", and
 /// the header of the source that it names. Empty: nothing. A single A, B or C is taken for a source

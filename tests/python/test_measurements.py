@@ -144,7 +144,7 @@ class Measurements(unittest.TestCase):
         for measurement, table, active in ((made(), other, None), (on, own, other)):
             with self.assertRaises(axiscomp.RequestError) as raised:
                 axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
-            self.assertIn("a table of axis Y", raised.exception.message)
+            self.assertIn("is a table over Y, but what was measured is over X", raised.exception.message)
 
     def test_a_fit_does_not_guess(self):
         with self.assertRaises(axiscomp.RequestError):

@@ -275,7 +275,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
             sources.onto ? &*sources.onto : nullptr, sources.others, statedAxis(options),
             measurement.header.compensationOfSome}));
     AXISCOMP_TRY(
-        const auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
+        auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
+    AXISCOMP_CHECK(stateTargets(options.file.conversion.targets, report.tables));
 
     std::vector<std::uint32_t> crcs;
     for (const FittedTable& made : report.tables) {

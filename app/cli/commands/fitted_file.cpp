@@ -6,6 +6,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
+#include "core/neutral/neutral_table.h"
 #include "core/table/large_correction.h"
 #include "core/table/tam_table.h"
 
@@ -55,19 +56,6 @@ Result<void> chooseColumns(const FittedFileOptions& options, const TableFormat& 
     return {};
 }
 
-Result<void> stateTargets(const FittedFileOptions& options, std::vector<CompensationTable>& tables)
-{
-    const auto& targets = options.conversion.targets;
-    if (targets.empty())
-        return {};
-    if (targets.size() != 1 && targets.size() != tables.size())
-        return wrongUsage("--target needs one axis, or one for each table: " + columnNames(tables),
-            options.output.command);
-    for (std::size_t i = 0; i < tables.size(); ++i)
-        tables[i].target = targets.size() == 1 ? targets.front() : targets[i];
-    return {};
-}
-
 Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& options,
     const TableFormat& format, const DriveProfile& profile, const CalibrationData& data,
     const std::vector<FittedTable>& fitted)
@@ -113,6 +101,22 @@ Result<const TableFormat*> fittedFormat(Environment& environment, const FittedFi
     return format;
 }
 
+Result<void> stateTargets(
+    const std::vector<std::string>& statements, std::vector<FittedTable>& fitted)
+{
+    if (statements.empty())
+        return {};
+    std::vector<CompensationTable> tables;
+    for (const FittedTable& made : fitted)
+        tables.push_back(made.table);
+    const Grid& grid = fitted.front().table.grid;
+    AXISCOMP_TRY(
+        const auto stated, withTargets(neutralTable({grid, tables, {}}), statements, true));
+    for (std::size_t n = 0; n < fitted.size(); ++n)
+        fitted[n].table.target = stated.columns[n].target;
+    return {};
+}
+
 Result<void> writeFitted(Environment& environment, const FittedFileOptions& options,
     const TableFormat& format, const DriveProfile& profile, const std::vector<FittedTable>& fitted,
     std::vector<std::string> notes)
@@ -121,7 +125,6 @@ Result<void> writeFitted(Environment& environment, const FittedFileOptions& opti
     for (const FittedTable& made : fitted)
         tables.push_back(made.table);
     AXISCOMP_CHECK(chooseColumns(options, format, fitted, tables));
-    AXISCOMP_CHECK(stateTargets(options, tables));
     CalibrationData data{tables.front().grid, tables, std::move(notes)};
     const bool isOwn = isTriamec(format) && !isPair(fitted) && options.conversion.toSign.empty()
         && options.conversion.settings.empty();

@@ -22,6 +22,11 @@ struct FittedFileOptions {
 [[nodiscard]] Result<const TableFormat*> fittedFormat(
     Environment& environment, const FittedFileOptions& options);
 
+/// What the values correct, as a person states it: one statement for all tables or one for each.
+/// Errors: those of withTargets.
+[[nodiscard]] Result<void> stateTargets(
+    const std::vector<std::string>& statements, std::vector<FittedTable>& fitted);
+
 /// Writes the tables, converted as `convert` does it where the format is another controller's.
 /// A table for each direction belongs into a format that holds both: FormatCannotHold. Other
 /// errors: TableNotFound, InvalidArgument, LargeCorrection, those of convertTables, and

@@ -8,6 +8,7 @@
 #include "app/common/text_table.h"
 #include "core/metrology/fit/known_tables.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <iterator>
@@ -87,8 +88,11 @@ std::string tableText(const Measurement& measurement, const FitSettings& setting
     for (const GridAxis& axis : made.table.grid.axes)
         lines.emplace_back("Grid", gridText(axis));
     lines.emplace_back("Values", fine(values.minimum) + " to " + fine(values.maximum));
+    const std::string corrected = targetName(made.table);
     lines.emplace_back("Corrects",
-        made.table.target.empty() ? "not stated by the measurement" : "axis " + made.table.target);
+        corrected.empty()            ? "not stated by the measurement"
+            : corrected == otherAxis ? "an axis that is no source"
+                                     : "axis " + corrected);
     lines.emplace_back("Method", methodText(measurement, settings, made));
     lines.emplace_back("Looked up",
         report.lookupAt == LookupAt::Encoder ? "at the encoder's position, before the compensation"

@@ -39,9 +39,25 @@ struct FitValues {
 /// The targets with a value in use, ascending; all where fewer than two have one, of which no table
 /// is made.
 [[nodiscard]] std::vector<double> usedTargets(const Measurement& measurement);
-/// Of runs and tracks, whatever was active: null where nothing is merged. Errors: InvalidArgument
-/// for a table of another axis or of more dimensions; those of tableOfAxis.
-[[nodiscard]] Result<const CompensationTable*> tableToMergeOnto(const FitInput& input);
+/// That a table is not certainly one over other axes than these, or over these in another order.
+/// Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkTableOver(
+    const Text& name, const CompensationTable& table, std::span<const std::string> axes);
+/// That a table is one of the axis along which runs or a track were measured: what a table of
+/// another axis adds says nothing of it. Errors: InvalidArgument, also for more dimensions.
+[[nodiscard]] Result<void> checkTableOfAxis(
+    const Text& name, const CompensationTable& table, const FitInput& input);
+/// Of runs and tracks, what was active and is merged onto: null where nothing is. Errors: those of
+/// checkTableOfAxis and tableOfAxis.
+[[nodiscard]] Result<const CompensationTable*> findActiveTable(const FitInput& input);
+/// What the table of runs or a track is called by. What the measurement does not say is as in the
+/// table that it is merged onto; null: onto none.
+struct AxisNames {
+    std::string positions;
+    std::string values;
+    std::string target; ///< may be empty
+};
+[[nodiscard]] AxisNames axisNames(const FitInput& input, const CompensationTable* old);
 /// What is asked of a table of runs. Errors: InvalidArgument for what the settings leave open.
 [[nodiscard]] Result<TableFitRequest> requestOfRuns(const FitInput& input);
 /// What the drive will add where, at the knot where the table has its largest value.

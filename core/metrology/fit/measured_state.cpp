@@ -68,13 +68,6 @@ Result<MeasuredState> agreedState(const StateRequest& request)
     return agreed;
 }
 
-/// What a table corrects, by the name of the axis.
-std::string targetName(const CompensationTable& table)
-{
-    const auto meant = targetOf(table);
-    return meant && meant->source ? table.grid.axes[*meant->source].name : table.target;
-}
-
 std::vector<std::string> namedTargets(const std::vector<std::string>& targets)
 {
     std::vector<std::string> named;

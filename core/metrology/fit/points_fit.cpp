@@ -48,14 +48,13 @@ bool isWanted(const TrackSample& sample, FitDirection direction)
 }
 
 /// Both directions count the same, however many samples they have.
-Scatter scatterOfTrack(const FitInput& input)
+Scatter scatterOfTrack(const FitInput& input, const AxisNames& names)
 {
     const Measurement& measurement = input.measurement;
-    const std::string& axis = measurement.header.axis;
     Scatter scatter;
-    scatter.axes = {axis.empty() ? "Position" : axis};
+    scatter.axes = {names.positions};
     scatter.positions.resize(1);
-    Scatter::Column column{axis.empty() ? "Error" : "d" + axis, axis, 0, {}};
+    Scatter::Column column{names.values, names.target, 0, {}};
     const auto ups = static_cast<double>(
         std::ranges::count(measurement.track, Approach::Up, &TrackSample::direction));
     const double downs = static_cast<double>(measurement.track.size()) - ups;
@@ -141,22 +140,28 @@ Result<std::optional<RigidBody>> removeBody(const FitInput& input, Scatter& scat
     return body;
 }
 
-/// The table of what was active for an axis of points; none: nothing was.
-ActiveTable activeFor(const FitInput& input, const std::string& target)
+/// The table of what was active for an axis of points over these; none: nothing was. Errors: those
+/// of checkTableOver.
+Result<ActiveTable> activeFor(
+    const FitInput& input, const std::string& target, std::span<const std::string> axes)
 {
     if (input.state.kind != FoundState::Kind::On || target.empty())
-        return {};
+        return ActiveTable{};
     const auto& tables = input.state.active->tables;
     const auto found = std::ranges::find(tables, target, &CompensationTable::target);
-    return found == tables.end() ? ActiveTable{} : ActiveTable{&*found};
+    if (found == tables.end())
+        return ActiveTable{};
+    AXISCOMP_CHECK(checkTableOver(input.state.active->name, *found, axes));
+    return ActiveTable{&*found};
 }
 
 /// What a column is merged onto.
-Result<ActiveTable> ontoOf(const FitInput& input, const Scatter::Column& column)
+Result<ActiveTable> ontoOf(
+    const FitInput& input, const Scatter::Column& column, std::span<const std::string> axes)
 {
     if (input.measurement.kind != MeasurementKind::Track)
-        return activeFor(input, column.target);
-    AXISCOMP_TRY(const CompensationTable* const old, tableToMergeOnto(input));
+        return activeFor(input, column.target, axes);
+    AXISCOMP_TRY(const CompensationTable* const old, findActiveTable(input));
     return ActiveTable{old};
 }
 
@@ -175,8 +180,9 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
 {
     const std::size_t dimensions = scatter.dimensions();
     std::vector<ActiveTable> movers;
-    for (const std::string& axis : scatter.axes)
-        movers.push_back(activeFor(input, axis));
+    for (const std::string& axis : scatter.axes) {
+        AXISCOMP_TRY(movers.emplace_back(), activeFor(input, axis, scatter.axes));
+    }
     const auto own = ownColumns(scatter);
     std::vector<ScatteredNumbers> moved(dimensions, ScatteredNumbers(scatter.size(), 0.0));
     for (std::size_t axis = 0; axis < dimensions; ++axis)
@@ -184,7 +190,7 @@ Result<void> placeColumns(const FitInput& input, Scatter& scatter)
             for (std::size_t i = 0; i < scatter.size(); ++i)
                 moved[axis][i] = own[axis]->values[i] - own[axis]->removed;
     for (Scatter::Column& column : scatter.columns) {
-        const ActiveTable active = activeFor(input, column.target);
+        AXISCOMP_TRY(const ActiveTable active, activeFor(input, column.target, scatter.axes));
         if (input.state.kind == FoundState::Kind::On && !active.table)
             return badFit(AXISCOMP_TEXT("Error",
                 "{name} has no table whose target is that of the column {column}; state the "
@@ -480,7 +486,7 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
 {
     // Residuals are fitted, and what they are merged onto is added as it is: a table that is denser
     // than the points keeps what it has between them. The curve has it already.
-    AXISCOMP_TRY(const ActiveTable merged, ontoOf(input, column));
+    AXISCOMP_TRY(const ActiveTable merged, ontoOf(input, column, scatter.axes));
     const ActiveTable onto = smoothed ? ActiveTable{} : merged;
     const ScatteredNumbers residuals = withoutOnto(onto, column);
     ScatteredValues values;
@@ -644,7 +650,7 @@ Result<ScatterFit> fitPlaced(const FitInput& input, const Scatter& scatter)
     const bool isTrack = input.measurement.kind == MeasurementKind::Track;
     if (!isTrack)
         AXISCOMP_CHECK(placeColumns(input, made.scatter));
-    AXISCOMP_TRY(made.onto, ontoOf(input, made.scatter.columns.front()));
+    AXISCOMP_TRY(made.onto, ontoOf(input, made.scatter.columns.front(), made.scatter.axes));
     if (isTrack) {
         placeTrack(input, made.scatter, made.scatter.columns.front());
         takeShare(made.onto, input.settings.gain, made.scatter.columns.front());
@@ -662,10 +668,11 @@ Result<ScatterFit> fitPlaced(const FitInput& input, const Scatter& scatter)
 }
 
 /// What the zero takes out of a table with gain 1, whose places all have.
-Result<double> wholeConstant(
-    const FitInput& input, const Scatter::Column& column, const FittedTable& made)
+Result<double> wholeConstant(const FitInput& input, const ScatterFit& fit, std::size_t n)
 {
-    AXISCOMP_TRY(const ActiveTable onto, ontoOf(input, column));
+    const Scatter::Column& column = fit.scatter.columns[n];
+    const FittedTable& made = fit.tables[n];
+    AXISCOMP_TRY(const ActiveTable onto, ontoOf(input, column, fit.scatter.axes));
     const double gain = input.settings.gain;
     if (gain == 1.0 || !onto.table)
         return made.removedConstant;
@@ -699,8 +706,7 @@ Result<ScatterFit> fitPlaces(const FitInput& input, Scatter scatter)
         double change = 0.0;
         for (std::size_t i = 0; i < scatter.columns.size(); ++i) {
             Scatter::Column& column = scatter.columns[i];
-            AXISCOMP_TRY(const double removed,
-                wholeConstant(input, made.scatter.columns[i], made.tables[i]));
+            AXISCOMP_TRY(const double removed, wholeConstant(input, made, i));
             if (column.own)
                 change = std::max(change, std::abs(removed - column.removed));
             column.removed = removed;
@@ -718,7 +724,12 @@ Result<FitReport> fitScattered(const FitInput& input)
     if (input.settings.isByTemperature)
         return badFit(AXISCOMP_TEXT(
             "Error", "a table over temperature is made of runs with targets along one axis"));
-    Scatter scatter = isTrack ? scatterOfTrack(input) : scatterOfPoints(input);
+    const CompensationTable* old = nullptr;
+    if (isTrack) {
+        AXISCOMP_TRY(old, findActiveTable(input));
+    }
+    Scatter scatter =
+        isTrack ? scatterOfTrack(input, axisNames(input, old)) : scatterOfPoints(input);
     AXISCOMP_CHECK(checkScatterSettings(input, scatter.dimensions()));
     if (scatter.size() == 0)
         return badFit(AXISCOMP_TEXT("Error", "there are no values in this direction"));

@@ -96,44 +96,6 @@ std::vector<double> usedTargets(const Measurement& measurement)
 
 namespace {
 
-/// Of those that were active the one whose CRC is on record, else the one for the axis itself;
-/// null: nothing was. Errors: those of tableOfAxis.
-Result<const CompensationTable*> findActiveTable(const FitInput& input)
-{
-    if (!input.state.active)
-        return nullptr;
-    const KnownTables& known = *input.state.active;
-    if (input.state.tableCrc)
-        if (const CompensationTable* const table = known.withCrc(*input.state.tableCrc))
-            return table;
-    AXISCOMP_TRY(const std::size_t own, tableOfAxis(known, input.axis()));
-    return &known.tables[own];
-}
-
-} // namespace
-
-Result<const CompensationTable*> tableToMergeOnto(const FitInput& input)
-{
-    const std::string& axis = input.axis();
-    AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
-    if (active && areDifferentAxes(active->target, axis))
-        return badFit(AXISCOMP_TEXT("Error",
-            "what was measured of axis {measured} is not merged onto {name}, which is of axis "
-            "{axis}: take the table of the axis that was measured")
-                          .with("measured", axis)
-                          .with("name", input.state.active->name)
-                          .with("axis", active->target));
-    if (active && active->grid.dimensions() != 1)
-        return badFit(AXISCOMP_TEXT("Error",
-            "what was measured along one axis is merged onto a table of one dimension; {name} has "
-            "{dimensions}")
-                          .with("name", input.state.active->name)
-                          .with("dimensions", active->grid.dimensions()));
-    return active;
-}
-
-namespace {
-
 /// The same, after it is known that there is no doubt about it.
 const CompensationTable* activeTable(const FitInput& input)
 {
@@ -190,7 +152,7 @@ Result<void> checkRunsSettings(const FitInput& input)
         return badFit(AXISCOMP_TEXT("Error",
             "a table over position and temperature is for a drive, which has one value for both "
             "directions (--direction mean)"));
-    AXISCOMP_CHECK(tableToMergeOnto(input));
+    AXISCOMP_CHECK(findActiveTable(input));
     return {};
 }
 
@@ -481,18 +443,6 @@ Result<void> predictBetween(
     return {};
 }
 
-/// What a table of another axis adds says nothing of the axis that was measured.
-Result<void> checkOfAxis(const CompensationTable& table, const std::string& axis)
-{
-    if (!areDifferentAxes(table.target, axis))
-        return {};
-    return badFit(AXISCOMP_TEXT("Error",
-        "axis {measured} was measured, and nothing of it is foretold with a table of axis {axis}: "
-        "take the table of the axis that was measured")
-                      .with("measured", axis)
-                      .with("axis", table.target));
-}
-
 } // namespace
 
 Result<Measurement> predictMeasurement(const Measurement& measurement,
@@ -516,13 +466,12 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
     FitSettings settings;
     settings.turn = turn;
     const FitInput input{measurement, settings, state, lookupAt, {}};
-    AXISCOMP_CHECK(checkOfAxis(table, input.axis()));
+    AXISCOMP_CHECK(checkTableOfAxis(Text(Verbatim{table.name}), table, input));
     TableFitRequest request;
     request.lookupAt = lookupAt;
     request.turn = turn;
     if (state.kind == FoundState::Kind::On) {
         AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
-        AXISCOMP_CHECK(checkOfAxis(*active, input.axis()));
         request.active = {active, 1.0, input.outside()};
     }
     const FitValues values = fitValues(measurement, input);
@@ -589,18 +538,18 @@ FittedTable describe(const FitInput& input, const RunsTable& one)
     const TableFit& fit = one.fit;
     const Measurement& measurement = input.measurement;
     const std::string unit(positionUnit(measurement));
-    const std::string& axis = measurement.header.axis;
-    std::string name = axis.empty() ? "Error" : "d" + axis;
+    AxisNames names = axisNames(input, activeTable(input));
     Direction direction = Direction::Both;
     if (input.settings.direction == FitDirection::Both) {
         const bool isUp = one.settings.direction == FitDirection::Positive;
         direction = isUp ? Direction::Positive : Direction::Negative;
-        name += isUp ? " up" : " down";
+        names.values += isUp ? " up" : " down";
     }
     Grid grid;
-    grid.axes = {{axis.empty() ? "Position" : axis, unit, fit.grid.start, fit.grid.distance,
+    grid.axes = {{std::move(names.positions), unit, fit.grid.start, fit.grid.distance,
         static_cast<std::uint32_t>(fit.grid.size)}};
-    FittedTable made = fittedTable(fit.values, std::move(grid), std::move(name), axis, unit);
+    FittedTable made = fittedTable(
+        fit.values, std::move(grid), std::move(names.values), std::move(names.target), unit);
     made.direction = direction;
     made.removedConstant = fit.removed.constant;
     made.removedSlope = fit.removed.slope;

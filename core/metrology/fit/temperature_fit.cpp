@@ -321,10 +321,10 @@ private:
 Result<FittedTable> tableOf(const FitInput& input, const StateCurves& curves)
 {
     const std::string unit(positionUnit(input.measurement));
-    const std::string& axis = input.measurement.header.axis;
+    AxisNames names = axisNames(input, nullptr);
     const AxisGrid& positions = curves.fits.front().grid;
     Grid grid;
-    grid.axes = {{axis.empty() ? "Position" : axis, unit, positions.start, positions.distance,
+    grid.axes = {{std::move(names.positions), unit, positions.start, positions.distance,
                      static_cast<std::uint32_t>(positions.size)},
         temperatureAxis(input.settings, curves.states)};
     if (grid.pointCount() > input.settings.mostPoints)
@@ -347,7 +347,7 @@ Result<FittedTable> tableOf(const FitInput& input, const StateCurves& curves)
         }
     }
     FittedTable made = fittedTable(
-        std::move(values), std::move(grid), axis.empty() ? "Error" : "d" + axis, axis, unit);
+        std::move(values), std::move(grid), std::move(names.values), std::move(names.target), unit);
     const TableFit& reference = curves.fits[curves.reference];
     made.removedConstant = curves.removedConstant;
     made.removedSlope = reference.removed.slope;

@@ -428,6 +428,38 @@ private Q_SLOTS:
             const double last = lastNumbers(box.content("t.csv")).split(' ').last().toDouble();
             // 0.2 um are 4e-6 of the way: knots stand where the encoder was.
             QVERIFY2(std::abs(last + 0.02) < 1e-5, QByteArray::number(last).constData());
+            QVERIFY2(box.content("t.csv").contains("// target: Y\nX [mm],"),
+                box.content("t.csv").constData());
+        }
+    }
+
+    /// The file does not name the axis that was measured: X may be it or another one.
+    void aNameThatMayBeTheMeasuredAxisIsAskedFor()
+    {
+        const Sandbox box;
+        box.file("m.csv", runs("", [](double x) { return 0.02 * x; }));
+        const auto fit = [&](const QString& target) {
+            return box.run(QStringList{"fit", "m.csv", "-o", "t.csv", "--record", target + ".axcal",
+                               "--target", target}
+                + offAtEncoder);
+        };
+        const ProgramRun open = fit("X");
+        VERIFY_CODE(open, 2);
+        QVERIFY2(open.err.contains("state the target: #1 (Position), other (an axis that is no "
+                                   "source)"),
+            open.err.constData());
+        QVERIFY(!QFile::exists(box.path("t.csv")));
+        const std::pair<QString, QByteArray> ways[] = {
+            {"#1", "axis Position"}, {"other", "an axis that is no source"}};
+        for (const auto& [target, corrects] : ways) {
+            const ProgramRun stated = fit(target);
+            VERIFY_CODE(stated, 0);
+            QVERIFY2(stated.out.contains("Corrects") && stated.out.contains(corrects),
+                stated.out.constData());
+            const QByteArray line = "// target: " + target.toUtf8() + "\n";
+            QVERIFY2(box.content("t.csv").contains(line), box.content("t.csv").constData());
+            QVERIFY(
+                box.content(target + ".axcal").contains("\"target\": \"" + target.toUtf8() + "\""));
         }
     }
 

@@ -266,35 +266,105 @@ private Q_SLOTS:
         QVERIFY(report->tables.front().table.values == old.tables[1].values);
     }
 
+    /// Positions and target of the old table, of what was measured along X.
+    void whatWasMeasuredOfOneAxisIsNotMergedOntoTheTableOfAnother_data()
+    {
+        QTest::addColumn<QString>("positions");
+        QTest::addColumn<QString>("target");
+        QTest::addColumn<QString>("words"); // none: it is merged
+        QTest::newRow("its own") << "X"
+                                 << "X"
+                                 << "";
+        QTest::newRow("perhaps its own") << "Position"
+                                         << "X2"
+                                         << "";
+        QTest::newRow("not said whose") << "X position"
+                                        << ""
+                                        << "";
+        QTest::newRow("of Y by name") << "Position"
+                                      << "Y"
+                                      << "axis X was measured, but old.csv is of axis Y";
+        QTest::newRow("of Y by number")
+            << "Y"
+            << "#1"
+            << "old.csv is a table over Y, but what was measured is over X";
+        QTest::newRow("over Y, not said whose") << "Y position"
+                                                << ""
+                                                << "old.csv is a table over Y position";
+        QTest::newRow("of X over Y") << "Y"
+                                     << "X"
+                                     << "old.csv is a table over Y";
+        QTest::newRow("of an axis that is no source")
+            << "X"
+            << "other"
+            << "old.csv corrects an axis that is no source";
+    }
     void whatWasMeasuredOfOneAxisIsNotMergedOntoTheTableOfAnother()
+    {
+        QFETCH(QString, positions);
+        QFETCH(QString, target);
+        QFETCH(QString, words);
+        KnownTables old = toothed();
+        old.tables.front().grid.axes.front().name = positions.toStdString();
+        old.tables.front().target = target.toStdString();
+        Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        const auto report =
+            fitMeasurement(runs, keeping(), {FoundState::Kind::On, &old, {}, {}, 1});
+        if (words.isEmpty())
+            VERIFY_RESULT(report);
+        else
+            QVERIFY(isRefused(report, words.toStdString()));
+    }
+
+    /// A straightness has the axis that it corrects stated.
+    void whatIsStatedComesBeforeTheAxisThatWasMeasured()
+    {
+        KnownTables old = toothed();
+        old.tables.front().target = "other";
+        Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        runs.header.axis = "X";
+        VERIFY_RESULT(
+            fitMeasurement(runs, keeping(), {FoundState::Kind::On, &old, {}, {}, 1, "other"}));
+    }
+
+    void whatTheMeasurementDoesNotNameIsCalledAsInTheTableThatWasActive()
     {
         KnownTables old = toothed();
         old.tables.front().target = "Y";
-        Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
-        runs.header.axis = "X";
-        const FoundState state{FoundState::Kind::On, &old, {}, {}, 1};
-        QVERIFY(isRefused(fitMeasurement(runs, keeping(), state),
-            "measured of axis X is not merged onto old.csv, which is of axis Y"));
-        old.tables.front().target = "X2";
-        VERIFY_RESULT(fitMeasurement(runs, keeping(), state));
+        const Measurement runs = runsOver(0.0, 1.0, 501, [](double) { return 0.0; });
+        const auto merged =
+            fitMeasurement(runs, keeping(), {FoundState::Kind::On, &old, {}, {}, 1});
+        VERIFY_RESULT(merged);
+        QCOMPARE(merged->tables.front().table.grid.axes.front().name, std::string("X"));
+        QCOMPARE(merged->tables.front().table.target, std::string("Y"));
+        const auto alone = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(alone);
+        QCOMPARE(alone->tables.front().table.grid.axes.front().name, std::string("Position"));
+        QCOMPARE(alone->tables.front().table.target, std::string());
     }
 
     void whatWasMeasuredOfOneAxisIsNotForetoldWithTheTableOfAnother()
     {
         const KnownTables own = toothed();
         KnownTables other = toothed();
+        other.tables.front().grid.axes.front().name = "Position";
         other.tables.front().target = "Y";
+        other.tables.front().name = "dY";
         Measurement runs = runsOver(0.0, 50.0, 11, [](double) { return 0.0; });
         runs.header.axis = "X";
         const FoundState withOwn{FoundState::Kind::On, &own, {}, {}};
         const FoundState withOther{FoundState::Kind::On, &other, {}, {}};
         const CompensationTable& table = own.tables.front();
         VERIFY_RESULT(predictMeasurement(runs, table, LookupAt::Encoder, withOwn));
-        for (const auto& refused :
-            {predictMeasurement(runs, other.tables.front(), LookupAt::Encoder, withOwn),
-                predictMeasurement(runs, table, LookupAt::Encoder, withOther)}) {
+        for (const auto& [refused, name] :
+            {std::pair(predictMeasurement(runs, other.tables.front(), LookupAt::Encoder, withOwn),
+                 "dY is of axis Y"),
+                std::pair(predictMeasurement(runs, table, LookupAt::Encoder, withOther),
+                    "old.csv is of axis Y")}) {
             VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
-            QVERIFY(sentence(refused.error()).find("a table of axis Y") != std::string::npos);
+            QVERIFY2(sentence(refused.error()).find(name) != std::string::npos,
+                sentence(refused.error()).c_str());
         }
     }
 
@@ -329,7 +399,7 @@ private Q_SLOTS:
         QFETCH(QString, stated);
         QFETCH(double, last);
         CompensationTable x;
-        x.grid.axes = {{"X", "mm", 0.0, 100.0, 2}};
+        x.grid.axes = {{"Position", "mm", 0.0, 100.0, 2}};
         x.target = "X";
         x.values = {0.0F, 0.01F};
         CompensationTable y = x;
@@ -795,6 +865,30 @@ private Q_SLOTS:
                             - static_cast<double>(table.values[i]) - 0.003)
                     < limit);
         }
+    }
+
+    void pointsAreMergedOntoATableOverTheSameAxesInTheSameOrder()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.target = "X";
+        table.grid.axes = {{"Y", "mm", 0.0, 100.0, 2}, {"X", "mm", 0.0, 100.0, 2}};
+        table.values = {0.0F, 0.0F, 0.01F, 0.01F};
+        Measurement plane;
+        plane.kind = MeasurementKind::Points;
+        plane.points.axes = {"X", "Y"};
+        plane.points.columns = {"dX"};
+        plane.points.positions = {{0.0, 100.0, 0.0, 100.0}, {0.0, 0.0, 100.0, 100.0}};
+        plane.points.values = {{0.0, 0.0, 0.0, 0.0}};
+        FitSettings settings = keeping();
+        settings.smoothness = 1.0;
+        const auto merged = [&] {
+            return fitMeasurement(plane, settings, {FoundState::Kind::On, &old, {}, {}});
+        };
+        QVERIFY(isRefused(
+            merged(), "old.csv is a table over Y, X, but what was measured is over X, Y"));
+        std::swap(table.grid.axes[0].name, table.grid.axes[1].name);
+        VERIFY_RESULT(merged());
     }
 
     /// The servo's own error is in the readings, and not in the table.
