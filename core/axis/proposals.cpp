@@ -103,6 +103,12 @@ DimSource proposedSource(
         : DimSource{};
 }
 
+SourceDoubt wrongUnit(Text text)
+{
+    Error refusal{ErrorCode::SourceMismatch, {{"doubt", text}}, {}};
+    return {std::move(text), std::move(refusal)};
+}
+
 } // namespace
 
 DimSource positionSource(const DriveRegisters& drive, int axis)
@@ -125,8 +131,8 @@ std::vector<DimSource> proposedSources(const DriveRegisters& drive, int axis, co
     return proposed;
 }
 
-std::optional<Text> sourceDoubt(const DriveProfile& profile, const GridAxis& column,
-    std::size_t dimension, const DimSource& source,
+std::optional<SourceDoubt> sourceDoubt(const DriveProfile& profile, const GridAxis& column,
+    std::size_t dimension, const DimSource& source, bool isStated,
     const std::function<std::string(int axis)>& nameOf)
 {
     const auto doubt = [&](const TextPattern& pattern) {
@@ -135,33 +141,39 @@ std::optional<Text> sourceDoubt(const DriveProfile& profile, const GridAxis& col
             .with("unit", column.unit)
             .with("source", source.path);
     };
-    const bool isNamedAsAxis = !axisInHeader(column.name).empty();
+    const std::string_view named = axisInHeader(column.name);
     if (profile.isTemperature(source.path)) {
         if (isPositionUnit(column.unit))
-            return doubt(AXISCOMP_TEXT("Error",
+            return wrongUnit(doubt(AXISCOMP_TEXT("Error",
                 "Column {column} of the file has positions in {unit}, but its source {source} is a "
-                "temperature."));
-        if (isNamedAsAxis && column.unit.empty())
-            return doubt(AXISCOMP_TEXT("Error",
+                "temperature.")));
+        if (!named.empty() && column.unit.empty())
+            return SourceDoubt{doubt(AXISCOMP_TEXT("Error",
                 "Column {column} of the file is named as an axis, but its source {source} is a "
-                "temperature."));
+                "temperature."))};
         return std::nullopt;
     }
     const auto owner = profile.axisOfPosition(source.path);
     const std::string axis = owner ? nameOf(*owner) : std::string();
     if (!owner || isNamedAfter(column, trimmed(axis)))
         return std::nullopt;
-    if (hasTemperatures(column))
-        return doubt(AXISCOMP_TEXT("Error",
+    if (hasTemperatures(column)) {
+        Text text = doubt(AXISCOMP_TEXT("Error",
             "Column {column} of the file has temperatures, but its source {source} is a "
             "position."));
-    if (isNamedAsAxis && !axisInHeader(axis).empty())
-        return doubt(AXISCOMP_TEXT("Error",
-                         "Column {column} of the file is not named as axis {axis}, whose position "
-                         "its source "
-                         "{source} is."))
-            .with("axis", axis);
-    return std::nullopt;
+        return isTemperatureUnit(column.unit) ? wrongUnit(std::move(text)) : SourceDoubt{text};
+    }
+    const std::string_view owning = axisInHeader(axis);
+    if (named.empty() || owning.empty())
+        return std::nullopt;
+    SourceDoubt other{doubt(AXISCOMP_TEXT("Error",
+                                "Column {column} of the file is not named as axis {axis}, whose "
+                                "position its source {source} is."))
+                          .with("axis", axis)};
+    if (!isStated && !mayBeCounted(named) && areDifferentAxes(named, owning))
+        other.refusal =
+            Error{ErrorCode::SourceMismatch, {{"doubt", other.text}, {"axis", Verbatim{axis}}}, {}};
+    return other;
 }
 
 std::vector<AxisChoice> proposedAxes(

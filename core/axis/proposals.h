@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/axis/axis_status.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/drive/drive_profile.h"
 #include "core/table/compensation_table.h"
@@ -33,12 +34,17 @@ struct DriveRegisters {
 [[nodiscard]] std::vector<DimSource> proposedSources(
     const DriveRegisters& drive, int axis, const Grid& grid);
 
+struct SourceDoubt {
+    Text text; ///< a sentence
+    std::optional<Error> refusal = {}; ///< SourceMismatch; none: it may be right all the same
+};
+
 /// What speaks against looking a column of positions up by this source: positions by a temperature,
 /// temperatures by a position, the column of one axis by the position of another one. dimension
-/// 1, 2, 3; nameOf: the name of an axis, which may be empty. Nothing: as far as one can tell it is
-/// right.
-[[nodiscard]] std::optional<Text> sourceDoubt(const DriveProfile& profile, const GridAxis& column,
-    std::size_t dimension, const DimSource& source,
+/// 1, 2, 3; isStated: a person says that the column is right, whatever it is called; nameOf: the
+/// name of an axis, which may be empty. Nothing: as far as one can tell it is right.
+[[nodiscard]] std::optional<SourceDoubt> sourceDoubt(const DriveProfile& profile,
+    const GridAxis& column, std::size_t dimension, const DimSource& source, bool isStated,
     const std::function<std::string(int axis)>& nameOf);
 
 /// An index on the drive; none: the column is not written.

@@ -176,6 +176,9 @@ constexpr std::array errorRows{
     ErrorRow{ErrorCode::SourceRepeated, "SourceRepeated", ErrorClass::Request,
         AXISCOMP_TEXT(
             "Error", "{source} is the source of both dimension {first} and dimension {second}")},
+    ErrorRow{ErrorCode::SourceMismatch, "SourceMismatch", ErrorClass::Request,
+        AXISCOMP_TEXT(
+            "Error", "{doubt} Choose another source or column, or correct the unit in the file")},
     ErrorRow{ErrorCode::DimensionMismatch, "DimensionMismatch", ErrorClass::Request,
         AXISCOMP_TEXT("Error", "the table is {table}D, but {chosen}D is chosen")},
     ErrorRow{ErrorCode::TableTooLarge, "TableTooLarge", ErrorClass::Refused,
@@ -336,6 +339,10 @@ constexpr std::array variants{
             "the record of this drive's flash operations was damaged, so all of them count as "
             "used up; write volatile, or reset the count with 'axiscomp status "
             "--reset-flash-count'")},
+    Variant{ErrorCode::SourceMismatch, "axis",
+        AXISCOMP_TEXT("Error",
+            "{doubt} Choose another source or column, or, if it is right all the same, name the "
+            "column after axis {axis} in the file")},
     Variant{ErrorCode::TargetMismatch, "restored",
         AXISCOMP_TEXT("Error",
             "axis {axis} was {target} when the backup was made, and is {name} on the drive "

@@ -75,6 +75,8 @@ enum class ErrorCode {
     SourceWrongType, ///< source, type, allowed
     SourceOtherDrive, ///< source, drive, other
     SourceRepeated, ///< source, first, second
+    SourceMismatch, ///< doubt (what speaks against the source of a column); axis (whose position it
+    ///< is, when the column is of another one)
     DimensionMismatch, ///< table, chosen
     TableTooLarge, ///< size, largest, slot
     SlotNotFound, ///< slot, known

@@ -92,8 +92,8 @@ public:
         const OperationOptions& options = {});
 
     /// Reads and checks, changes nothing. Errors: SourceMissing, SourceSurplus, SourceRepeated,
-    /// DimensionMismatch, TableTooLarge, SlotNotFound, SlotInUse, NoTable, CompensationActive,
-    /// FlashWear, ChangedMeanwhile.
+    /// SourceMismatch, TargetMismatch, DimensionMismatch, TableTooLarge, SlotNotFound, SlotInUse,
+    /// NoTable, CompensationActive, FlashWear, ChangedMeanwhile.
     [[nodiscard]] Result<WritePlan> plan(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// The same while the compensation is active, too: how the axis differs from what was asked

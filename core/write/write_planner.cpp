@@ -160,7 +160,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     if (decided)
         decided = decideCoverage();
     if (decided)
-        decided = doubtSources(request);
+        decided = checkColumns(request);
     if (decided)
         decided = decideSaving();
     if (decided)
@@ -288,8 +288,9 @@ Result<void> WritePlanner::decideCoverage()
     return {};
 }
 
-/// The columns as the file has them: converted they would have the units of the drive.
-Result<void> WritePlanner::doubtSources(const WriteRequest& request)
+/// That each column fits its source. The columns as the file has them: converted they would have
+/// the units of the drive. Errors: SourceMismatch.
+Result<void> WritePlanner::checkColumns(const WriteRequest& request)
 {
     WritePlan& plan = m_write.plan;
     const std::size_t columns = request.table ? request.table->grid.axes.size() : 0;
@@ -301,9 +302,12 @@ Result<void> WritePlanner::doubtSources(const WriteRequest& request)
             AXISCOMP_TRY(const auto facts, positionFacts(*owner));
             name = facts.name;
         }
-        if (auto doubt = sourceDoubt(m_access.profile(), request.table->grid.axes[n], n + 1, source,
-                [&](int) { return name; }))
-            plan.warnings.push_back(*std::move(doubt));
+        auto doubt = sourceDoubt(m_access.profile(), request.table->grid.axes[n], n + 1, source,
+            request.table->target == sourceTarget(n), [&](int) { return name; });
+        if (doubt && doubt->refusal)
+            return fail(*std::move(doubt->refusal));
+        if (doubt)
+            plan.warnings.push_back(std::move(doubt->text));
     }
     return {};
 }

@@ -70,7 +70,7 @@ private:
     [[nodiscard]] Result<void> lookInto(std::vector<SlotFacts>& slots);
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
-    [[nodiscard]] Result<void> doubtSources(const WriteRequest& request);
+    [[nodiscard]] Result<void> checkColumns(const WriteRequest& request);
     [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table) const;
     void warn();
     void warnOfDeletion();

@@ -4,6 +4,7 @@
 #include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
 #include "ui/controller/axis_overview.h"
 #include "ui/controller/machine_controller.h"
@@ -381,14 +382,16 @@ QString WizardController::sourceDoubt(int dimension) const
     const Grid columns = columnsOfPositions();
     if (!status() || index >= columns.axes.size() || !edited.sources[index].isSet())
         return {};
-    const auto doubt = axiscomp::sourceDoubt(
-        m_parts->profile, columns.axes[index], index + 1, edited.sources[index], [this](int axis) {
+    const auto table = m_parts->tables.selectedOfFile().table;
+    const bool isStated = table && table->target == sourceTarget(index);
+    const auto doubt = axiscomp::sourceDoubt(m_parts->profile, columns.axes[index], index + 1,
+        edited.sources[index], isStated, [this](int axis) {
             for (const AxisInfo& info : axesOfDrive())
                 if (info.index == axis)
                     return info.name;
             return std::string();
         });
-    return doubt ? sentenceText(*doubt) : QString();
+    return doubt ? sentenceText(doubt->text) : QString();
 }
 
 std::optional<double> WizardController::sourceValue(int dimension) const

@@ -72,6 +72,7 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::SourceWrongType, 2},
     {ErrorCode::SourceOtherDrive, 2},
     {ErrorCode::SourceRepeated, 2},
+    {ErrorCode::SourceMismatch, 2},
     {ErrorCode::DimensionMismatch, 2},
     {ErrorCode::TableTooLarge, 4},
     {ErrorCode::SlotNotFound, 2},

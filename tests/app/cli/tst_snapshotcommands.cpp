@@ -111,7 +111,7 @@ private Q_SLOTS:
         VERIFY_CODE(
             write(box, *drive, 0, "uneven.csv", own, {"--slot", "Small3", "--persistent"}), 0);
         VERIFY_CODE(
-            write(box, *drive, 2, "plane.csv", {test::positionSource(1), test::positionSource(2)}),
+            write(box, *drive, 2, "plane.csv", {test::positionSource(0), test::positionSource(1)}),
             0);
         VERIFY_CODE(box.run({"activate", "--drive", drive->url(), "--axis", "0"}), 0);
         const ProgramRun first =

@@ -575,10 +575,10 @@ private Q_SLOTS:
     void theDemoIsANewDriveEachTime()
     {
         const Sandbox box;
-        box.file("first.csv", first1D);
+        box.file("y.csv", QByteArray(first1D).replace("X [mm]", "Y [mm]"));
         for (int i = 0; i < 10; ++i) {
             const ProgramRun run = box.run({"write", "--drive", "demo:", "--axis", "Y", "--data",
-                "first.csv", "--dims", "1", "--source1", test::positionSource(1), "--persistent"});
+                "y.csv", "--dims", "1", "--source1", test::positionSource(1), "--persistent"});
             VERIFY_CODE(run, 0);
         }
         QVERIFY(!QFile::exists(box.path("state/axiscomp")));

@@ -56,11 +56,16 @@ struct Machine {
             paths += source.isSet() ? QString::fromStdString(source.path) : QStringLiteral("-");
         return paths;
     }
-    [[nodiscard]] std::string doubt(const QString& column, const std::string& source) const
+    /// "refused: " before what is certain.
+    [[nodiscard]] std::string doubt(
+        const QString& column, const std::string& source, bool isStated = false) const
     {
         const auto text = sourceDoubt(drivecomm::genericProfile(), gridOf(column).axes.front(), 2,
-            {1, source}, [this](int axis) { return axes.at(static_cast<std::size_t>(axis)).name; });
-        return text ? text->english() : std::string();
+            {1, source}, isStated,
+            [this](int axis) { return axes.at(static_cast<std::size_t>(axis)).name; });
+        if (!text)
+            return {};
+        return text->refusal ? "refused: " + sentence(*text->refusal) : text->text.english();
     }
     static Grid gridOf(const QString& columns)
     {
@@ -143,23 +148,48 @@ private Q_SLOTS:
             machine.proposed(QStringLiteral("X, T"), 1).at(1), QString::fromStdString(warmthX));
     }
 
+    void whatIsCertainlyWrongIsRefusedWithAWayOut()
+    {
+        const Machine machine;
+        const std::string unit =
+            " Choose another source or column, or correct the unit in the file";
+        QCOMPARE(machine.doubt(QStringLiteral("Z [mm]"), warmthX),
+            "refused: Column Z of the file has positions in mm, but its source " + warmthX
+                + " is a temperature." + unit);
+        QCOMPARE(machine.doubt(QStringLiteral(" [mm]"), warmthX),
+            "refused: Column 2 of the file has positions in mm, but its source " + warmthX
+                + " is a temperature." + unit);
+        QCOMPARE(machine.doubt(QStringLiteral("T [\u00b0C]"), masterX, true),
+            "refused: Column T of the file has temperatures, but its source " + masterX
+                + " is a position." + unit);
+        for (const char* const column : {"Y [mm]", "Y position", "Y2"})
+            QCOMPARE(machine.doubt(QString::fromLatin1(column), masterX),
+                "refused: Column "
+                    + QString::fromLatin1(column).section(u'[', 0, 0).trimmed().toStdString()
+                    + " of the file is not named as axis X, whose position its source " + masterX
+                    + " is. Choose another source or column, or, if it is right all the same, name "
+                      "the column after axis X in the file");
+    }
+
+    /// What nobody can tell for sure, and what a person states.
     void whatTheNamesSpeakAgainstIsSaid()
     {
         const Machine machine;
-        QCOMPARE(machine.doubt(QStringLiteral("Z [mm]"), warmthX),
-            "Column Z of the file has positions in mm, but its source " + warmthX
-                + " is a temperature.");
         QCOMPARE(machine.doubt(QStringLiteral("Z"), warmthX),
             "Column Z of the file is named as an axis, but its source " + warmthX
                 + " is a temperature.");
-        QCOMPARE(machine.doubt(QStringLiteral(" [mm]"), warmthX),
-            "Column 2 of the file has positions in mm, but its source " + warmthX
-                + " is a temperature.");
-        QCOMPARE(machine.doubt(QStringLiteral("T [\u00b0C]"), masterX),
-            "Column T of the file has temperatures, but its source " + masterX + " is a position.");
-        QCOMPARE(machine.doubt(QStringLiteral("Y [mm]"), masterX),
-            "Column Y of the file is not named as axis X, whose position its source " + masterX
-                + " is.");
+        QCOMPARE(machine.doubt(QStringLiteral("Temperature"), masterX),
+            "Column Temperature of the file has temperatures, but its source " + masterX
+                + " is a position.");
+        const auto otherName = [](const std::string& column) {
+            return "Column " + column
+                + " of the file is not named as axis X, whose position its source " + masterX
+                + " is.";
+        };
+        QCOMPARE(machine.doubt(QStringLiteral("A [mm]"), masterX), otherName("A"));
+        QCOMPARE(machine.doubt(QStringLiteral("2 [mm]"), masterX), otherName("2"));
+        QCOMPARE(machine.doubt(QStringLiteral("X2 [mm]"), masterX), otherName("X2"));
+        QCOMPARE(machine.doubt(QStringLiteral("Y [mm]"), masterX, true), otherName("Y"));
     }
 
     void whatMayBeRightIsNotDoubted()
@@ -174,26 +204,43 @@ private Q_SLOTS:
             std::string());
     }
 
-    void aPlanWarnsOfASourceThatDoesNotFitItsColumn()
+    void aColumnIsNotWrittenForASourceThatCannotBeItsOwn()
     {
         CompensatorFixture fixture;
         WriteRequest request = test::exampleRequest(1);
-        request.sources = {masterX, warmthX};
-        request.table->grid.axes[1].name = "Z";
-        request.table->grid.axes[1].unit = "mm";
-        const auto plan = fixture.compensator.plan(0, request);
-        VERIFY_RESULT(plan);
-        QCOMPARE(plan->warnings.front().english(),
-            "Column Z of the file has positions in mm, but its source " + warmthX
-                + " is a temperature.");
-        request.sources = {masterX, masterY};
-        request.table->grid.axes[0].name = "X";
-        request.table->grid.axes[1].name = "Y";
-        const auto right = fixture.compensator.plan(0, request);
+        const auto planned = [&](const char* first, const char* second,
+                                 std::vector<std::string> sources) {
+            request.sources = std::move(sources);
+            request.table->grid.axes[0].name = first;
+            request.table->grid.axes[1].name = second;
+            request.table->grid.axes[1].unit = "mm";
+            return fixture.compensator.plan(0, request);
+        };
+        VERIFY_ERROR(planned("X", "Z", {masterX, warmthX}), ErrorCode::SourceMismatch);
+        VERIFY_ERROR(planned("Y", "X", {masterX, masterY}), ErrorCode::SourceMismatch);
+        const auto right = planned("X", "Y", {masterX, masterY});
         VERIFY_RESULT(right);
         for (const Text& warning : right->warnings)
             QVERIFY2(
                 warning.english().find("Column") == std::string::npos, warning.english().c_str());
+        const auto doubted = planned("X", "A", {masterX, masterY});
+        VERIFY_RESULT(doubted);
+        QVERIFY2(doubted->warnings.front().english().starts_with("Column A of the file"),
+            doubted->warnings.front().english().c_str());
+    }
+
+    /// "#1" says of which source the values are, and that this is its column.
+    void aStatementOverrulesTheNameOfAColumn()
+    {
+        CompensatorFixture fixture;
+        WriteRequest request = test::exampleRequest(0);
+        request.table->grid.axes = {{"Y", "mm", 0.0, 10.0, 3}};
+        request.table->values = {0.0F, 0.001F, 0.0F};
+        request.sources = {masterX};
+        request.dimensionality = 1;
+        VERIFY_ERROR(fixture.compensator.plan(0, request), ErrorCode::SourceMismatch);
+        request.table->target = "#1";
+        VERIFY_RESULT(fixture.compensator.plan(0, request));
     }
 
     void aTableIsProposedForTheAxisThatItsNameSays_data()

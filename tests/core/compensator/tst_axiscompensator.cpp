@@ -285,6 +285,10 @@ private Q_SLOTS:
         request.sources = {masterX, masterY, "Axes[0]/Signals/General/MotorTemperature"};
         request.sources.resize(static_cast<std::size_t>(dimensions));
         request.table = exampleTable(dimensions);
+        if (dimensions == 3) {
+            request.table->grid.axes[2].name = "T";
+            request.table->grid.axes[2].unit = "degC";
+        }
         VERIFY_RESULT(f.compensator.write(0, request));
         const auto active = f.compensator.activate(0);
         VERIFY_RESULT(active);

@@ -32,7 +32,7 @@ namespace {
 using Column = OverviewModel::Column;
 using State = AxisDrift::State;
 
-const QByteArray first1D = "X [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
+const QByteArray first1D = "Position [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
 
 QByteArray driveSection(const QString& endpoint, int serialNumber)
 {
@@ -409,7 +409,7 @@ private Q_SLOTS:
         Machine all;
         QVERIFY(all.bench.connect());
         static_cast<void>(
-            all.bench.file(QStringLiteral("first.csv"), "X [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
+            all.bench.file(QStringLiteral("first.csv"), "Position [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
         const QByteArray drive = driveSection(QStringLiteral("http://x"), 4711);
         QVERIFY(all.open(all.write(drive + axisSection("X"))));
         QVERIFY(!all.machine().applyObstacle(false).isEmpty());

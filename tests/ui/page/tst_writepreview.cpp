@@ -164,7 +164,7 @@ private Q_SLOTS:
                                                 "PositionController/"
                                                 "MasterPosition"),
                  std::pair("source2Field", "Axes[1]/Signals/PositionController/MasterPosition"),
-                 std::pair("source3Field", "Axes[0]/Signals/General/MotorTemperature")})
+                 std::pair("source3Field", "Application/Variables/Floats[0]")})
             QVERIFY(user.enter(field, QLatin1StringView(source)));
         QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
         QVERIFY(plan(bench));

@@ -57,7 +57,7 @@ public:
     void chooseSources(int count)
     {
         const std::array<std::string, 3> paths{PageStage::masterPosition(0),
-            PageStage::masterPosition(1), "Axes[0]/Signals/General/MotorTemperature"};
+            PageStage::masterPosition(1), "Application/Variables/Floats[0]"};
         for (int n = 0; n < count; ++n) {
             controller().chooseSource(
                 n + 1, QString::fromStdString(paths.at(static_cast<std::size_t>(n))));
