@@ -408,8 +408,8 @@ private Q_SLOTS:
     {
         Machine all;
         QVERIFY(all.bench.connect());
-        static_cast<void>(
-            all.bench.file(QStringLiteral("first.csv"), "Position [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
+        static_cast<void>(all.bench.file(
+            QStringLiteral("first.csv"), "Position [mm],Error [mm]\n0,0\n40,2.1\n80,-1\n"));
         const QByteArray drive = driveSection(QStringLiteral("http://x"), 4711);
         QVERIFY(all.open(all.write(drive + axisSection("X"))));
         QVERIFY(!all.machine().applyObstacle(false).isEmpty());
