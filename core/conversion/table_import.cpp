@@ -275,6 +275,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     AXISCOMP_TRY(const auto conversion, convertTables(std::span(&column, 1), request));
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
     CompensationTable& table = data.tables.front();
+    table.isTargetOfDrive = choices.target.empty() && !request.targets.empty();
     keepName(table);
     if (const auto lookupAt = conversion.tables.front().lookupAt)
         m_lookupAt = lookupAt;

@@ -23,6 +23,8 @@ struct CompensationTable {
     std::vector<std::uint32_t> filled = {};
     /// The axis that the file names where its headers do not tell whether that is a source.
     std::string statedAxis = {};
+    /// The target is neither the file's nor a person's: it is what the drive suggests.
+    bool isTargetOfDrive = false;
 
     friend bool operator==(const CompensationTable&, const CompensationTable&) = default;
 };

@@ -155,6 +155,11 @@ std::string targetName(const CompensationTable& table)
     return meant && meant->source ? table.grid.axes[*meant->source].name : table.target;
 }
 
+bool isStatedSource(const CompensationTable& table, std::size_t source)
+{
+    return !table.isTargetOfDrive && table.target == sourceTarget(source);
+}
+
 std::string_view axisInHeader(std::string_view header)
 {
     const std::string_view word = onlyOtherWord(header, positionWords);

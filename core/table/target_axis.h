@@ -43,6 +43,8 @@ struct CompensationTable;
 /// The same by the name of the axis, also of a source that is stated by its number. What is stated,
 /// where that may or may not be a source.
 [[nodiscard]] std::string targetName(const CompensationTable& table);
+/// A file or a person says that this source (0 for the first) is the axis that is corrected.
+[[nodiscard]] bool isStatedSource(const CompensationTable& table, std::size_t source);
 
 /// The axis that a header of positions names: "X" of "X", "X position", "Pos. X", "X-Achse", and
 /// "3" of "3". Empty: none, as in "Position" or "Dim 1".

@@ -303,7 +303,7 @@ Result<void> WritePlanner::checkColumns(const WriteRequest& request)
             name = facts.name;
         }
         auto doubt = sourceDoubt(m_access.profile(), request.table->grid.axes[n], n + 1, source,
-            request.table->target == sourceTarget(n), [&](int) { return name; });
+            isStatedSource(*request.table, n), [&](int) { return name; });
         if (doubt && doubt->refusal)
             return fail(*std::move(doubt->refusal));
         if (doubt)

@@ -383,7 +383,7 @@ QString WizardController::sourceDoubt(int dimension) const
     if (!status() || index >= columns.axes.size() || !edited.sources[index].isSet())
         return {};
     const auto table = m_parts->tables.selectedOfFile().table;
-    const bool isStated = table && table->target == sourceTarget(index);
+    const bool isStated = table && isStatedSource(*table, index);
     const auto doubt = axiscomp::sourceDoubt(m_parts->profile, columns.axes[index], index + 1,
         edited.sources[index], isStated, [this](int axis) {
             for (const AxisInfo& info : axesOfDrive())

@@ -95,6 +95,7 @@ Result<void> takeTable(const WriteOptions& options, const TableInput& input, Tab
     if (!isOfDrive(input, conversion))
         conversion.lookupAt = lookupAt;
     AXISCOMP_TRY(auto made, driveTable(input, pending.inputOptions, conversion));
+    made.table.isTargetOfDrive = options.conversion.targets.empty() && !target.empty();
     pending.request.unstatedUnit = unstatedUnit(conversion.units.values);
     pending.request.dimensionality = made.table.grid.dimensions();
     pending.request.table = std::move(made.table);

@@ -461,6 +461,19 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("the drive will add +0.003 mm"), run.out.constData());
     }
 
+    void theTargetOfTheDriveIsNoStatementAboutAColumn()
+    {
+        const Fixture bench;
+        bench.box.file("y.csv", "Y [mm],Error [mm]\n0,0\n10,0.003\n20,0\n");
+        const QStringList write{"write", "--data", "y.csv", "--dims", "1", "--from", "csv",
+            "--own-position", "--sign", "command"};
+        const ProgramRun refused = bench.run(write);
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("Column Y of the file is not named as axis X"),
+            refused.err.constData());
+        VERIFY_CODE(bench.run(write + QStringList{"--target", "#1"}), 0);
+    }
+
     void withoutAFileWhatIsAboutTheTableIsRefused_data()
     {
         QTest::addColumn<QStringList>("option");

@@ -241,6 +241,8 @@ private Q_SLOTS:
         VERIFY_ERROR(fixture.compensator.plan(0, request), ErrorCode::SourceMismatch);
         request.table->target = "#1";
         VERIFY_RESULT(fixture.compensator.plan(0, request));
+        request.table->isTargetOfDrive = true;
+        VERIFY_ERROR(fixture.compensator.plan(0, request), ErrorCode::SourceMismatch);
     }
 
     void aTableIsProposedForTheAxisThatItsNameSays_data()

@@ -403,6 +403,23 @@ private Q_SLOTS:
         VERIFY_ERROR(convertTables(std::span(&table, 1), back), ErrorCode::InvalidArgument);
     }
 
+    /// The drive knows the target of the file, but not whether its columns are those of the axis.
+    void whatThePlaceSaysOfTheTargetIsNoStatement()
+    {
+        const std::string file = "Position [mm],Error [mm]\n0,0\n10,-0.5\n20,0\n";
+        ImportChoices choices;
+        choices.sign = SignConvention::Command;
+        choices.place = {"#1", LookupAt::Set};
+        const auto ofDrive = imported(QStringLiteral("x.csv"), file, choices);
+        QVERIFY(ofDrive.data);
+        QVERIFY(targetOf(ofDrive.data->tables.front()) == TargetAxis{0});
+        QVERIFY(!isStatedSource(ofDrive.data->tables.front(), 0));
+        choices.target = "#1";
+        const auto stated = imported(QStringLiteral("x.csv"), file, choices);
+        QVERIFY(stated.data);
+        QVERIFY(isStatedSource(stated.data->tables.front(), 0));
+    }
+
     void aTableWhoseTargetNobodyKnowsSaysItsPlaceAllTheSame()
     {
         ImportChoices choices;
