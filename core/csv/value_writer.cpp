@@ -26,7 +26,7 @@ struct Decimal {
     int decimals = 0;
 };
 
-/// Of two that are as near the even one. number: below 2^51.
+/// The nearest whole number; of two that are as near, the even one. number: below 2^51.
 double nearestWhole(double number)
 {
     constexpr double ulpIsOne = 0x1.8p52;

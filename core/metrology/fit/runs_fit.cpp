@@ -96,7 +96,7 @@ std::vector<double> usedTargets(const Measurement& measurement)
 
 namespace {
 
-/// The same, after it is known that there is no doubt about it.
+/// What findActiveTable finds, after it is known that there is no doubt about it.
 const CompensationTable* activeTable(const FitInput& input)
 {
     return findActiveTable(input).value_or(nullptr);
