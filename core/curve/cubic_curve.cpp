@@ -9,7 +9,27 @@
 
 namespace axiscomp {
 
+namespace {
+
+/// The piece of a position between the first knot and the last: knots[piece] <= position <
+/// knots[piece + 1]. last: where to look first.
+std::size_t pieceOf(const std::vector<double>& knots, double position, std::size_t last)
+{
+    for (std::size_t i = last; i < std::min(last + 2, knots.size() - 1); ++i)
+        if (knots[i] <= position && position < knots[i + 1])
+            return i;
+    return static_cast<std::size_t>(std::ranges::upper_bound(knots, position) - knots.begin()) - 1;
+}
+
+} // namespace
+
 double CubicCurve::at(double position) const
+{
+    std::size_t piece = 0;
+    return at(position, piece);
+}
+
+double CubicCurve::at(double position, std::size_t& piece) const
 {
     if (wrap)
         position -= std::floor((position - knots.front()) / *wrap) * *wrap;
@@ -17,8 +37,8 @@ double CubicCurve::at(double position) const
         return values.front();
     if (position >= knots.back())
         return values.back();
-    const auto above = std::ranges::upper_bound(knots, position);
-    const auto i = static_cast<std::size_t>(above - knots.begin()) - 1;
+    const std::size_t i = pieceOf(knots, position, piece);
+    piece = i;
     const double width = knots[i + 1] - knots[i];
     const double t = (position - knots[i]) / width;
     const double rise = values[i + 1] - values[i];

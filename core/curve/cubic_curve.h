@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,9 @@ struct CubicCurve {
     /// Beyond the knots the ends are held, as the drive does it; on a modulo axis the curve
     /// repeats.
     [[nodiscard]] double at(double position) const;
+    /// The same, faster where positions follow one another. piece: where the last one was found, 0
+    /// for the first.
+    [[nodiscard]] double at(double position, std::size_t& piece) const;
 };
 
 /// Repeats the first knot at the end of a curve with a period.

@@ -24,7 +24,7 @@ public:
         , m_to(to)
     {
         for (std::size_t i = 0; i < points; ++i)
-            m_values.push_back(curve.at(position(i, points)));
+            m_values.push_back(curve.at(position(i, points), m_pieces));
     }
 
     [[nodiscard]] double position(std::size_t i, std::size_t points) const
@@ -33,7 +33,7 @@ public:
             ? m_to
             : m_from + (m_to - m_from) * static_cast<double>(i) / static_cast<double>(points - 1);
     }
-    [[nodiscard]] double distanceAt(double place) const
+    [[nodiscard]] double distanceAt(double place)
     {
         const auto cells = static_cast<double>(m_values.size() - 1);
         const double number = (place - m_from) / (m_to - m_from) * cells;
@@ -41,11 +41,11 @@ public:
         const auto i = static_cast<std::size_t>(cell);
         const double fraction = std::clamp(number - cell, 0.0, 1.0);
         const double line = m_values[i] + fraction * (m_values[i + 1] - m_values[i]);
-        return std::abs(line - m_curve.at(place));
+        return std::abs(line - m_curve.at(place, m_pieces));
     }
     /// Calls visit for every place that counts until it answers false.
     void visitPlaces(const std::function<bool(double)>& visit) const;
-    [[nodiscard]] double peakBetween(double low, double high) const;
+    [[nodiscard]] double peakBetween(double low, double high);
     [[nodiscard]] double largestSlopeChange() const;
 
 private:
@@ -53,6 +53,7 @@ private:
     double m_from;
     double m_to;
     std::vector<double> m_values;
+    FittedCurve::Pieces m_pieces; // where the place before was
 };
 
 void EvenLines::visitPlaces(const std::function<bool(double)>& visit) const
@@ -61,13 +62,14 @@ void EvenLines::visitPlaces(const std::function<bool(double)>& visit) const
     for (std::size_t i = 0; i < m_values.size(); ++i)
         knots.push_back(position(i, m_values.size()));
     const auto addWithin = [&](const CubicCurve& curve) {
+        const auto known = std::ssize(knots);
         std::ranges::copy_if(curve.knots, std::back_inserter(knots),
             [this](double knot) { return knot > m_from && knot < m_to; });
+        std::ranges::inplace_merge(knots, knots.begin() + known);
     };
     addWithin(m_curve.base);
     if (m_curve.onto)
         addWithin(*m_curve.onto);
-    std::ranges::sort(knots);
     const double same = 1e-12 * (m_to - m_from);
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         const double width = knots[i + 1] - knots[i];
@@ -90,15 +92,17 @@ double EvenLines::largestSlopeChange() const
 }
 
 /// The place of the largest distance between two places beside it (golden section).
-double EvenLines::peakBetween(double low, double high) const
+double EvenLines::peakBetween(double low, double high)
 {
     constexpr double share = 1.0 / std::numbers::phi;
     constexpr int steps = 40;
     for (int step = 0; step < steps; ++step) {
         const double left = high - share * (high - low);
         const double right = low + share * (high - low);
-        (distanceAt(left) >= distanceAt(right) ? high : low) =
-            distanceAt(left) >= distanceAt(right) ? right : left;
+        if (distanceAt(left) >= distanceAt(right))
+            high = right;
+        else
+            low = left;
     }
     return 0.5 * (low + high);
 }
@@ -107,7 +111,7 @@ double EvenLines::peakBetween(double low, double high) const
 
 CurveGrid curveGrid(const FittedCurve& curve, double from, double to, std::size_t points)
 {
-    const EvenLines lines(curve, from, to, points);
+    EvenLines lines(curve, from, to, points);
     std::vector<double> places;
     std::vector<double> distances;
     lines.visitPlaces([&](double place) {
@@ -142,7 +146,7 @@ Result<CurveGrid> fewestCurvePoints(const FittedCurve& curve, double from, doubl
         return badCurve(AXISCOMP_TEXT("Error", "the wanted distance must be a number above 0"));
     double worst = from; // where the last grid failed, most others fail as well
     for (std::size_t points = 2; points <= most; ++points) {
-        const EvenLines lines(curve, from, to, points);
+        EvenLines lines(curve, from, to, points);
         bool holds = lines.distanceAt(worst) <= within;
         if (holds)
             lines.visitPlaces([&](double place) {

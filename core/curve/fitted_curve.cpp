@@ -7,10 +7,16 @@ namespace axiscomp {
 
 double FittedCurve::at(double position) const
 {
-    const double before = onto ? onto->at(position) : 0.0;
+    Pieces pieces;
+    return at(position, pieces);
+}
+
+double FittedCurve::at(double position, Pieces& pieces) const
+{
+    const double before = onto ? onto->at(position, pieces.onto) : 0.0;
     if (!base.wrap)
         position = std::clamp(position, base.knots.front(), base.knots.back());
-    double sum = base.at(position);
+    double sum = base.at(position, pieces.base);
     for (const PeriodicTerm& term : terms)
         sum += term.at(position);
     return before + sum;

@@ -4,6 +4,7 @@
 #include "core/curve/cubic_curve.h"
 #include "core/curve/periodic_terms.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct FittedCurve {
     std::optional<CubicCurve> onto = {};
 
     [[nodiscard]] double at(double position) const;
+    /// Where the last position was found in the two curves (CubicCurve::at).
+    struct Pieces {
+        std::size_t base = 0;
+        std::size_t onto = 0;
+    };
+    /// The same, faster where positions follow one another.
+    [[nodiscard]] double at(double position, Pieces& pieces) const;
 };
 
 } // namespace axiscomp
