@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/drive_record.h"
 
+#include "core/drive/axis_target.h"
 #include "core/store/backup_json.h"
 #include "core/write/lookup_side.h"
 
@@ -25,6 +26,31 @@ Text axisText(int index, const std::string& name, const std::string& drive, std:
         .with("name", name)
         .with("drive", drive)
         .with("serial", Verbatim{std::to_string(serial)});
+}
+
+/// A source may have been changed since the write, and the table left as it is.
+Result<void> checkLookup(
+    const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile)
+{
+    const auto sources = sourcePaths(status.setup);
+    AXISCOMP_CHECK(checkRecordSources(record, profile, status.axis.index, sources));
+    // Of several tables the record does not say which was written.
+    Result<void> fits;
+    for (const RecordedTable& recorded : record.tables) {
+        fits = checkTarget(profile, status.axis.index, sources, recorded.table);
+        if (fits)
+            break;
+    }
+    return fits;
+}
+
+Grid spansOf(Grid grid)
+{
+    for (GridAxis& axis : grid.axes) {
+        axis.name.clear();
+        axis.unit.clear();
+    }
+    return grid;
 }
 
 } // namespace
@@ -72,11 +98,13 @@ Result<void> recordWrite(
     write.slot = now.setup.slot;
     write.isPersistent = now.table->persistent;
     write.crc = now.table->crc;
+    write.grid = spansOf(now.table->grid);
     record.write = std::move(write);
     return {};
 }
 
-Result<void> checkRecordTable(const CalibrationRecord& record, const AxisStatus& status)
+Result<void> checkRecordTable(
+    const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile)
 {
     AXISCOMP_CHECK(checkRecordAxis(record, status));
     if (!record.write)
@@ -85,18 +113,25 @@ Result<void> checkRecordTable(const CalibrationRecord& record, const AxisStatus&
             "it and notes that"));
     if (!status.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
-    if (status.table->crc == record.write->crc)
-        return {};
+    const TableIdentity found{status.table->crc, status.table->grid};
+    if (isSameTable(found, record.write->table()))
+        return checkLookup(record, status, profile);
+    if (found.crc == record.write->crc)
+        return notOfRecord(AXISCOMP_TEXT("Error",
+            "the axis has the values of the record's table, {crc}, over other positions: write the "
+            "record's table again (`axiscomp write --record`), or leave the record out")
+                               .with("crc", crcText(found.crc)));
     return notOfRecord(AXISCOMP_TEXT("Error",
         "the axis has the table {found}, and that of the record is {recorded}: write the record's "
         "table again (`axiscomp write --record`), or leave the record out")
-                           .with("found", crcText(status.table->crc))
+                           .with("found", crcText(found.crc))
                            .with("recorded", crcText(record.write->crc)));
 }
 
-Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof)
+Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof,
+    const DriveProfile& profile)
 {
-    AXISCOMP_CHECK(checkRecordTable(record, now));
+    AXISCOMP_CHECK(checkRecordTable(record, now, profile));
     if (proof.extent != Proof::Extent::Proved)
         return {};
     record.write->proof = RecordedWrite::Proof{true, static_cast<int>(proof.samples.size()),

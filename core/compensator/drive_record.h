@@ -32,14 +32,15 @@ namespace axiscomp {
 [[nodiscard]] Result<void> recordWrite(CalibrationRecord& record, const AxisStatus& now,
     const std::string& profileName, WallTime time);
 
-/// Whether the axis has the table that was written by the record. Errors: as checkRecordAxis;
-/// InvalidArgument for a record that was not written, and for another table.
+/// Whether the axis has the table that was written by the record (isSameTable), looked up where the
+/// record's table belongs. Errors: as checkRecordAxis; InvalidArgument for a record that was not
+/// written, and for another table; as checkRecordSources; TargetMismatch.
 [[nodiscard]] Result<void> checkRecordTable(
-    const CalibrationRecord& record, const AxisStatus& status);
+    const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile);
 
 /// Notes the proof of the record's table; one that shows nothing (Proof::Extent) is none and leaves
 /// the record as it is. Errors: as checkRecordTable.
-[[nodiscard]] Result<void> recordProof(
-    CalibrationRecord& record, const AxisStatus& now, const Proof& proof);
+[[nodiscard]] Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now,
+    const Proof& proof, const DriveProfile& profile);
 
 } // namespace axiscomp

@@ -28,7 +28,10 @@ std::optional<MeasuredFigures> measuredWith(
         return std::nullopt;
     auto known = DriveStore(storeRoot).measured(
         status.drive.serialNumber, status.axis.index, status.table->crc);
-    return known ? *std::move(known) : std::nullopt;
+    if (!known || !*known
+        || !isSameTable({status.table->crc, status.table->grid}, (*known)->table()))
+        return std::nullopt;
+    return *std::move(known);
 }
 
 Result<void> readAxes(

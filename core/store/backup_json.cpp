@@ -126,4 +126,24 @@ std::uint32_t crcFromJson(const JsonNode& node)
     return crc;
 }
 
+OrderedJson spansToJson(const Grid& grid)
+{
+    OrderedJson list = OrderedJson::array();
+    for (const GridAxis& axis : grid.axes)
+        list.push_back({{"start", axis.start}, {"distance", axis.distance}, {"size", axis.size}});
+    return list;
+}
+
+Grid spansFromJson(const JsonNode& node)
+{
+    Grid grid;
+    for (const JsonNode& item : node.items()) {
+        GridAxis& axis = grid.axes.emplace_back();
+        axis.start = item["start"].number();
+        axis.distance = item["distance"].number();
+        axis.size = item["size"].integer<std::uint32_t>(1);
+    }
+    return grid;
+}
+
 } // namespace axiscomp

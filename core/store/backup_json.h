@@ -4,6 +4,7 @@
 #include "core/base/wall_time.h"
 #include "core/drive/register_value.h"
 #include "core/io/strict_json.h"
+#include "core/table/grid.h"
 #include "core/text/crc_text.h"
 
 #include <cstdint>
@@ -22,5 +23,9 @@ namespace axiscomp {
 [[nodiscard]] WallTime timeFromJson(const JsonNode& node);
 
 [[nodiscard]] std::uint32_t crcFromJson(const JsonNode& node);
+
+/// [{"start": ..., "distance": ..., "size": ...}, ...]: where a grid lies, without its names.
+[[nodiscard]] OrderedJson spansToJson(const Grid& grid);
+[[nodiscard]] Grid spansFromJson(const JsonNode& node);
 
 } // namespace axiscomp

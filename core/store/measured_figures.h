@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/wall_time.h"
+#include "core/table/table_identity.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,7 +28,10 @@ struct MeasuredFigures {
     std::string date = {}; ///< of the last measurement, as its file has it; empty: it has none
     bool isAngular = false;
     std::vector<Figure> figures = {};
+    /// Of the table, as the drive shows it; nothing: older programs did not note it.
+    std::optional<Grid> grid = {};
 
+    [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;
 };
 

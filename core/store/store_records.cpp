@@ -50,6 +50,14 @@ std::vector<RegisterWrite> registersOf(const std::string& text)
     return registers;
 }
 
+/// What cannot be read is not known.
+std::optional<Grid> gridOf(const std::string& text)
+{
+    StrictJson document{text, registerLimits};
+    Grid grid = spansFromJson(document.root());
+    return document.problem() ? std::nullopt : std::optional(std::move(grid));
+}
+
 } // namespace
 
 void putJournal(
@@ -299,9 +307,10 @@ void putMeasured(
             serialNumber, axis, measured.crc)
             .run();
     Statement(database,
-        "INSERT INTO measured (serial, axis, crc, time, date, angular) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
-        serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular)
+        "INSERT INTO measured (serial, axis, crc, time, date, angular, grid) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
+        serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
+        measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string())
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -326,11 +335,13 @@ std::optional<MeasuredFigures> measured(
     Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc)
 {
     Statement table(database,
-        "SELECT time, date, angular FROM measured WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
+        "SELECT time, date, angular, grid FROM measured "
+        "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
         return std::nullopt;
     MeasuredFigures measured{crc, timeOf(table.number(0)), table.text(1), table.number(2) != 0};
+    measured.grid = gridOf(table.text(3));
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

@@ -67,6 +67,8 @@ CREATE TABLE measured_figure ( -- in mm or deg, NULL: not known
     result TEXT NOT NULL, UNIQUE (serial, axis, crc, name)
 ) STRICT;
 )",
+    // Where the table lies, as JSON (spansToJson); empty: not known.
+    "ALTER TABLE measured ADD COLUMN grid TEXT NOT NULL DEFAULT ''",
 };
 
 } // namespace

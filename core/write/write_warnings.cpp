@@ -62,6 +62,16 @@ void WritePlanner::warn()
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The table stays, and its new source is on the other side of the compensation: its "
             "values belong to other positions. Write the table that was made for this source."));
+    if (const auto own = ownDimension(m_access.profile(), m_axis, sourcePaths(plan.before));
+        isKept && own && *own < plan.after.sources.size()) {
+        const std::string& source = plan.after.sources[*own].path;
+        const auto owner = m_access.profile().axisOfPosition(source);
+        if (owner && *owner != m_axis)
+            plan.warnings.push_back(AXISCOMP_TEXT("Error",
+                "The table stays, and {source} is a position of another axis: its values belong to "
+                "positions of the axis itself. Write the table that was made for this source.")
+                                        .with("source", source));
+    }
     if (plan.slotReason == SlotReason::OverwriteOwn && !m_isSlotNamed)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "

@@ -457,12 +457,14 @@ void RecordActions::noteProof()
     if (!status || !status->table || !proof)
         return;
     const std::uint32_t crc = status->table->crc;
-    const auto isWritten = [crc](const CalibrationRecord& record) {
-        return hasTable(record, crc) && record.write && record.write->crc == crc;
+    const TableIdentity found{crc, status->table->grid};
+    const auto isWritten = [found](const CalibrationRecord& record) {
+        return hasTable(record, found.crc) && record.write
+            && isSameTable(found, record.write->table());
     };
-    noteInRecords({crc, isWritten, [now = *status, proof = *proof](CalibrationRecord& record) {
-                       return recordProof(record, now, proof);
-                   }});
+    noteInRecords({crc, isWritten,
+        [now = *status, proof = *proof, profile = m_profile](
+            CalibrationRecord& record) { return recordProof(record, now, proof, profile); }});
 }
 
 /// In every step that has the table of this record: undoing something else takes nothing of it

@@ -69,7 +69,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
     CalibrationRecord record;
     if (!recordFile.empty()) {
         AXISCOMP_TRY(record, loadRecord(pathFromText(recordFile)));
-        AXISCOMP_CHECK(checkRecordTable(record, before->status));
+        AXISCOMP_CHECK(checkRecordTable(record, before->status, session.profile()));
     }
     const auto switched =
         session.compensator().switchTo(axis, wanted, proofSamples, session.operation());
@@ -95,7 +95,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         printProof(environment, proof);
         environment.print(proofText(proof, status));
         if (!recordFile.empty()) {
-            AXISCOMP_CHECK(recordProof(record, status, proof));
+            AXISCOMP_CHECK(recordProof(record, status, proof, session.profile()));
             AXISCOMP_CHECK(saveRecord(pathFromText(recordFile), record));
             if (!record.write->proof)
                 environment.console().note("note: the record has no proof yet");

@@ -2,12 +2,14 @@
 #include "core/metrology/fit/measured_state.h"
 
 #include "core/metrology/fit/fit_errors.h"
+#include "core/table/table_identity.h"
 #include "core/table/target_axis.h"
 #include "core/text/crc_text.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace axiscomp {
 
@@ -91,6 +93,25 @@ Result<void> checkUnitStated(const KnownTables& known, std::uint32_t crc)
                           .with("crc", crcText(crc)));
 }
 
+/// Two tables with these values, which lie over other positions; nothing: there is but one. The
+/// measurement has the CRC alone, so that it does not tell which of them was active.
+std::optional<std::pair<const KnownTables*, const KnownTables*>> doubtful(
+    const StateRequest& request, std::uint32_t crc)
+{
+    std::vector<const KnownTables*> all{request.onto};
+    for (const KnownTables& known : request.others)
+        all.push_back(&known);
+    const KnownTables* first = nullptr;
+    for (const KnownTables* const known : all) {
+        if (!known->has(crc))
+            continue;
+        first = first ? first : known;
+        if (!isSameTable({crc, first->withCrc(crc)->grid}, {crc, known->withCrc(crc)->grid}))
+            return std::pair(first, known);
+    }
+    return std::nullopt;
+}
+
 const KnownTables* tablesOf(const StateRequest& request, std::uint32_t crc)
 {
     if (request.onto->has(crc))
@@ -135,6 +156,14 @@ Result<FoundState> measuredOn(const StateRequest& request, const MeasuredState& 
                                   .with("crc", crcText(*state.tableCrc))
                                   .with("name", request.onto->name)
                                   .with("known", crcList(*request.onto)));
+        if (const auto both = doubtful(request, *state.tableCrc))
+            return wrongState(AXISCOMP_TEXT("Error",
+                "it was measured with the table {crc} active, and {first} and {second} have the "
+                "same values over other positions: merge onto the file of the one that was active "
+                "(--onto)")
+                                  .with("crc", crcText(*state.tableCrc))
+                                  .with("first", both->first->name)
+                                  .with("second", both->second->name));
         if (found.active->hadOtherSources)
             return otherSources(*found.active);
         if (request.onFile.tableCrc || request.onSomeFiles.tableCrc)

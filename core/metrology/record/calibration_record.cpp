@@ -177,6 +177,8 @@ OrderedJson toJson(const RecordedWrite& write)
 {
     OrderedJson object{{"time", utcText(write.time)}, {"slot", write.slot},
         {"persistent", write.isPersistent}, {"crc32", crcText(write.crc)}};
+    if (write.grid)
+        object["axes"] = spansToJson(*write.grid);
     if (write.proof)
         object["proof"] = {{"proved", write.proof->isProved}, {"samples", write.proof->samples},
             {"largestDifference", write.proof->largestDifference},
@@ -189,6 +191,8 @@ RecordedWrite writeFromJson(const JsonNode& node)
 {
     RecordedWrite write{timeFromJson(node["time"]), node["slot"].text(),
         node["persistent"].boolean(), crcFromJson(node["crc32"])};
+    if (isThere(node, "axes"))
+        write.grid = spansFromJson(node["axes"]);
     if (isThere(node, "proof")) {
         const JsonNode proof = node["proof"];
         write.proof = RecordedWrite::Proof{proof["proved"].boolean(),

@@ -9,6 +9,7 @@
 #include "core/metrology/judge/uncertainty.h"
 #include "core/metrology/run_selection.h"
 #include "core/table/compensation_table.h"
+#include "core/table/table_identity.h"
 
 #include <array>
 #include <cstdint>
@@ -128,8 +129,12 @@ struct RecordedWrite {
         friend bool operator==(const Proof&, const Proof&) = default;
     };
     std::optional<Proof> proof = {};
+    /// Where the values lie, as the drive shows it; nothing: older programs did not note it.
+    std::optional<Grid> grid = {};
     OtherMembers others = {};
 
+    /// The table that is on the drive.
+    [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const RecordedWrite&, const RecordedWrite&) = default;
 };
 

@@ -122,6 +122,7 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
         kept.isAngular = last->files.front().measurement.isAngular;
     }
     const FigureValues before = figuresBefore(record);
+    kept.grid = record.write->grid;
     for (const Iso230Figure figure : allIso230Figures()) {
         Figure& one = kept.figures.emplace_back(Figure{std::string(figureName(figure))});
         one.before = before[figure];

@@ -201,6 +201,38 @@ private Q_SLOTS:
         QVERIFY(!bench.record().write);
     }
 
+    /// The CRC is that of the values alone.
+    void theSameValuesOverOtherPositionsAreAnotherTable()
+    {
+        const Fixture bench;
+        CalibrationRecord record = bench.record();
+        record.prediction.emplace();
+        record.prediction->before.values[static_cast<std::size_t>(Iso230Figure::A)] = 0.0143;
+        bench.box.file("job.axcal", QByteArray::fromStdString(recordText(record)));
+        VERIFY_CODE(bench.write(), 0);
+        QVERIFY(bench.run({"status", "--json"}).json().contains("measured"));
+        bench.box.file("other.csv", "X [mm],Error [mm]\n50,0\n90,0.0021\n130,-0.001\n");
+        VERIFY_CODE(bench.run({"write", "--data", "other.csv", "--dims", "1"}), 0);
+        const ProgramRun other = bench.run({"activate", "--record", "job.axcal"});
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains("over other positions"), other.err.constData());
+        QVERIFY(!bench.record().write->proof);
+        QVERIFY(!bench.run({"status", "--json"}).json().contains("measured"));
+    }
+
+    void aTableThatIsLookedUpElsewhereIsNotThatOfTheRecord()
+    {
+        const Fixture bench(LookupAt::Set);
+        VERIFY_CODE(bench.write(), 0);
+        VERIFY_CODE(bench.run({"write", "--source1", test::positionSource(1)}), 0);
+        VERIFY_CODE(bench.run({"activate", "--record", "job.axcal"}), 2);
+        VERIFY_CODE(bench.run({"write", "--own-position"}), 0);
+        const ProgramRun other = bench.run({"activate", "--record", "job.axcal"});
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains("--lookup-at encoder"), other.err.constData());
+        QVERIFY(!bench.record().write->proof);
+    }
+
     /// Neither is it switched on.
     void aProofOfAnotherTableIsNotNoted()
     {

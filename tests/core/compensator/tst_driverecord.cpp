@@ -2,6 +2,7 @@
 #include "core/compensator/drive_record.h"
 
 #include "core/base/error.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -20,8 +21,22 @@ AxisStatus axisWithTable()
     status.axis.index = 1;
     status.axis.name = "Y";
     status.setup.slot = "Large2";
-    status.table = TableHeader{{}, 3, 0x1c291ca3, true};
+    status.setup.sources[0] = {1, "Axes[1]/Signals/Encoders[0]/Position"};
+    status.table = TableHeader{{{{"Y", "mm", 0.0, 20.0, 3}}}, 3, 0x1c291ca3, true};
     return status;
+}
+
+const DriveProfile& profile()
+{
+    return drivecomm::genericProfile();
+}
+
+CalibrationRecord writtenRecord()
+{
+    CalibrationRecord record;
+    if (!recordWrite(record, axisWithTable(), "generic", WallTime{}))
+        return {};
+    return record;
 }
 
 } // namespace
@@ -49,7 +64,7 @@ private Q_SLOTS:
         VERIFY_RESULT(recordWrite(record, axisWithTable(), "generic", WallTime{}));
         Proof proof;
         proof.samples.resize(5);
-        VERIFY_RESULT(recordProof(record, axisWithTable(), proof));
+        VERIFY_RESULT(recordProof(record, axisWithTable(), proof, profile()));
         QCOMPARE(record.write->proof->samples, 5);
         VERIFY_RESULT(recordWrite(record, axisWithTable(), "generic", WallTime{}));
         QVERIFY(!record.write->proof);
@@ -63,7 +78,7 @@ private Q_SLOTS:
         Proof proof;
         proof.samples.resize(5);
         proof.extent = Proof::Extent::OutsideTable;
-        VERIFY_RESULT(recordProof(record, axisWithTable(), proof));
+        VERIFY_RESULT(recordProof(record, axisWithTable(), proof, profile()));
         QVERIFY(!record.write->proof);
     }
 
@@ -76,6 +91,40 @@ private Q_SLOTS:
         QVERIFY(!noted);
         QCOMPARE(noted.error().code, ErrorCode::NoTable);
         QVERIFY(!record.write && !record.drive);
+    }
+
+    void theSameValuesOverOtherPositionsAreAnotherTable()
+    {
+        CalibrationRecord record = writtenRecord();
+        AxisStatus status = axisWithTable();
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
+        status.table->grid.axes[0].start = 50.0;
+        const auto other = checkRecordTable(record, status, profile());
+        VERIFY_ERROR(other, ErrorCode::InvalidArgument);
+        QVERIFY2(
+            sentence(other.error()).find("1c291ca3, over other positions") != std::string::npos,
+            sentence(other.error()).c_str());
+        VERIFY_ERROR(recordProof(record, status, Proof{}, profile()), ErrorCode::InvalidArgument);
+        // Older programs did not note where it lies.
+        record.write->grid.reset();
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
+    }
+
+    /// A source can be changed without the table.
+    void aTableThatIsLookedUpElsewhereIsNotThatOfTheRecord()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.fit.emplace();
+        record.fit->settings.lookupAt = LookupAt::Encoder;
+        RecordedTable& table = record.tables.emplace_back();
+        table.table.target = "Y";
+        table.table.grid.axes = {{"Y", "mm", 0.0, 20.0, 3}};
+        AxisStatus status = axisWithTable();
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
+        status.setup.sources[0].path = "Axes[1]/Signals/PathPlanner/Position";
+        VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::InvalidArgument);
+        status.setup.sources[0].path = "Axes[0]/Signals/Encoders[0]/Position";
+        VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::TargetMismatch);
     }
 };
 

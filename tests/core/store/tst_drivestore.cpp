@@ -511,7 +511,8 @@ void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
     QVERIFY(!m_store->measured(serial, 0, 7)->has_value());
     const MeasuredFigures first{7, start, "2026-11-20", true,
         {{"A", 0.1 + 0.2, 1e-300, std::nullopt, -0.0, "undecided"}, {"B"}}};
-    const MeasuredFigures second{4'000'000'000, start + 1s, "", false, {{"A", 1.0, {}, 2.0, 3.0}}};
+    MeasuredFigures second{4'000'000'000, start + 1s, "", false, {{"A", 1.0, {}, 2.0, 3.0}}};
+    second.grid = Grid{{{"", "", -0.1, 1.0 / 3.0, 5}, {"", "", 7.0, 2.0, 2}}};
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));
     m_store = std::make_unique<DriveStore>(m_root);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/table_identity.h"
 #include "core/table/table_math.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -41,6 +42,25 @@ class TestTableMath : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    void aTableIsItsValuesAndWhereTheyLie()
+    {
+        const TableIdentity one{7, Grid{{axis(0, 20, 11)}}};
+        const auto isOne = [&one](std::uint32_t crc, const GridAxis& other) {
+            const TableIdentity table{crc, Grid{{other}}};
+            return isSameTable(one, table) && isSameTable(table, one);
+        };
+        QVERIFY(isOne(7, axis(0, 20, 11)));
+        QVERIFY(isOne(7, {"", "", 1e-6, double(20.000001F), 11})); // as single precision rounds
+        QVERIFY(!isOne(8, axis(0, 20, 11)));
+        QVERIFY(!isOne(7, axis(50, 20, 11)));
+        QVERIFY(!isOne(7, axis(-200, 40, 11))); // ends where the other does
+        QVERIFY(!isOne(7, axis(0, 20.01, 11)));
+        QVERIFY(!isOne(7, axis(0, 20, 12)));
+        QVERIFY(!isSameTable(one, {7, Grid{{axis(0, 20, 11), axis(0, 1, 2)}}}));
+        QVERIFY(isSameTable(one, {7, {}})); // where it lies is not known
+        QVERIFY(!isSameTable(one, {8, {}}));
+    }
 
     void withoutAnOldTableTheLargestChangeIsTheLargestValue()
     {

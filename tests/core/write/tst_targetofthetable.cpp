@@ -177,6 +177,23 @@ private Q_SLOTS:
         QVERIFY(!warns("Axes[0]/Signals/Encoders[0]/Position"));
     }
 
+    void aTableThatStaysForThePositionOfAnotherAxisIsWarnedOf()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, requestFor("X", "X")));
+        WriteRequest request;
+        request.dimensionality = 1;
+        const auto warns = [&](const std::string& source) {
+            request.sources = {source};
+            const auto plan = f.compensator.plan(0, request);
+            return plan && std::ranges::any_of(plan->warnings, [](const Text& warning) {
+                return warning.english().find("is a position of another axis") != std::string::npos;
+            });
+        };
+        QVERIFY(warns(test::masterY));
+        QVERIFY(!warns("Axes[0]/Signals/Encoders[0]/Position"));
+    }
+
     void aFileSaysForWhichSideItsTableWasMade_data()
     {
         QTest::addColumn<QByteArray>("notes"); // a line each

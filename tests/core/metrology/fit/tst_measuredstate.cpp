@@ -122,6 +122,26 @@ private Q_SLOTS:
         QCOMPARE(found->kind, FoundState::Kind::On);
     }
 
+    /// The measurement has the CRC alone.
+    void theSameValuesOverOtherPositionsLeaveOpenWhichTableWasActive()
+    {
+        const KnownTables now = known("the table of axis 0", first);
+        std::vector<KnownTables> backups{known("a", first)};
+        StateRequest request;
+        request.onto = &now;
+        request.others = backups;
+        request.onFile = {Kind::On, first};
+        VERIFY_RESULT(findState(request));
+        backups[0].tables[0].grid.axes[0].start = 50.0;
+        const auto found = findState(request);
+        VERIFY_ERROR(found, ErrorCode::MeasurementState);
+        QVERIFY2(sentence(found.error()).find("the table of axis 0 and a have the same values")
+                != std::string::npos,
+            sentence(found.error()).c_str());
+        request.others = {};
+        VERIFY_RESULT(findState(request));
+    }
+
     void aTableThatWasActiveWithOtherSourcesIsNotTakenForItsPlaces()
     {
         KnownTables onto = known("the table of axis 0", first);
