@@ -156,6 +156,7 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
             content.sign = signText(first.table, record, measurement, content.isAngular);
     }
     if (record.write) {
+        table.crc = record.write->crc; // of the values in the unit of the drive
         table.slot = record.write->slot;
         table.isPersistent = record.write->isPersistent;
         table.proof = proofText(*record.write);

@@ -103,11 +103,14 @@ private:
     {
         const auto before = accuracyOf(m_before);
         const auto after = accuracyOf(m_after);
-        if (before && after)
+        if (m_after.reported && (before || after))
             paragraph(AXISCOMP_TEXT("Report", "Accuracy A: {before} before, {after} after.")
                           .with("before", fine(before))
                           .with("after", fine(after)),
                 true);
+        else if (m_after.reported)
+            paragraph(
+                AXISCOMP_TEXT("Report", "The accuracy A is not defined, before or after."), true);
         else if (before)
             paragraph(AXISCOMP_TEXT("Report",
                           "Accuracy A: {before} before. There is no measurement afterwards on "
@@ -116,6 +119,25 @@ private:
                 true);
         else
             paragraph(AXISCOMP_TEXT("Report", "The accuracy A before is not defined."), true);
+        if (m_after.reported && !(before && after))
+            addDefinedOutcome();
+    }
+
+    /// With one run alone A is not defined, and what is systematic still is.
+    void addDefinedOutcome()
+    {
+        for (const Iso230Figure figure : {Iso230Figure::E, Iso230Figure::M}) {
+            const auto before = m_before.reported ? m_before.figures[figure].value : std::nullopt;
+            const auto after = m_after.figures[figure].value;
+            if (!before || !after)
+                continue;
+            paragraph(AXISCOMP_TEXT("Report", "{figure}: {before} before, {after} after.")
+                          .with("figure", Verbatim{std::string(figureName(figure))})
+                          .with("before", fine(before))
+                          .with("after", fine(after)),
+                true);
+            return;
+        }
     }
 
     void addMachine()

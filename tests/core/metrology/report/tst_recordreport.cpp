@@ -89,6 +89,21 @@ private Q_SLOTS:
         QVERIFY2(isQuoted || sign.find("the reference said") == std::string::npos, sign.c_str());
     }
 
+    /// It has its values in its own unit.
+    void theCrcIsThatOfTheTableOnTheDrive()
+    {
+        CalibrationRecord record = plainRecord();
+        record.tables[0].crc = 0x1c291ca3;
+        auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->table.crc, std::optional<std::uint32_t>(0x1c291ca3));
+        record.write.emplace();
+        record.write->crc = 0x00c0ffee;
+        content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->table.crc, std::optional<std::uint32_t>(0x00c0ffee));
+    }
+
     void runsOfOneDirectionAreNoMeanOfBoth()
     {
         CalibrationRecord record = plainRecord();

@@ -232,6 +232,24 @@ private Q_SLOTS:
             QStringLiteral("not defined"));
     }
 
+    void aMeasurementAfterWithoutAccuracyIsOnRecordAllTheSame()
+    {
+        ReportContent content = wholeContent();
+        std::erase_if(
+            content.after->measurement.values, [](const RunValue& value) { return value.run > 1; });
+        QString text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(!text.contains(QStringLiteral("no measurement afterwards")), qPrintable(text));
+        QVERIFY2(
+            text.contains(QStringLiteral("µm before, not defined after.|E: ")), qPrintable(text));
+        content.before = content.after;
+        text = textsOf(htmlOf(content)).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("The accuracy A is not defined, before or after.")),
+            qPrintable(text));
+        content = wholeContent();
+        content.after.reset();
+        QVERIFY(htmlOf(content).contains(QStringLiteral("There is no measurement afterwards")));
+    }
+
     void curvesShowTheMeans()
     {
         ReportContent content = wholeContent();
