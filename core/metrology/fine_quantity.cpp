@@ -38,6 +38,27 @@ Quantity fineQuantity(double value, bool isAngular)
     return {unit.digits(value), unit.name};
 }
 
+ComparedDigits comparedDigits(double value, double limit, bool isAngular, int decimals)
+{
+    const std::optional<double> shown[] = {value, limit};
+    const FineUnit unit = fineUnit(shown, isAngular);
+    constexpr int mostDecimals = 20; // more than a double has
+    int needed = decimals;
+    while (needed < mostDecimals && unit.digits(value, needed) == unit.digits(limit, needed))
+        ++needed;
+    if (needed > decimals && needed < mostDecimals)
+        return {unit, unit, needed};
+    return {fineUnit(std::span(shown).first(1), isAngular),
+        fineUnit(std::span(shown).last(1), isAngular), decimals};
+}
+
+ComparedQuantities comparedQuantities(double value, double limit, bool isAngular)
+{
+    const ComparedDigits shown = comparedDigits(value, limit, isAngular);
+    return {{shown.value.digits(value, shown.decimals), shown.value.name},
+        {shown.limit.digits(limit, shown.decimals), shown.limit.name}};
+}
+
 Quantity placeOf(double position, bool isAngular)
 {
     const double finest = isAngular ? 1e7 : 1e6;

@@ -27,6 +27,22 @@ struct FineUnit {
 
 /// A value in mm or deg that stands alone, in the unit that suits it.
 [[nodiscard]] Quantity fineQuantity(double value, bool isAngular);
+/// How a figure and the limit that it is held against are shown side by side.
+struct ComparedDigits {
+    FineUnit value;
+    FineUnit limit;
+    int decimals = 3; ///< of both
+};
+/// Each in the unit that suits it and with these decimals; where they would read the same and are
+/// not, in one unit with as many more decimals as tell them apart. In mm or deg.
+[[nodiscard]] ComparedDigits comparedDigits(
+    double value, double limit, bool isAngular, int decimals = 3);
+struct ComparedQuantities {
+    Quantity value;
+    Quantity limit;
+};
+[[nodiscard]] ComparedQuantities comparedQuantities(double value, double limit, bool isAngular);
+
 /// A position in mm or deg, to a nanometre, or 1e-7 deg.
 [[nodiscard]] Quantity placeOf(double position, bool isAngular);
 /// The same with every decimal, so that digits which change stay in their place: "25.310000".

@@ -198,13 +198,15 @@ void FitResults::fillRemarks()
     if (!m_outcome)
         return;
     const bool isAngular = m_outcome->request.measurement->isAngular;
-    for (const Verdict& verdict : m_outcome->report->verdicts)
+    for (const Verdict& verdict : m_outcome->report->verdicts) {
+        const double limit = verdict.tolerance.value;
+        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, isAngular);
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
                       .arg(capital(translated(figureText(verdict.tolerance.figure))),
-                          verdict.value ? fineText(*verdict.value, isAngular) : tr("not defined"),
-                          fineText(verdict.tolerance.value, isAngular),
+                          verdict.value ? shown.value : tr("not defined"), shown.limit,
                           translated(verdictText(verdict.result))),
             verdict.result != VerdictResult::Passed);
+    }
     const auto addRemarks = [this](bool areWarnings) {
         for (const FitRemark& remark : m_outcome->report->remarks)
             if (remark.isWarning == areWarnings)

@@ -33,16 +33,16 @@ namespace {
 /// "A 12.00 µm (tolerance 10.00 µm)", of all verdicts with this result.
 QString figuresWith(const ComparisonState& state, VerdictResult result)
 {
-    const FineScale scale(state.unit);
     QStringList figures;
     for (const Verdict& verdict : state.comparison->verdicts) {
         if (verdict.result != result)
             continue;
         const QString name = qString(figureName(verdict.tolerance.figure));
-        const QString limit = scale.textWithUnit(verdict.tolerance.value);
-        figures += verdict.value ? ProvePage::tr("%1 %2 (tolerance %3)")
-                                       .arg(name, scale.textWithUnit(*verdict.value), limit)
-                                 : ProvePage::tr("%1 not defined (tolerance %2)").arg(name, limit);
+        const double limit = verdict.tolerance.value;
+        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, state.isAngular);
+        figures += verdict.value
+            ? ProvePage::tr("%1 %2 (tolerance %3)").arg(name, shown.value, shown.limit)
+            : ProvePage::tr("%1 not defined (tolerance %2)").arg(name, shown.limit);
     }
     return listText(figures);
 }

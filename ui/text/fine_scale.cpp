@@ -15,25 +15,32 @@ QString FineScale::symbol() const
     return QString::fromUtf8(m_unit.symbol);
 }
 
-QString FineScale::text(double value) const
+QString FineScale::text(double value, int decimals) const
 {
-    constexpr int decimals = 2;
-    constexpr double half = 0.005;
+    const double half = 0.5 * std::pow(10.0, -decimals);
     const double shown = value * m_unit.factor;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     return locale.toString(std::abs(shown) < half ? 0.0 : shown, 'f', decimals);
 }
 
-QString FineScale::textWithUnit(double value) const
+QString FineScale::textWithUnit(double value, int decimals) const
 {
-    return text(value) + u' ' + symbol();
+    return text(value, decimals) + u' ' + symbol();
 }
 
 QString fineText(double value, bool isAngular)
 {
     const std::optional<double> shown[] = {value};
     return FineScale(fineUnit(shown, isAngular)).textWithUnit(value);
+}
+
+ComparedTexts comparedTexts(double value, double limit, bool isAngular)
+{
+    constexpr int decimals = 2;
+    const ComparedDigits shown = comparedDigits(value, limit, isAngular, decimals);
+    return {FineScale(shown.value).textWithUnit(value, shown.decimals),
+        FineScale(shown.limit).textWithUnit(limit, shown.decimals)};
 }
 
 QString amountText(double value, bool isAngular)

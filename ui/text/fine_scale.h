@@ -16,9 +16,9 @@ public:
 
     [[nodiscard]] QString symbol() const; ///< "µm", "nm", "″"
     /// value: in mm or deg; "93.20", "-0.31"
-    [[nodiscard]] QString text(double value) const;
+    [[nodiscard]] QString text(double value, int decimals = 2) const;
     /// "93.20 µm"
-    [[nodiscard]] QString textWithUnit(double value) const;
+    [[nodiscard]] QString textWithUnit(double value, int decimals = 2) const;
 
 private:
     FineUnit m_unit;
@@ -26,6 +26,12 @@ private:
 
 /// A deviation or figure that stands alone, in the unit that suits it: "93.20 µm".
 [[nodiscard]] QString fineText(double value, bool isAngular);
+/// A figure and its limit, with as many digits as tell them apart (comparedDigits).
+struct ComparedTexts {
+    QString value;
+    QString limit;
+};
+[[nodiscard]] ComparedTexts comparedTexts(double value, double limit, bool isAngular);
 /// An amount that a person has said, in mm or deg, as one would write it: "10 µm", "0.5 ″".
 [[nodiscard]] QString amountText(double value, bool isAngular);
 /// The amount that a person has written, in mm or deg: "10" in um or arcsec, "10 µm", "0,01 mm"

@@ -45,9 +45,10 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
     if (!comparison.isAsPredicted)
         return text;
     const double spread = comparison.after[Iso230Figure::M].value.value_or(0.0);
+    const auto [value, limit] =
+        comparedQuantities(spread, *comparison.largestAsPredicted, isAngular);
     return text + (*comparison.isAsPredicted ? "As predicted: " : "Not as predicted: ") + "M is "
-        + fineText(spread, isAngular) + " after, and "
-        + fineText(*comparison.largestAsPredicted, isAngular)
+        + withUnit(value.digits, value.unit) + " after, and " + withUnit(limit.digits, limit.unit)
         + " or less is as predicted (1.2 times M held out, and what cannot be told)\n";
 }
 

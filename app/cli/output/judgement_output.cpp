@@ -275,12 +275,17 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
         return {};
     const bool isAngular = measurement.isAngular;
     TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
-    for (const Verdict& verdict : verdicts)
+    for (const Verdict& verdict : verdicts) {
+        const double limit = verdict.tolerance.value;
+        const auto [value, tolerance] =
+            comparedQuantities(verdict.value.value_or(limit), limit, isAngular);
         table.add({figureText(verdict.tolerance.figure).words,
-            fineOrNothing(verdict.value, isAngular), fineText(verdict.tolerance.value, isAngular),
+            verdict.value ? withUnit(value.digits, value.unit) : "-",
+            withUnit(tolerance.digits, tolerance.unit),
             verdict.uncertainty ? "U " + fineText(*verdict.uncertainty, isAngular)
                                 : "uncertainty not stated",
             verdictText(verdict.result).words});
+    }
     return "\nVerdict\n" + table.text();
 }
 

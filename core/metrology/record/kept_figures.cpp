@@ -85,7 +85,10 @@ Text valuesText(const Figure& figure, const std::string& name, bool isAngular)
     return pattern.with("figure", words)
         .with("before", quantity(figure.before))
         .with("predicted", quantity(figure.predicted))
-        .with("after", quantity(figure.after));
+        .with("after",
+            figure.after && figure.tolerance
+                ? comparedQuantities(*figure.after, *figure.tolerance, isAngular).value
+                : quantity(figure.after));
 }
 
 Text clauseOf(const Figure& figure, bool isAngular)
@@ -100,7 +103,10 @@ Text clauseOf(const Figure& figure, bool isAngular)
         ? AXISCOMP_TEXT("Measurement", "{values} (tolerance {tolerance})")
         : AXISCOMP_TEXT("Measurement", "{values} (tolerance {tolerance}: {result})");
     return pattern.with("values", std::move(values))
-        .with("tolerance", fineQuantity(*figure.tolerance, isAngular))
+        .with("tolerance",
+            comparedQuantities(
+                figure.after.value_or(*figure.tolerance), *figure.tolerance, isAngular)
+                .limit)
         .with("result", result == results.end() ? Text() : Text(verdictText(*result)));
 }
 
@@ -116,13 +122,13 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
                                                   : nullptr;
     MeasuredFigures kept;
     kept.crc = record.write->crc;
+    kept.grid = record.write->grid;
     kept.time = time;
     if (last && !last->files.empty()) {
         kept.date = last->files.front().measurement.header.date;
         kept.isAngular = last->files.front().measurement.isAngular;
     }
     const FigureValues before = figuresBefore(record);
-    kept.grid = record.write->grid;
     for (const Iso230Figure figure : allIso230Figures()) {
         Figure& one = kept.figures.emplace_back(Figure{std::string(figureName(figure))});
         one.before = before[figure];

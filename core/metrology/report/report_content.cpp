@@ -394,9 +394,17 @@ private:
             AXISCOMP_TEXT("Report", "verdict")};
         const Iso230Figures& figures = isAfter ? m_after.figures : m_before.figures;
         for (const Verdict& verdict :
-            verdicts(figures, m_content.tolerances, m_content.uncertainty))
-            table.rows.push_back({figureText(verdict.tolerance.figure), fine(verdict.value),
-                fine(verdict.tolerance.value), uncertainty, verdictText(verdict.result)});
+            verdicts(figures, m_content.tolerances, m_content.uncertainty)) {
+            const double limit = verdict.tolerance.value;
+            const auto shown = comparedDigits(
+                verdict.value.value_or(limit), limit, m_content.isAngular, figureDecimals);
+            const auto text = [&shown](const FineUnit& unit, double value) {
+                return quantityText(unit.digits(value, shown.decimals), unit.symbol);
+            };
+            table.rows.push_back({figureText(verdict.tolerance.figure),
+                verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
+                text(shown.limit, limit), uncertainty, verdictText(verdict.result)});
+        }
         m_document.blocks.emplace_back(std::move(table));
     }
 

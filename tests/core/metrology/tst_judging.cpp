@@ -478,6 +478,20 @@ private Q_SLOTS:
         QCOMPARE(std::string(fineUnit(std::span(both).first(2), false).symbol), "nm");
     }
 
+    void aFigureAndItsLimitReadDifferentlyWhereTheyDiffer()
+    {
+        const auto shown = [](double value, double limit) {
+            const auto both = comparedQuantities(value, limit, false);
+            return both.value.digits + " " + both.value.unit + " / " + both.limit.digits + " "
+                + both.limit.unit;
+        };
+        QCOMPARE(shown(0.0186, 0.018), "18.600 um / 18.000 um");
+        QCOMPARE(shown(0.7e-6, 0.001), "0.700 nm / 1.000 um");
+        QCOMPARE(shown(0.0051350003, 0.005135), "5.1350003 um / 5.1350000 um");
+        QCOMPARE(shown(99.9999e-6, 100e-6), "0.0999999 um / 0.1000000 um");
+        QCOMPARE(shown(0.005135, 0.005135), "5.135 um / 5.135 um");
+    }
+
     void aJudgementSaysWhatIsDoubtful()
     {
         Measurement measurement = publicRuns("b02_y.csv");

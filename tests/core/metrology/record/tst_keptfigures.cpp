@@ -91,6 +91,17 @@ private Q_SLOTS:
             std::string("M 1.100 um, 11.000 um before"));
     }
 
+    void aToleranceThatIsMissedByLittleReadsSo()
+    {
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0050000004, writtenCrc);
+        record.verdict =
+            RecordedVerdict{{{{Iso230Figure::A, 0.005}, 0.0050000004, {}, VerdictResult::Failed}}};
+        QCOMPARE(sentenceOf(record),
+            std::string("measured 2026-11-24: accuracy A 14.300 um before, 5.0000004 um after "
+                        "(tolerance 5.0000000 um: failed)"));
+    }
+
     /// The figures of another table would be those of another machine.
     void aMeasurementWithAnEarlierTableDoesNotCount()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_content.h"
 #include "core/metrology/report/report_html.h"
 #include "tests/core/metrology/measurement_reading.h"
@@ -248,6 +249,24 @@ private Q_SLOTS:
         content = wholeContent();
         content.after.reset();
         QVERIFY(htmlOf(content).contains(QStringLiteral("There is no measurement afterwards")));
+    }
+
+    void aVerdictThatIsMissedByLittleReadsSo()
+    {
+        ReportContent content = wholeContent();
+        const auto figures = iso230Figures(content.after->measurement);
+        const double accuracy = figures[Iso230Figure::A].value.value_or(0.0);
+        content.tolerances = {{Iso230Figure::A, accuracy - 1e-7}};
+        content.uncertainty.reset();
+        const QString text = textsOf(htmlOf(content)).join(u'|');
+        const auto shown = comparedDigits(accuracy, accuracy - 1e-7, false, 2);
+        QVERIFY2(text.contains(
+                     QStringLiteral("accuracy A|%1 µm|%2 µm|not stated|failed")
+                         .arg(QString::fromStdString(shown.value.digits(accuracy, shown.decimals)),
+                             QString::fromStdString(
+                                 shown.limit.digits(accuracy - 1e-7, shown.decimals)))),
+            qPrintable(text));
+        QVERIFY(shown.decimals > 2);
     }
 
     void curvesShowTheMeans()
