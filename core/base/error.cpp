@@ -390,6 +390,10 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the table in {slot} is not deleted, because {user} uses it; free it there "
             "first")},
+    Variant{ErrorCode::SlotInUse, "removing",
+        AXISCOMP_TEXT("Error",
+            "the table in {slot} stays in flash, because {user} uses it too; free it there first, "
+            "with a persistent write into another slot")},
     Variant{ErrorCode::UnknownFormat, "measurement",
         AXISCOMP_TEXT("Error",
             "the format of {file} is not known; name one of: {known}; of any other CSV "

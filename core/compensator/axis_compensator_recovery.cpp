@@ -85,7 +85,7 @@ Result<AxisCompensator::UnfinishedOutcome> AxisCompensator::settleUnfinished(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, entry));
-    auto outcome = unfinishedOutcome(access, drive, entry, d->sources);
+    auto outcome = unfinishedOutcome(access, d->store, drive, entry, d->sources);
     if (outcome && *outcome == UnfinishedOutcome::New) {
         AXISCOMP_CHECK(d->store.closeJournal(entry.serialNumber, entry.axis));
     }

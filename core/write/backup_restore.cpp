@@ -4,6 +4,7 @@
 #include "core/axis/verified_transfer.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
+#include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/restored_axis.h"
 
@@ -95,6 +96,35 @@ Result<bool> holdsRegisters(const RegisterAccess& access, const std::vector<Regi
     if (!same && same.error().code != ErrorCode::VerifyMismatch)
         return fail(same.error());
     return same.has_value();
+}
+
+Result<bool> holdsTable(const RegisterAccess& access, const TableSlot& slot, ByteView wanted)
+{
+    const auto bytes = access.link().download(slot.file, access.exchange());
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(bytes.error());
+    return bytes && sameTable(*bytes, wanted, access.profile().layout);
+}
+
+/// Whether the slot that a write had chosen holds its table, of which the CRC is there already: a
+/// table of the same values on another grid has the same CRC.
+Result<bool> holdsNewTable(
+    const RegisterAccess& access, const DriveStore& store, const JournalEntry& entry)
+{
+    const TableSlot* slot = access.profile().slotNamed(entry.newSlot);
+    if (!slot)
+        return true; // the axis uses none then
+    if (entry.newTable)
+        if (const auto kept = store.keptTable(*entry.newTable))
+            return holdsTable(access, *slot, *kept);
+    const auto write = UnfinishedWrite::load(access, entry);
+    if (!write)
+        return true;
+    // What was not kept is told from the old table by the CRC alone.
+    if (write->isNewTable())
+        return write->oldSlot() != entry.newSlot || write->oldCrc() != entry.newCrc;
+    const AxisBackup::File* stays = write->oldFile();
+    return stays ? holdsTable(access, *slot, stays->bytes) : Result<bool>(true);
 }
 
 } // namespace
@@ -250,16 +280,18 @@ std::vector<std::string> sourceTexts(
     return texts;
 }
 
-Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
+Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const DriveStore& store,
     const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources)
 {
     using Outcome = UnfinishedOutcome;
     AXISCOMP_TRY(auto status, readStatus(access, drive, entry.axis, sources));
     const bool deletes = !entry.deletedSlot.empty();
-    const bool hasNewTable = status.setup.slot == entry.newSlot
-        && status.setup.tableCrc == entry.newCrc
+    bool hasNewTable = status.setup.slot == entry.newSlot && status.setup.tableCrc == entry.newCrc
         && (deletes || (status.setup.persistency == Persistency::Persistent) == entry.persistent);
     AXISCOMP_TRY(auto hasNewRegisters, holdsRegisters(access, entry.newRegisters));
+    if (hasNewTable && hasNewRegisters) {
+        AXISCOMP_TRY(hasNewTable, holdsNewTable(access, store, entry));
+    }
     if (hasNewTable && hasNewRegisters && deletes) {
         AXISCOMP_TRY(const bool isDeleted, isSlotEmpty(access, entry.deletedSlot));
         const bool isSaved = !entry.persistent || stepRank(entry.step) >= stepRank("delete");

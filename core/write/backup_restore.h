@@ -38,7 +38,8 @@ namespace axiscomp {
 
 /// Which state an axis has after a write that did not end.
 [[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,
-    const DriveIdentity& drive, const JournalEntry& entry, SourceDirectory& sources);
+    const DriveStore& store, const DriveIdentity& drive, const JournalEntry& entry,
+    SourceDirectory& sources);
 
 /// The files of a backup that no axis used then, but for those whose slot an axis uses once these
 /// plans are written: its table went to a free slot, which may have been theirs.

@@ -25,6 +25,7 @@ Result<void> WriteProcedure::checkUnchanged()
             {{"what",
                  AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
                 {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
+    AXISCOMP_CHECK(checkGridAsPlanned(m_write.gridBefore, now));
     noteEraseCounts(reading.readings);
     if (auto same = checkSlot(reading.readings); !same)
         return same;
@@ -53,13 +54,15 @@ void WriteProcedure::noteEraseCounts(const Readings& now)
     }
 }
 
-/// The slot that is about to be overwritten or emptied must be as it was when it was chosen.
+/// The slot that is about to be overwritten or emptied, in flash alone too, must be as it was when
+/// it was chosen.
 Result<void> WriteProcedure::checkSlot(const Readings& now) const
 {
-    if (!isNewTable() && !deletes())
-        return {};
     const WritePlan& plan = m_write.plan;
-    const std::string& slot = m_write.slot.name;
+    const bool isRemoved = removesFromFlash(plan);
+    if (!isNewTable() && !deletes() && !isRemoved)
+        return {};
+    const std::string& slot = isRemoved ? plan.after.slot : m_write.slot.name;
     const SlotState state = slotState(m_access, plan.drive, plan.axis, slot, now);
     if (state == m_write.slotBefore)
         return {};

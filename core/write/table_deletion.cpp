@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the deletion of an axis's table adds to a write: its plan and its steps.
+// What the deletion of an axis's table, or its removal from flash, adds to a write: its plan and
+// its steps.
 #include "core/axis/slot_state.h"
 #include "core/axis/verified_transfer.h"
 #include "core/write/unfinished_write.h"
@@ -32,28 +33,47 @@ Result<std::string> WritePlanner::slotToDelete(const WriteRequest& request)
     return rest.slot.value_or(name);
 }
 
+/// Whoever else uses the slot, now or after a reboot; empty: nobody. Notes what the slot holds.
+Result<Text> WritePlanner::otherUser(const std::string& slot)
+{
+    AXISCOMP_TRY(const auto readings,
+        m_access.readAvailable(slotStatePaths(m_access, m_drive, m_axis, slot)));
+    m_write.slotBefore = slotState(m_access, m_drive, m_axis, slot, readings);
+    if (!m_write.slotBefore.otherUser.isEmpty())
+        return m_write.slotBefore.otherUser;
+    const auto saved = m_saved.otherUser(slot, m_axis);
+    return saved ? AXISCOMP_TEXT("Error", "axis {axis} after a reboot").with("axis", *saved)
+                 : Text();
+}
+
+/// Flash holds the table for all who use the slot.
+Result<void> WritePlanner::decideRemoval()
+{
+    const WritePlan& plan = m_write.plan;
+    if (!removesFromFlash(plan))
+        return {};
+    AXISCOMP_TRY(auto user, otherUser(plan.after.slot));
+    if (user.isEmpty())
+        return {};
+    return fail(ErrorCode::SlotInUse,
+        {{"slot", plan.after.slot}, {"user", std::move(user)}, {"removing", Verbatim{"table"}}});
+}
+
 /// The axis must not name the slot any more, in memory or in the saved parameters, before it is
 /// emptied.
 Result<void> WritePlanner::decideDeletion(const WriteRequest& request)
 {
     WritePlan& plan = m_write.plan;
     AXISCOMP_TRY(const std::string name, slotToDelete(request));
-    const auto refusal = [&](Text user) {
-        return fail(ErrorCode::SlotInUse,
-            {{"slot", name}, {"user", std::move(user)}, {"deleting", Verbatim{"table"}}});
-    };
     const TableSlot* slot = m_access.profile().slotNamed(name);
     if (!slot)
         return fail(ErrorCode::NoTable, {{"axis", m_axis}, {"deleting", Verbatim{"table"}}});
     AXISCOMP_CHECK(decideNoTable());
-    AXISCOMP_TRY(const auto readings,
-        m_access.readAvailable(slotStatePaths(m_access, m_drive, m_axis, name)));
     m_write.slot = *slot;
-    m_write.slotBefore = slotState(m_access, m_drive, m_axis, name, readings);
-    if (!m_write.slotBefore.otherUser.isEmpty())
-        return refusal(m_write.slotBefore.otherUser);
-    if (const auto other = m_saved.otherUser(name, m_axis))
-        return refusal(AXISCOMP_TEXT("Error", "axis {axis} after a reboot").with("axis", *other));
+    AXISCOMP_TRY(auto user, otherUser(name));
+    if (!user.isEmpty())
+        return fail(ErrorCode::SlotInUse,
+            {{"slot", name}, {"user", std::move(user)}, {"deleting", Verbatim{"table"}}});
     const bool isNamed = std::ranges::any_of(m_saved.uses,
         [&](const SavedState::Use& use) { return use.slot == name && use.axis == m_axis; });
     m_write.saves =
@@ -81,12 +101,39 @@ void WritePlanner::warnOfDeletion()
                                     .with("axis", axis));
         return warnOfSaving();
     }
+    warnOfSavedTable();
+}
+
+/// Of another slot than that of the table that goes.
+void WritePlanner::warnOfSavedTable()
+{
     const auto saved = std::ranges::find(m_saved.uses, m_axis, &SavedState::Use::axis);
     if (saved != m_saved.uses.end())
-        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+        m_write.plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "After a reboot {axis} uses the table in {slot} again, as its saved parameters say.")
-                                    .with("axis", axis)
-                                    .with("slot", saved->slot));
+                                            .with("axis", axisText(m_axis, m_status.axis.name))
+                                            .with("slot", saved->slot));
+}
+
+/// The table stays on the drive, and the parameters are not saved.
+void WritePlanner::warnOfDetaching()
+{
+    const std::string& slot = m_write.plan.before.slot;
+    if (slot.empty())
+        return;
+    const bool isSaved = !m_saved.isKnown
+        || std::ranges::any_of(m_saved.uses,
+            [&](const SavedState::Use& use) { return use.axis == m_axis && use.slot == slot; });
+    if (!isSaved)
+        return warnOfSavedTable();
+    const bool isInFlash =
+        m_saved.isCovered(slot) || m_write.plan.before.persistency == Persistency::Persistent;
+    if (isInFlash)
+        m_write.plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the "
+            "table first ('axiscomp delete') if it must not come back.")
+                                            .with("slot", slot)
+                                            .with("axis", axisText(m_axis, m_status.axis.name)));
 }
 
 /// Whenever this is interrupted, no axis names a table that is gone, not even after a reboot.

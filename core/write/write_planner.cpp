@@ -97,6 +97,16 @@ Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& 
             {"before", setupText(planned)}, {"now", setupText(now.setup)}});
 }
 
+Result<void> checkGridAsPlanned(const Grid& planned, const AxisStatus& now)
+{
+    const Grid grid = now.table ? now.table->grid : Grid{};
+    if (sameSpans(planned, grid))
+        return {};
+    return fail(ErrorCode::ChangedMeanwhile,
+        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", now.setup.slot)},
+            {"before", Verbatim{gridText(planned)}}, {"now", Verbatim{gridText(grid)}}});
+}
+
 Text axisText(int index, const std::string& name)
 {
     return (name.empty() ? AXISCOMP_TEXT("Error", "axis {axis}")
@@ -136,6 +146,8 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
     m_saved = std::move(saved);
     m_write = {};
+    if (m_status.table)
+        m_write.gridBefore = m_status.table->grid;
     m_positionFacts.clear();
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
@@ -157,6 +169,8 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
         AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
         decided = decideTable(converted);
     }
+    if (decided)
+        decided = decideRemoval();
     if (decided)
         decided = decideCoverage();
     if (decided)

@@ -20,6 +20,7 @@ struct PreparedWrite {
     Bytes file; ///< the new table file, volatile; empty: the table stays
     TableSlot slot; ///< where it goes
     SlotState slotBefore; ///< what that slot held when it was chosen
+    Grid gridBefore; ///< of the table that the axis had when it was planned; empty: none
     std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
     int uncovered = 0; ///< of the plan's flash operations: tables that saving deletes
     /// Saved parameters name the slot that is to be committed, with another table: they are saved
@@ -61,6 +62,8 @@ private:
     [[nodiscard]] Result<void> decideNoTable();
     [[nodiscard]] Result<std::string> slotToDelete(const WriteRequest& request);
     [[nodiscard]] Result<void> decideDeletion(const WriteRequest& request);
+    [[nodiscard]] Result<void> decideRemoval();
+    [[nodiscard]] Result<Text> otherUser(const std::string& slot);
     [[nodiscard]] std::string currentTable() const;
     [[nodiscard]] Result<void> decideFlash();
     [[nodiscard]] int flashReserve(bool isStoring) const;
@@ -74,6 +77,8 @@ private:
     [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table) const;
     void warn();
     void warnOfDeletion();
+    void warnOfDetaching();
+    void warnOfSavedTable();
     void warnOfSaving();
 
     const RegisterAccess& m_access;
@@ -99,6 +104,8 @@ private:
 [[nodiscard]] Text setupText(const CompensationSetup& setup);
 /// That an axis is still as it was when it was planned for. Errors: ChangedMeanwhile.
 [[nodiscard]] Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& now);
+/// The same of the grid of its table: two tables of the same values have the same CRC.
+[[nodiscard]] Result<void> checkGridAsPlanned(const Grid& planned, const AxisStatus& now);
 /// "axis 0 (X)"
 [[nodiscard]] Text axisText(int index, const std::string& name);
 

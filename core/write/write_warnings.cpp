@@ -89,6 +89,8 @@ void WritePlanner::warn()
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The table is removed from flash, which is a flash operation too. After a reboot the "
             "axis has no table."));
+    if (plan.after.slot.empty())
+        return warnOfDetaching();
     if (plan.slotReason == SlotReason::KeepTable)
         return;
     if (m_status.table && m_status.table->persistent)

@@ -611,6 +611,49 @@ private Q_SLOTS:
         QVERIFY(c.isUnfinished());
     }
 
+    /// Its CRC is that of the old one, and so are slot and sources: only the file tells them apart.
+    void aTableOfTheSameValuesOnAnotherGridIsNotTheNewState()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        WriteRequest request = exampleRequest(1);
+        request.slot = "Small1";
+        WriteRequest moved = request;
+        moved.table->grid.axes.front().start += 50.0;
+        CompensatorFixture whole;
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        const CompensatorFixture::State old = whole.state();
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, moved));
+        const CompensatorFixture::State wanted = whole.state();
+        QVERIFY(wanted.table != old.table && wanted.registers == old.registers);
+        int notBegun = 0;
+        int complete = 0;
+        for (int exchange = 1; exchange <= whole.link.exchanges() - begin; ++exchange) {
+            CompensatorFixture c;
+            VERIFY_RESULT(c.compensator.write(0, request));
+            c.link.failAt(exchange, LinkFault::ProgramDies);
+            QVERIFY_THROWS_EXCEPTION(test::ProgramDied, (void)c.compensator.write(0, moved));
+            c.link.heal();
+            const auto entry = c.store.journal(4711, 0).value();
+            if (!entry)
+                continue;
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            const auto outcome = c.compensator.settleUnfinished(*entry);
+            VERIFY_RESULT(outcome);
+            QVERIFY2((*outcome == Outcome::New) == (c.state() == wanted), where);
+            QVERIFY2((*outcome == Outcome::Old) == (c.state() == old), where);
+            complete += *outcome == Outcome::New ? 1 : 0;
+            if (*outcome != Outcome::Old || !entry->newTable)
+                continue;
+            ++notBegun;
+            Bytes damaged = wanted.table;
+            damaged.back() ^= std::byte{1};
+            VERIFY_RESULT(saveFile(entry->newTable->file, damaged));
+            QVERIFY2(c.compensator.settleUnfinished(*entry).value() == Outcome::Old, where);
+        }
+        QVERIFY(notBegun > 0 && complete > 0);
+    }
+
     void halfOfAWriteIsNotActivated()
     {
         Interrupted c;

@@ -229,6 +229,89 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(4), "Small1")));
     }
 
+    void aTableThatAnotherAxisUsesStaysInFlash()
+    {
+        CompensatorFixture f;
+        const std::string tableOfY = "Axes[1]/Parameters/Compensations/Axis/Table";
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        f.set(tableOfY, std::string("Small1"));
+        f.link.forgetChange();
+        const auto used = f.compensator.setPersistency(0, Persistency::Volatile);
+        VERIFY_ERROR(used, ErrorCode::SlotInUse);
+        QCOMPARE(sentence(used.error()),
+            std::string("the table in Small1 stays in flash, because axis 1 uses it too; free it "
+                        "there first, with a persistent write into another slot"));
+        QCOMPARE(f.link.firstChange(), 0);
+        // Saved with the table, the name is there again after a reboot.
+        VERIFY_RESULT(f.compensator.write(0, swapped(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
+        const auto saved = f.compensator.setPersistency(0, Persistency::Volatile);
+        VERIFY_ERROR(saved, ErrorCode::SlotInUse);
+        QCOMPARE(saved.error().context.english("user"), std::string("axis 1 after a reboot"));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(3, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.setPersistency(0, Persistency::Volatile));
+        QCOMPARE(f.state().persistent, std::string("false"));
+    }
+
+    void aTableThatAnotherAxisComesToUseStaysInFlash()
+    {
+        const WriteRequest request = into(exampleRequest(1, Persistency::Persistent), "Small1");
+        CompensatorFixture whole;
+        VERIFY_RESULT(whole.compensator.write(0, request));
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.setPersistency(0, Persistency::Volatile));
+        int noticed = 0;
+        for (int exchange = 1; exchange <= whole.link.exchanges() - begin; ++exchange) {
+            CompensatorFixture f;
+            VERIFY_RESULT(f.compensator.write(0, request));
+            f.link.forgetChange();
+            f.link.actBefore(exchange, [&f] {
+                f.set("Axes[1]/Parameters/Compensations/Axis/Table", std::string("Small1"));
+            });
+            const auto removed = f.compensator.setPersistency(0, Persistency::Volatile);
+            if (removed || removed.error().code == ErrorCode::SlotInUse)
+                continue;
+            VERIFY_ERROR(removed, ErrorCode::ChangedMeanwhile);
+            QCOMPARE(f.link.firstChange(), 0);
+            ++noticed;
+        }
+        QVERIFY(noticed > 2);
+    }
+
+    void whatARebootBringsBackIsSaidOfATableThatIsOnlyDetached()
+    {
+        WriteRequest none;
+        none.withoutTable = true;
+        none.sources = {"", "", ""};
+        none.dimensionality = 3;
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(1), "Small1")));
+        QVERIFY(f.compensator.plan(0, none)->warnings.empty()); // a reboot takes it away
+        VERIFY_RESULT(f.compensator.setPersistency(0, Persistency::Persistent));
+        const CompensatorFixture::State old = f.state();
+        const auto plan = f.compensator.plan(0, none);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->warnings.size(), std::size_t{1});
+        QCOMPARE(plan->warnings.front().english(),
+            std::string("Flash keeps the table in Small1: after a reboot axis 0 (X) uses it again. "
+                        "Delete the table first ('axiscomp delete') if it must not come back."));
+        VERIFY_RESULT(f.compensator.write(0, none));
+        f.drive.reboot();
+        QVERIFY(f.state() == old);
+
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(2), "Small2")));
+        QVERIFY(contains(f.compensator.plan(0, none)->warnings,
+            "After a reboot axis 0 (X) uses the table in Small1 again, as its saved parameters"));
+        f.drive.reboot();
+        QVERIFY(f.state() == old);
+        VERIFY_RESULT(f.compensator.write(0, deletionRequest()));
+        QVERIFY(f.compensator.plan(0, none)->warnings.empty());
+        f.drive.reboot();
+        QVERIFY(f.state().table.empty());
+        QCOMPARE(f.state().registers[0], std::string("Disabled"));
+    }
+
     void aSavingThatDidNotEndForgetsNoSlot()
     {
         CompensatorFixture f;

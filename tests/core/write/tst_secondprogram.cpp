@@ -236,6 +236,39 @@ private Q_SLOTS:
         QVERIFY(c.state() == before);
     }
 
+    /// The CRC of the table is that of its values alone.
+    void anotherGridOfTheSameValuesIsNoticedBeforeTheFirstChange()
+    {
+        CompensatorFixture whole;
+        VERIFY_RESULT(whole.compensator.write(0, exampleRequest(1)));
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, exampleRequest(2)));
+        const int exchanges = whole.link.exchanges() - begin;
+        CompensationTable moved = exampleTable(2, 1);
+        moved.grid.axes.front().start += 50.0;
+        const auto theirs = encodeTamTable(moved, false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(theirs);
+        int noticed = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            CompensatorFixture f;
+            VERIFY_RESULT(f.compensator.write(0, exampleRequest(1)));
+            f.link.forgetChange();
+            f.link.actBefore(
+                exchange, [&] { VERIFY_RESULT(f.drive.upload("tables/small1.TAMtbl", *theirs)); });
+            const auto written = f.compensator.write(0, exampleRequest(2));
+            if (written || written.error().context.english("what") != "the table in Small1")
+                continue;
+            VERIFY_ERROR(written, ErrorCode::ChangedMeanwhile);
+            QCOMPARE(f.link.firstChange(), 0);
+            QCOMPARE(written.error().context.english("before"),
+                std::string("6 x 6 points, dim 1 0 .. 50, dim 2 0 .. 55"));
+            QCOMPARE(written.error().context.english("now"),
+                std::string("6 x 6 points, dim 1 50 .. 100, dim 2 0 .. 55"));
+            ++noticed;
+        }
+        QVERIFY(noticed > 2);
+    }
+
     void aBackupIsOfOneState()
     {
         Case whole(Persistency::Volatile);
