@@ -339,6 +339,10 @@ constexpr std::array variants{
             "the record of this drive's flash operations was damaged, so all of them count as "
             "used up; write volatile, or reset the count with 'axiscomp status "
             "--reset-flash-count'")},
+    Variant{ErrorCode::AxisAmbiguous, "named",
+        AXISCOMP_TEXT("Error",
+            "{axis} is the name of axis {named} and the index of axis {numbered}; say "
+            "name:{axis} or {index}")},
     Variant{ErrorCode::SourceMismatch, "axis",
         AXISCOMP_TEXT("Error",
             "{doubt} Choose another source or column, or, if it is right all the same, name the "

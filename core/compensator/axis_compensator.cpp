@@ -5,14 +5,12 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/proof.h"
 #include "core/axis/verified_transfer.h"
+#include "core/compensator/axis_naming.h"
 #include "core/compensator/table_of_axis.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
-
-#include <algorithm>
-#include <charconv>
 
 namespace axiscomp {
 
@@ -55,26 +53,7 @@ Result<int> AxisCompensator::findAxis(
     const std::string& indexOrName, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto all, axes(options));
-    int index = -1;
-    const char* end = indexOrName.data() + indexOrName.size();
-    const auto parsed = std::from_chars(indexOrName.data(), end, index);
-    if (parsed.ec == std::errc{} && parsed.ptr == end && index >= 0
-        && index < static_cast<int>(all.size()))
-        return index;
-    std::vector<Text> known;
-    std::vector<std::string> matches;
-    for (const AxisInfo& info : all) {
-        known.push_back(axisText(info.index, info.name));
-        if (info.name != indexOrName)
-            continue;
-        index = info.index;
-        matches.push_back(std::to_string(info.index));
-    }
-    if (matches.empty())
-        return fail(ErrorCode::AxisNotFound, {{"axis", indexOrName}, {"known", std::move(known)}});
-    if (matches.size() > 1)
-        return fail(ErrorCode::AxisAmbiguous, {{"axis", indexOrName}, {"matches", matches}});
-    return index;
+    return axisAmong(all, indexOrName);
 }
 
 Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)

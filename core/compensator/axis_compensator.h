@@ -72,7 +72,7 @@ public:
 
     [[nodiscard]] Result<DriveIdentity> identify(const OperationOptions& options = {});
     [[nodiscard]] Result<std::vector<AxisInfo>> axes(const OperationOptions& options = {});
-    /// An index or a name. Errors: AxisNotFound, AxisAmbiguous.
+    /// An index or a name, as axisAmong takes it. Errors: AxisNotFound, AxisAmbiguous.
     [[nodiscard]] Result<int> findAxis(
         const std::string& indexOrName, const OperationOptions& options = {});
     /// Errors: AxisNotFound, NoCompensation.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/machine/snapshot.h"
 
+#include "core/compensator/axis_naming.h"
 #include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
 #include "core/io/local_file.h"
@@ -89,7 +90,7 @@ Result<void> Snapshot::takeAxis(int index)
 {
     AXISCOMP_TRY(const auto status, m_compensator.status(index, m_options));
     MachineAxis axis;
-    axis.axis = std::to_string(index);
+    axis.axis = axisIndexText(m_axes, index);
     axis.sources = sourcesOf(status.setup);
     if (status.table)
         AXISCOMP_CHECK(takeTable(status, axis));
@@ -115,7 +116,8 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
     describeTable(table, status, m_axes, m_profile);
     nameParts(table);
     DriveSnapshot::TableFile file;
-    file.name = std::to_string(status.drive.serialNumber) + "-axis" + axis.axis;
+    file.name =
+        std::to_string(status.drive.serialNumber) + "-axis" + std::to_string(status.axis.index);
     if (const auto text = csvText(table, lookupNotes(status, m_profile))) {
         file.name += ".csv";
         const ByteView bytes = asBytes(*text);

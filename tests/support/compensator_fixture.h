@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -36,8 +37,9 @@ inline CompensationTable exampleTable(int dimensions, int seed = 1, std::uint32_
 struct CompensatorFixture {
     /// profile: what the compensator takes the drive for; outlives this.
     explicit CompensatorFixture(const AttachmentKind& kind = inProcess(),
-        const DriveProfile& profile = drivecomm::genericProfile())
-        : drive(drivecomm::genericProfile(), options(time))
+        const DriveProfile& profile = drivecomm::genericProfile(),
+        const std::array<std::string, 2>& names = {"X", "Y"})
+        : drive(drivecomm::genericProfile(), options(time, names))
         , attachment(kind.attach(drive, faults))
         , link(drive, attachment->link())
         , store(std::filesystem::path(folder.path().toStdString()) / "axiscomp")
@@ -45,12 +47,19 @@ struct CompensatorFixture {
     {
     }
 
-    static drivecomm::VirtualDriveOptions options(std::atomic<std::int64_t>& milliseconds)
+    /// Whose axes have these names.
+    explicit CompensatorFixture(const std::array<std::string, 2>& names)
+        : CompensatorFixture(inProcess(), drivecomm::genericProfile(), names)
+    {
+    }
+
+    static drivecomm::VirtualDriveOptions options(std::atomic<std::int64_t>& milliseconds,
+        const std::array<std::string, 2>& names = {"X", "Y"})
     {
         drivecomm::VirtualDriveOptions options;
         options.name = "Test-1";
         options.serialNumber = 4711;
-        options.axes = {{.name = "X"}, {.name = "Y", .periodSeconds = 37.0}};
+        options.axes = {{.name = names[0]}, {.name = names[1], .periodSeconds = 37.0}};
         options.clock = [&milliseconds] {
             return std::chrono::nanoseconds(std::chrono::milliseconds(++milliseconds));
         };

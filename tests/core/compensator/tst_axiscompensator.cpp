@@ -54,6 +54,41 @@ private Q_SLOTS:
             sentence(missing.error()), "the drive has no axis Z; it has: axis 0 (X), axis 1 (Y)");
     }
 
+    /// Index 1 is axis "2".
+    void aNumberThatIsAnotherAxissNameIsAmbiguous()
+    {
+        CompensatorFixture f({"1", "2"});
+        const auto refused = f.compensator.findAxis("1");
+        VERIFY_ERROR(refused, ErrorCode::AxisAmbiguous);
+        QCOMPARE(sentence(refused.error()),
+            "1 is the name of axis 0 and the index of axis 1; say name:1 or index:1");
+        QCOMPARE(f.compensator.findAxis("name:1").value_or(-1), 0);
+        QCOMPARE(f.compensator.findAxis("index:1").value_or(-1), 1);
+        QCOMPARE(f.compensator.findAxis("0").value_or(-1), 0);
+        QCOMPARE(f.compensator.findAxis("2").value_or(-1), 1);
+        VERIFY_ERROR(f.compensator.findAxis("name:0"), ErrorCode::AxisNotFound);
+        VERIFY_ERROR(f.compensator.findAxis("#2"), ErrorCode::AxisNotFound);
+    }
+
+    void aNumberThatIsNameAndIndexOfOneAxisIsNoQuestion()
+    {
+        CompensatorFixture f({"0", "1"});
+        for (const std::string asked : {"1", "index:1", "name:1"})
+            QCOMPARE(f.compensator.findAxis(asked).value_or(-1), 1);
+    }
+
+    void ofAxesWithOneNameTheIndexIsTold()
+    {
+        CompensatorFixture same({"X", "X"});
+        QCOMPARE(sentence(same.compensator.findAxis("X").error()),
+            "several axes are named X: give the index, one of 0, 1");
+        CompensatorFixture one({"1", "1"});
+        const auto refused = one.compensator.findAxis("1");
+        VERIFY_ERROR(refused, ErrorCode::AxisAmbiguous);
+        QCOMPARE(sentence(refused.error()),
+            "several axes are named 1: give the index, one of 0, index:1");
+    }
+
     void aWriteLeavesExactlyWhatWasAskedFor()
     {
         CompensatorFixture f;

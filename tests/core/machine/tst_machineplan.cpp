@@ -302,6 +302,25 @@ private Q_SLOTS:
         QCOMPARE(axis.choices.units.positions, std::string("mm"));
     }
 
+    /// Index 1 is axis "2": the number alone would be a question.
+    void aSnapshotNamesAxesAsApplyTakesThem()
+    {
+        CompensatorFixture bench({"1", "2"});
+        WriteRequest request = test::exampleRequest();
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(bench.compensator.write(axis, request));
+        const auto snapshot =
+            snapshotDrive(bench.compensator, drivecomm::genericProfile(), "demo:", {});
+        VERIFY_RESULT(snapshot);
+        QCOMPARE(snapshot->drive.axes.size(), std::size_t{2});
+        QCOMPARE(snapshot->drive.axes.at(1).axis, std::string("index:1"));
+        QCOMPARE(snapshot->drive.axes.at(1).file.substr(0, 10), std::string("4711-axis1"));
+        for (const int axis : {0, 1}) {
+            const std::string& name = snapshot->drive.axes.at(static_cast<std::size_t>(axis)).axis;
+            QCOMPARE(bench.compensator.findAxis(name).value_or(-1), axis);
+        }
+    }
+
     void anAxisThatNobodyHasChangedIsSwitchedOn()
     {
         Machine machine;
