@@ -209,6 +209,25 @@ Result<PositionFacts> readPositionFacts(const RegisterAccess& access, int axis)
         travelFrom(access, readings, axis)};
 }
 
+Result<std::vector<std::string>> readAxisNames(
+    const RegisterAccess& access, const DriveIdentity& drive)
+{
+    const RegisterPaths& paths = access.registers();
+    const int perRequest =
+        std::max(1, static_cast<int>(DriveLink::maximumReads) / std::max(1, paths.axisNameWords));
+    std::vector<std::string> names;
+    for (int first = 0; first < drive.axes; first += perRequest) {
+        const int last = std::min(drive.axes, first + perRequest);
+        std::vector<std::string> words;
+        for (int axis = first; axis < last; ++axis)
+            append(words, access.axisPaths(paths.axisName, axis, 0, paths.axisNameWords));
+        AXISCOMP_TRY(const auto readings, access.readAvailable(std::move(words)));
+        for (int axis = first; axis < last; ++axis)
+            names.push_back(axisNameFrom(access, readings, axis));
+    }
+    return names;
+}
+
 Result<AxisStatus> readStatus(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {

@@ -24,6 +24,10 @@ struct PositionFacts {
 };
 [[nodiscard]] Result<PositionFacts> readPositionFacts(const RegisterAccess& access, int axis);
 
+/// Of all axes, in their order; "" where an axis has none.
+[[nodiscard]] Result<std::vector<std::string>> readAxisNames(
+    const RegisterAccess& access, const DriveIdentity& drive);
+
 [[nodiscard]] Error compensationActive(const AxisStatus& status);
 
 /// The same, with more registers that are read at the same instant; those that the drive does not

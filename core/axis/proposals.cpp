@@ -133,7 +133,8 @@ std::vector<DimSource> proposedSources(const DriveRegisters& drive, int axis, co
 
 std::optional<SourceDoubt> sourceDoubt(const DriveProfile& profile, const GridAxis& column,
     std::size_t dimension, const DimSource& source, bool isStated,
-    const std::function<std::string(int axis)>& nameOf)
+    const std::function<std::string(int axis)>& nameOf,
+    const std::function<std::vector<std::string>(int axis)>& othersOf)
 {
     const auto doubt = [&](const TextPattern& pattern) {
         return pattern
@@ -164,15 +165,20 @@ std::optional<SourceDoubt> sourceDoubt(const DriveProfile& profile, const GridAx
         return isTemperatureUnit(column.unit) ? wrongUnit(std::move(text)) : SourceDoubt{text};
     }
     const std::string_view owning = axisInHeader(axis);
-    if (named.empty() || owning.empty())
+    const bool areLetters = !mayBeCounted(named) && areDifferentAxes(named, owning);
+    const std::string name = nameInPositions(column.name);
+    const bool isOther = areLetters
+        || (!isStated && !name.empty() && namesAnotherAxis(name, axis, othersOf(*owner)));
+    if (!isOther && (named.empty() || owning.empty()))
         return std::nullopt;
+    const std::string called = axis.empty() ? std::to_string(*owner) : axis;
     SourceDoubt other{doubt(AXISCOMP_TEXT("Error",
                                 "Column {column} of the file is not named as axis {axis}, whose "
                                 "position its source {source} is."))
-                          .with("axis", axis)};
-    if (!isStated && !mayBeCounted(named) && areDifferentAxes(named, owning))
-        other.refusal =
-            Error{ErrorCode::SourceMismatch, {{"doubt", other.text}, {"axis", Verbatim{axis}}}, {}};
+                          .with("axis", called)};
+    if (!isStated && isOther)
+        other.refusal = Error{
+            ErrorCode::SourceMismatch, {{"doubt", other.text}, {"axis", Verbatim{called}}}, {}};
     return other;
 }
 

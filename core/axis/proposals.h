@@ -42,10 +42,12 @@ struct SourceDoubt {
 /// What speaks against looking a column of positions up by this source: positions by a temperature,
 /// temperatures by a position, the column of one axis by the position of another one. dimension
 /// 1, 2, 3; isStated: a person says that the column is right, whatever it is called; nameOf: the
-/// name of an axis, which may be empty. Nothing: as far as one can tell it is right.
+/// name of an axis, which may be empty; othersOf: the names of all axes but this, asked for only
+/// where a name may be among them. Nothing: as far as one can tell it is right.
 [[nodiscard]] std::optional<SourceDoubt> sourceDoubt(const DriveProfile& profile,
     const GridAxis& column, std::size_t dimension, const DimSource& source, bool isStated,
-    const std::function<std::string(int axis)>& nameOf);
+    const std::function<std::string(int axis)>& nameOf,
+    const std::function<std::vector<std::string>(int axis)>& othersOf);
 
 /// An index on the drive; none: the column is not written.
 using AxisChoice = std::optional<int>;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -69,6 +70,37 @@ std::string_view onlyOtherWord(std::string_view header, std::span<const std::str
     return found;
 }
 
+std::string joined(std::span<const std::string_view> words)
+{
+    std::string text;
+    for (const std::string_view word : words)
+        text.append(text.empty() ? "" : " ").append(word);
+    return text;
+}
+
+bool isAxisCalled(std::string_view name, std::string_view axis)
+{
+    const std::string called = joined(wordsOf(axis));
+    return !called.empty() && sameLetters(joined(wordsOf(name)), called);
+}
+
+/// The words that are not among the expected ones. Several without one of these are a title, and a
+/// number behind a word counts columns.
+std::string nameBeside(std::string_view header, std::span<const std::string_view> expected)
+{
+    const std::vector<std::string_view> words = wordsOf(header);
+    std::vector<std::string_view> others;
+    std::ranges::copy_if(words, std::back_inserter(others), [&](std::string_view word) {
+        return std::ranges::none_of(
+            expected, [&](std::string_view known) { return sameLetters(word, known); });
+    });
+    const bool isTitle = others.size() > 1 && others.size() == words.size();
+    if (others.empty() || isTitle)
+        return {};
+    const bool isCount = isAxisNumber(others.front()) && others.front() != words.front();
+    return isCount || mayBeCounted(others.front()) ? std::string() : joined(others);
+}
+
 /// "Z" of "dZ", "DZ" and of a capital delta before the letter.
 std::string_view withoutDelta(std::string_view word)
 {
@@ -83,6 +115,14 @@ std::string_view letterInHeader(std::string_view header)
 {
     const std::string_view word = withoutDelta(onlyOtherWord(header, errorWords));
     return isAxisLetter(word) ? word : std::string_view();
+}
+
+/// Nothing but U, V or W.
+bool isSymbolOfValues(std::string_view header, std::string_view word)
+{
+    constexpr std::string_view linear = "XYZxyz";
+    return trimmed(header) == word && word.size() == 1 && isAxisLetter(word)
+        && linear.find(word.front()) == std::string_view::npos;
 }
 
 std::optional<std::size_t> sourceNumber(std::string_view statement)
@@ -109,6 +149,14 @@ bool areDifferentAxes(std::string_view one, std::string_view other)
     const std::string_view a = trimmed(one);
     const std::string_view b = trimmed(other);
     return isAxisLetter(a) && isAxisLetter(b) && !sameLetters(a.substr(0, 1), b.substr(0, 1));
+}
+
+bool namesAnotherAxis(
+    std::string_view name, std::string_view meant, std::span<const std::string> others)
+{
+    return !isAxisCalled(name, meant) && std::ranges::any_of(others, [&](const std::string& other) {
+        return isAxisCalled(name, other);
+    });
 }
 
 bool mayBeCounted(std::string_view header)
@@ -197,10 +245,20 @@ std::string targetInHeader(std::string_view header, std::span<const std::string>
 std::string_view axisOfColumn(std::string_view header)
 {
     const std::string_view word = letterInHeader(header);
-    constexpr std::string_view linear = "XYZxyz";
-    const bool isSymbol = trimmed(header) == word && word.size() == 1
-        && linear.find(word.front()) == std::string_view::npos;
-    return mayBeCounted(word) || isSymbol ? std::string_view() : word;
+    return mayBeCounted(word) || isSymbolOfValues(header, word) ? std::string_view() : word;
+}
+
+std::string nameInPositions(std::string_view header)
+{
+    return nameBeside(header, positionWords);
+}
+
+std::string nameInValues(std::string_view header)
+{
+    const std::string name = nameBeside(header, errorWords);
+    if (isSymbolOfValues(header, name))
+        return {};
+    return std::string(withoutDelta(name));
 }
 
 std::string portableTarget(std::string_view statement, std::span<const std::string> headers)

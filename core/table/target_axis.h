@@ -25,6 +25,12 @@ inline constexpr std::string_view otherAxis = "other";
 /// names may be anything.
 [[nodiscard]] bool areDifferentAxes(std::string_view one, std::string_view other);
 
+/// Whether a name is that of another axis of a drive, in letters of either case, and not that of
+/// the axis that is meant: X2 where X1 is meant and the drive has both. A name that no axis has is
+/// none.
+[[nodiscard]] bool namesAnotherAxis(
+    std::string_view name, std::string_view meant, std::span<const std::string> others);
+
 /// What a statement means for a table.
 struct TargetAxis {
     std::optional<std::size_t> source; ///< the source axis that is corrected; none: another axis
@@ -69,6 +75,13 @@ struct CompensationTable;
 /// called: "Y" for "Y error". Empty: none, or a single A, B or C, since columns are also counted by
 /// letters, or nothing but U, V or W, which are symbols of values.
 [[nodiscard]] std::string_view axisOfColumn(std::string_view header);
+
+/// What may be the name of an axis of a drive in a header of positions or of values, whatever axes
+/// are called there: "Left" of "Left position" and "Left error". Empty: none, as in "Position",
+/// "Error 2" or several words of which none is such a word, or a letter or a symbol that is none in
+/// axisOfColumn.
+[[nodiscard]] std::string nameInPositions(std::string_view header);
+[[nodiscard]] std::string nameInValues(std::string_view header);
 
 /// The statement, so that a reader who knows only the headers takes it the same way.
 [[nodiscard]] std::string portableTarget(

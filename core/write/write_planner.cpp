@@ -9,6 +9,8 @@
 #include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
@@ -149,6 +151,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     if (m_status.table)
         m_write.gridBefore = m_status.table->grid;
     m_positionFacts.clear();
+    m_names.clear();
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
     plan.axis = axis;
@@ -230,6 +233,19 @@ Result<PositionFacts> WritePlanner::positionFacts(int axis)
         return known->second;
     AXISCOMP_TRY(auto facts, readPositionFacts(m_access, axis));
     return m_positionFacts.emplace(axis, std::move(facts)).first->second;
+}
+
+/// The names of all axes but this. Asked for only where a file says a name.
+Result<std::vector<std::string>> WritePlanner::namesBeside(int axis)
+{
+    if (m_drive.axes < 2)
+        return std::vector<std::string>{};
+    if (m_names.empty()) {
+        AXISCOMP_TRY(m_names, readAxisNames(m_access, m_drive));
+    }
+    std::vector<std::string> names = m_names;
+    names.erase(names.begin() + axis);
+    return names;
 }
 
 Result<TableUnits> WritePlanner::unitsOf(std::span<const DimSource> sources)
@@ -316,8 +332,18 @@ Result<void> WritePlanner::checkColumns(const WriteRequest& request)
             AXISCOMP_TRY(const auto facts, positionFacts(*owner));
             name = facts.name;
         }
-        auto doubt = sourceDoubt(m_access.profile(), request.table->grid.axes[n], n + 1, source,
-            isStatedSource(*request.table, n), [&](int) { return name; });
+        std::optional<Error> unread;
+        auto doubt = sourceDoubt(
+            m_access.profile(), request.table->grid.axes[n], n + 1, source,
+            isStatedSource(*request.table, n), [&](int) { return name; },
+            [&](int axis) {
+                auto others = namesBeside(axis);
+                if (!others)
+                    unread = std::move(others).error();
+                return std::move(others).value_or(std::vector<std::string>{});
+            });
+        if (unread)
+            return fail(*std::move(unread));
         if (doubt && doubt->refusal)
             return fail(*std::move(doubt->refusal));
         if (doubt)
@@ -326,21 +352,31 @@ Result<void> WritePlanner::checkColumns(const WriteRequest& request)
     return {};
 }
 
-/// A file that corrects Y is not for axis X, wherever it is looked up.
-Result<void> WritePlanner::checkTargetName(const CompensationTable& table) const
+/// A file that corrects Y is not for axis X, wherever it is looked up; nor is one for X2 where the
+/// drive has X1 and X2.
+Result<void> WritePlanner::checkTargetName(const CompensationTable& table)
 {
-    const std::string_view axis = !table.target.empty() ? std::string_view(table.target)
-        : !table.statedAxis.empty()                     ? std::string_view(table.statedAxis)
-                                                        : axisOfColumn(table.name);
-    if (!areDifferentAxes(axis, m_status.axis.name))
+    const std::string& stated = table.target.empty() ? table.statedAxis : table.target;
+    const std::string axis =
+        stated.empty() ? std::string(axisOfColumn(table.name)) : std::string(trimmed(stated));
+    const std::string name = stated.empty() ? nameInValues(table.name) : axis;
+    const std::string& own = m_status.axis.name;
+    bool isOther = areDifferentAxes(axis, own);
+    const bool isName = !name.empty() && !name.starts_with('#') && name != otherAxis;
+    if (!isOther && isName && !sameLetters(name, trimmed(own))) {
+        AXISCOMP_TRY(const auto others, namesBeside(m_axis));
+        isOther = namesAnotherAxis(name, own, others);
+    }
+    if (!isOther)
         return {};
     const std::string statement =
         axisTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after));
     return fail(ErrorCode::TargetMismatch,
-        {{"table", table.name}, {"target", Verbatim{std::string(axis)}}, {"axis", m_axis},
+        {{"table", table.name}, {"target", Verbatim{axis.empty() ? name : axis}}, {"axis", m_axis},
             {"role",
-                AXISCOMP_TEXT("Error", "the name on the drive is {name}")
-                    .with("name", Verbatim{m_status.axis.name})},
+                own.empty() ? AXISCOMP_TEXT("Error", "there is no name on the drive")
+                            : AXISCOMP_TEXT("Error", "the name on the drive is {name}")
+                                  .with("name", Verbatim{own})},
             {"statement", statement.empty() ? sourceTarget(0) : statement}});
 }
 

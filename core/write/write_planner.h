@@ -51,6 +51,7 @@ private:
     [[nodiscard]] Result<PreparedWrite> decide(const WriteRequest& request);
     [[nodiscard]] Result<void> decideSources(const WriteRequest& request);
     [[nodiscard]] Result<PositionFacts> positionFacts(int axis);
+    [[nodiscard]] Result<std::vector<std::string>> namesBeside(int axis);
     [[nodiscard]] Result<TableUnits> unitsOf(std::span<const DimSource> sources);
     [[nodiscard]] Result<WriteRequest> inUnitsOfDrive(const WriteRequest& request);
     void noteUnknownUnits(const Grid& grid);
@@ -74,7 +75,7 @@ private:
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
     [[nodiscard]] Result<void> checkColumns(const WriteRequest& request);
-    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table) const;
+    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table);
     void warn();
     void warnOfDeletion();
     void warnOfDetaching();
@@ -89,6 +90,7 @@ private:
     int m_axis = 0;
     AxisStatus m_status;
     std::map<int, PositionFacts> m_positionFacts; ///< of other axes
+    std::vector<std::string> m_names; ///< of all axes, once one has asked
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;

@@ -384,12 +384,20 @@ QString WizardController::sourceDoubt(int dimension) const
         return {};
     const auto table = m_parts->tables.selectedOfFile().table;
     const bool isStated = table && isStatedSource(*table, index);
-    const auto doubt = axiscomp::sourceDoubt(m_parts->profile, columns.axes[index], index + 1,
-        edited.sources[index], isStated, [this](int axis) {
+    const auto doubt = axiscomp::sourceDoubt(
+        m_parts->profile, columns.axes[index], index + 1, edited.sources[index], isStated,
+        [this](int axis) {
             for (const AxisInfo& info : axesOfDrive())
                 if (info.index == axis)
                     return info.name;
             return std::string();
+        },
+        [this](int axis) {
+            std::vector<std::string> others;
+            for (const AxisInfo& info : axesOfDrive())
+                if (info.index != axis)
+                    others.push_back(info.name);
+            return others;
         });
     return doubt ? sentenceText(doubt->text) : QString();
 }

@@ -60,9 +60,16 @@ struct Machine {
     [[nodiscard]] std::string doubt(
         const QString& column, const std::string& source, bool isStated = false) const
     {
-        const auto text = sourceDoubt(drivecomm::genericProfile(), gridOf(column).axes.front(), 2,
-            {1, source}, isStated,
-            [this](int axis) { return axes.at(static_cast<std::size_t>(axis)).name; });
+        const auto text = sourceDoubt(
+            drivecomm::genericProfile(), gridOf(column).axes.front(), 2, {1, source}, isStated,
+            [this](int axis) { return axes.at(static_cast<std::size_t>(axis)).name; },
+            [this](int axis) {
+                std::vector<std::string> others;
+                for (const AxisInfo& info : axes)
+                    if (info.index != axis)
+                        others.push_back(info.name);
+                return others;
+            });
         if (!text)
             return {};
         return text->refusal ? "refused: " + sentence(*text->refusal) : text->text.english();
@@ -227,6 +234,54 @@ private Q_SLOTS:
         VERIFY_RESULT(doubted);
         QVERIFY2(doubted->warnings.front().english().starts_with("Column A of the file"),
             doubted->warnings.front().english().c_str());
+    }
+
+    void theColumnOfAnotherAxisOfTheDriveIsNotLookedUpByThisOne_data()
+    {
+        QTest::addColumn<QString>("first");
+        QTest::addColumn<QString>("second");
+        QTest::addColumn<QString>("column");
+        QTest::addColumn<bool>("isRefused");
+        const auto row = [](const char* first, const char* second, const char* column,
+                             bool isRefused) {
+            QTest::addRow("%s of %s and %s", column, first, second)
+                << QString::fromLatin1(first) << QString::fromLatin1(second)
+                << QString::fromLatin1(column) << isRefused;
+        };
+        row("X1", "X2", "X2", true);
+        row("X1", "X2", "X2 position", true);
+        row("X1", "X2", "X1", false);
+        row("X1", "X2", "X", false);
+        row("X1", "X2", "X3", false);
+        row("X1", "Y", "X2", false);
+        row("Left", "Right", "right", true);
+        row("Left", "Right", "Right position", true);
+        row("Left", "Right", "Left", false);
+        row("Left", "Right", "Position", false);
+        row("1", "2", "2", true);
+        row("1", "2", "Position 2", false);
+        row("A", "B", "B", false);
+        row("", "Right", "Right", true);
+    }
+    void theColumnOfAnotherAxisOfTheDriveIsNotLookedUpByThisOne()
+    {
+        QFETCH(QString, first);
+        QFETCH(QString, second);
+        QFETCH(QString, column);
+        QFETCH(bool, isRefused);
+        CompensatorFixture fixture({first.toStdString(), second.toStdString()});
+        WriteRequest request = test::exampleRequest(1);
+        request.dimensionality = 1;
+        request.table = test::exampleTable(1);
+        request.table->grid.axes.front().name = column.toStdString();
+        request.sources = {masterX};
+        if (!isRefused) {
+            VERIFY_RESULT(fixture.compensator.plan(0, request));
+            return;
+        }
+        VERIFY_ERROR(fixture.compensator.plan(0, request), ErrorCode::SourceMismatch);
+        request.table->target = "#1";
+        VERIFY_RESULT(fixture.compensator.plan(0, request));
     }
 
     /// "#1" says of which source the values are, and that this is its column.

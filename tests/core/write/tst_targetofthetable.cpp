@@ -113,6 +113,77 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.plan(0, request));
     }
 
+    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten_data()
+    {
+        QTest::addColumn<QString>("own");
+        QTest::addColumn<QString>("other");
+        QTest::addColumn<QString>("stated"); // by a comment
+        QTest::addColumn<QString>("name"); // of the column of values
+        QTest::addColumn<bool>("isRefused");
+        const auto row = [](const char* own, const char* other, const char* stated,
+                             const char* name, bool isRefused) {
+            QTest::addRow("%s, %s for %s beside %s", stated, name, own, other)
+                << own << other << stated << name << isRefused;
+        };
+        row("X1", "X2", "X2", "E", true);
+        row("X1", "X2", "", "X2 error", true);
+        row("X1", "X2", "", "dX2", true);
+        row("X1", "X2", "X1", "X2 error", false);
+        row("X1", "X2", "X", "E", false);
+        row("X1", "Y", "X2", "E", false);
+        row("Left", "Right", "right", "E", true);
+        row("Left", "Right", "", "Right error", true);
+        row("Left", "Right", "", "Right", true);
+        row("Left", "Right", "", "Left error", false);
+        row("Left", "Right", "", "Mean error", false);
+        row("Left Z", "Right Z", "", "Right Z error", true);
+        row("1", "2", "2", "E", true);
+        row("1", "2", "", "error 2", false);
+        row("A", "B", "", "B", false);
+        row("", "Right", "Right", "E", true);
+    }
+    void theErrorsOfAnotherAxisOfTheDriveAreNotWritten()
+    {
+        QFETCH(QString, own);
+        QFETCH(QString, other);
+        QFETCH(QString, stated);
+        QFETCH(QString, name);
+        QFETCH(bool, isRefused);
+        CompensatorFixture f({own.toStdString(), other.toStdString()});
+        WriteRequest request = requestFor({}, "Position");
+        request.table->name = name.toStdString();
+        request.table->statedAxis = stated.toStdString();
+        if (!isRefused) {
+            VERIFY_RESULT(f.compensator.plan(0, request));
+            return;
+        }
+        const auto refused = f.compensator.plan(0, request);
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QVERIFY(names(refused.error(),
+            own.isEmpty() ? "there is no name on the drive"
+                          : "the name on the drive is " + own.toStdString()));
+        request.table->target = "#1";
+        VERIFY_RESULT(f.compensator.plan(0, request));
+    }
+
+    /// Only a name is a question to the drive.
+    void namesOfAxesAreReadWhereAFileSaysOne()
+    {
+        CompensatorFixture f({"X1", "X2"});
+        const auto exchangesWith = [&](const std::string& stated) {
+            WriteRequest request = requestFor({}, "Position");
+            request.table->statedAxis = stated;
+            const int begin = f.link.exchanges();
+            const auto plan = f.compensator.plan(0, request);
+            return plan ? f.link.exchanges() - begin : -1;
+        };
+        static_cast<void>(exchangesWith("")); // the directory of the drive is read once
+        const int silent = exchangesWith("");
+        QVERIFY(silent > 0);
+        QCOMPARE(exchangesWith("X1"), silent);
+        QCOMPARE(exchangesWith("X3"), silent + 1);
+    }
+
     void aNameThatMayBeThatOfTheAxisIsTaken_data()
     {
         QTest::addColumn<QString>("target");
