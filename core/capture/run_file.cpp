@@ -19,6 +19,8 @@ constexpr std::string_view stateKey = "// compensation: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
+constexpr std::string_view driveKey = "// drive: ";
+constexpr std::string_view serialKey = "serial number ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -36,6 +38,25 @@ tl::unexpected<Error> notOurs(const std::filesystem::path& file, Text reason)
 std::string unitOf(const MeasuringPlan& plan)
 {
     return plan.isAngular ? "deg" : "mm";
+}
+
+/// "// drive: Demo-X, serial number 4711"
+std::string driveLine(const DriveIdentity& drive)
+{
+    std::string line(driveKey);
+    if (!drive.name.empty())
+        line += drive.name + ", ";
+    return line.append(serialKey) + std::to_string(drive.serialNumber);
+}
+
+/// Whether a line says another serial number than that of the drive.
+bool isOfAnotherDrive(std::string_view line, const DriveIdentity& drive)
+{
+    if (!line.starts_with(driveKey))
+        return false;
+    const std::size_t serial = line.rfind(serialKey);
+    return serial != std::string_view::npos
+        && line.substr(serial + serialKey.size()) != std::to_string(drive.serialNumber);
 }
 
 std::string columnLine(const MeasuringPlan& plan)
@@ -161,6 +182,7 @@ Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
         + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n"
         + std::string(referenceKey) + origin.reference + encoder
+        + (origin.drive ? "\n" + driveLine(*origin.drive) : "")
         + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
         + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan) + "\n");
 }
@@ -197,6 +219,8 @@ Result<void> RunFile::goOn(
             return wrong(Verbatim{std::string(referenceKey) + origin.reference});
         if (isOther(line, encoderKey, origin.encoder))
             return wrong(Verbatim{std::string(encoderKey) + origin.encoder});
+        if (origin.drive && isOfAnotherDrive(line, *origin.drive))
+            return wrong(Verbatim{driveLine(*origin.drive)});
         if (!hasColumns && !line.starts_with("//")) {
             if (line != columnLine(plan))
                 return wrong(Verbatim{columnLine(plan)});

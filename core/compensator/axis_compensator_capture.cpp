@@ -69,7 +69,8 @@ Result<CaptureRun> AxisCompensator::beginCapture(
     AXISCOMP_TRY(auto file,
         RunFile::open(request.file, request.plan,
             {readings.state(), reference.text(),
-                utcText(std::chrono::floor<std::chrono::seconds>(d->clock())), registers.encoder}));
+                utcText(std::chrono::floor<std::chrono::seconds>(d->clock())), registers.encoder,
+                status.drive}));
     CaptureRun run(std::move(readings), std::move(file), request.plan, request.rules, status.drive);
     run.useConnection(d->connection);
     if (instrument)

@@ -690,6 +690,57 @@ private Q_SLOTS:
         QCOMPARE(RunFile::open(file, plan, other).value().taken(), std::size_t{1});
     }
 
+    /// An axis X is on many drives.
+    void aFileGoesOnWithTheSameDriveOnly()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        RunOrigin mill = origin;
+        mill.drive = DriveIdentity{"Mill", 4711, 2};
+        {
+            auto runs = RunFile::open(file, plan, mill).value();
+            QVERIFY(runs.append(valueOf(plan, 0)));
+        }
+        const std::string whole = contentOf(file);
+        RunOrigin other = origin;
+        other.drive = DriveIdentity{"Mill", 4712, 2};
+        const auto refused = RunFile::open(file, plan, other);
+        const std::string said = refused ? "it was taken" : sentence(refused.error());
+        QVERIFY2(said.find("\"// drive: Mill, serial number 4711\" where // drive: Mill, serial "
+                           "number 4712 is expected")
+                != std::string::npos,
+            said.c_str());
+        QCOMPARE(contentOf(file), whole);
+        mill.drive->name = "Lathe"; // a new name is no new drive
+        QCOMPARE(RunFile::open(file, plan, mill).value().taken(), std::size_t{1});
+        // Those of earlier versions do not say it.
+        std::string silent = whole;
+        const std::size_t begin = silent.find("// drive: ");
+        silent.erase(begin, silent.find('\n', begin) + 1 - begin);
+        put(file, silent);
+        QCOMPARE(RunFile::open(file, plan, other).value().taken(), std::size_t{1});
+    }
+
+    void aDriveWithoutANameIsToldByItsSerialNumber()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        RunOrigin nameless = origin;
+        nameless.drive = DriveIdentity{"", 4711, 2};
+        {
+            auto runs = RunFile::open(file, plan, nameless).value();
+            QVERIFY(runs.append(valueOf(plan, 0)));
+        }
+        QVERIFY(contentOf(file).find("\n// drive: serial number 4711\n") != std::string::npos);
+        QCOMPARE(RunFile::open(file, plan, nameless).value().taken(), std::size_t{1});
+        nameless.drive->serialNumber = 7;
+        VERIFY_ERROR(RunFile::open(file, plan, nameless), ErrorCode::FileNotReadable);
+    }
+
     void aFileWithoutAValueBeginsAnew()
     {
         const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
