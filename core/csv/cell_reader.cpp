@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/cell_reader.h"
 
+#include "core/text/thousands_point.h"
+
 #include <algorithm>
 
 namespace axiscomp::csv {
@@ -93,6 +95,25 @@ void CellReader::reportColumnCount(std::string_view line, std::size_t count)
     m_diagnostics.error(DiagnosticCode::ColumnCount, m_line, 0,
         AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", count),
         std::move(expected));
+}
+
+bool CellReader::checkThousands(std::string_view lines, std::size_t firstLine)
+{
+    if (m_format.separator == ',')
+        return true;
+    const auto doubt = thousandsDoubt(lines, firstLine, m_format.separator);
+    if (!doubt)
+        return true;
+    m_diagnostics.error(DiagnosticCode::MixedDecimals, doubt->line, doubt->column,
+        AXISCOMP_TEXT("Error", "{number} in a column with {whole}")
+            .with("number", Verbatim{std::string(doubt->number)})
+            .with("whole", Verbatim{std::string(doubt->whole)}),
+        AXISCOMP_TEXT("Error",
+            "numbers that show whether the point stands between thousands: no point in {number}, "
+            "or the same decimals in {whole}")
+            .with("number", Verbatim{std::string(doubt->number)})
+            .with("whole", Verbatim{std::string(doubt->whole)}));
+    return false;
 }
 
 bool CellReader::readNumber(std::size_t column, Number& number)

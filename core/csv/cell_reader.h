@@ -22,6 +22,9 @@ public:
 
     /// After the header: how it separates its columns, how many it has, and where it stands.
     void begin(char separator, std::size_t columns, std::size_t headerLine);
+    /// Before the first line. False: points may stand between thousands (thousands_point.h), which
+    /// is reported. With commas between columns nobody prints such.
+    bool checkThousands(std::string_view lines, std::size_t firstLine);
     /// What is added to "expected" when a cell of this column or a later one has no value; has
     /// {expected}.
     void setNoValueHint(std::size_t firstColumn, const TextPattern& hint);

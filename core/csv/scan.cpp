@@ -145,6 +145,10 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
     if (!header)
         return false;
     m_cells.begin(header->separator, header->columns.size(), lineNumber);
+    if (!m_cells.checkThousands(
+            {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())},
+            m_lines.lineNumber()))
+        return false;
     m_scan.columns = std::move(header->columns);
     m_scan.ranges.resize(m_scan.tables());
     const auto dimensions = static_cast<std::size_t>(m_scan.dimensions);

@@ -157,6 +157,10 @@ bool MeasurementCsv::readHeader()
         m_isKnown.assign(m_columns.size(), false);
         m_isUnitRefused.assign(m_columns.size(), false);
         m_cells.begin(header->separator, m_columns.size(), lineNumber);
+        if (!m_cells.checkThousands(
+                {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())},
+                m_lines.lineNumber()))
+            return false;
         for (LineReader ahead = m_lines; !ahead.atEnd(); m_lines = ahead) {
             const std::size_t number = ahead.lineNumber();
             if (!takeIfComment(ahead.next(), number))

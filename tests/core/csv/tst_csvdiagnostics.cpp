@@ -96,6 +96,9 @@ private Q_SLOTS:
             {"3:2 MixedDecimals 0,2|a decimal point as in line 2"});
         row("thousands", 1, "X;T\n0;1.234,5\n1;2\n",
             {"2:2 MixedDecimals 1.234,5|no sign between the thousands"});
+        row("points that may be between thousands", 1, "X;T\n0;1\n500;2\n1.000;1\n",
+            {"4:1 MixedDecimals 1.000 in a column with 500|numbers that show whether the point "
+             "stands between thousands: no point in 1.000, or the same decimals in 500"});
         row("open quote", 1, "X,T\n0,\"1\n1,2\n", {"2:2 UnterminatedQuote 1|a closing \""});
         row("text behind a quote", 1, "X,T\n0,\"1\"2\n1,2\n",
             {"2:2 UnterminatedQuote 1\"2|a separator or the end of the line"});

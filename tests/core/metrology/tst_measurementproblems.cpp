@@ -54,6 +54,9 @@ private Q_SLOTS:
             {"1:0 MissingColumn both deviation and reference|"});
         row("two of a kind", "runs", "target [mm],direction,error [um],value [um]\n0,+,1,1\n",
             {"1:4 MissingColumn two columns for deviation|one; name the columns with --columns"});
+        row("points that may be between thousands", "runs",
+            "target [mm];direction;deviation [um]\n0;+;1\n500;+;1\n1.000;+;1\n",
+            {"4:1 MixedDecimals 1.000 in a column with 500|numbers that show whether the point"});
         row("no direction", "runs", "target [mm],deviation [um]\n0,1\n1,1\n",
             {"1:0 MissingColumn no column direction|a column direction with + and -, or "
              "--direction-from order"});
