@@ -132,7 +132,7 @@ std::optional<EvenSpacing> spacingWithin(const GridLines& lines, double toleranc
     return held(lines, line.start, line.distance, limit);
 }
 
-double suggestedSnap(const SortedPositions& sorted)
+double suggestedSnap(const SortedPositions& sorted, bool mayMerge)
 {
     constexpr double mostOfGap = 0.1;
     constexpr double mostOfDistance = 0.02;
@@ -141,7 +141,8 @@ double suggestedSnap(const SortedPositions& sorted)
     for (std::size_t i = 1; i < places.size(); ++i)
         largestGap = std::max(largestGap, places[i].value - places[i - 1].value);
     const GridLines lines = gridLines(sorted, 0.5 * mostOfGap * largestGap);
-    if (lines.positions.size() < 3 || !std::isfinite(largestGap))
+    const bool isMerged = lines.positions.size() < places.size();
+    if (lines.positions.size() < 3 || !std::isfinite(largestGap) || (isMerged && !mayMerge))
         return 0.0;
     const double distance = (lines.positions.back() - lines.positions.front())
         / static_cast<double>(lines.positions.size() - 1);

@@ -43,7 +43,9 @@ struct GridLines {
 /// the least-squares line.
 [[nodiscard]] std::optional<EvenSpacing> spacingWithin(const GridLines& lines, double tolerance);
 
-/// The tolerance with which positions that scatter would become a grid; 0: none does.
-[[nodiscard]] double suggestedSnap(const SortedPositions& sorted);
+/// The tolerance with which positions that scatter would become a grid; 0: none does. mayMerge:
+/// several positions may be on one grid line, which in a table of one dimension would be points
+/// that occur twice.
+[[nodiscard]] double suggestedSnap(const SortedPositions& sorted, bool mayMerge);
 
 } // namespace axiscomp::csv

@@ -204,7 +204,7 @@ std::size_t AxisReader::fileLine(std::size_t gridLine) const
 Text AxisReader::withWrongDimensionHint(Text expected)
 {
     if (!m_suggestedSnap)
-        m_suggestedSnap = suggestedSnap(m_sorted);
+        m_suggestedSnap = suggestedSnap(m_sorted, m_scan.dimensions > 1);
     if (*m_suggestedSnap > 0.0)
         return AXISCOMP_TEXT("Error",
             "{expected}; a tolerance of {tolerance} takes them for an "

@@ -126,6 +126,14 @@ private Q_SLOTS:
         QVERIFY2(taken.data, describe(taken).join('\n').constData());
     }
 
+    void noToleranceIsProposedThatMakesOneOfTwoPositions()
+    {
+        const QByteArray all =
+            describe(parse("X;T\n0;0\n1.0;4\n1.25;5\n250;1\n500;2\n750;3\n", 1)).join('\n');
+        QVERIFY2(all.contains("UnevenSpacing"), all.constData());
+        QVERIFY2(!all.contains("a tolerance of"), all.constData());
+    }
+
     void measuredPositionsSnapToTheRoundestGrid()
     {
         const CsvReading reading = parse(measured, 2, with(MissingPoints::Refuse, 0.001));
