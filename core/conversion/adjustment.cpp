@@ -39,7 +39,10 @@ Result<void> checkAdjustment(const NeutralTable& table, const Adjustment& adjust
     for (std::size_t n = 0; n < table.axes.size(); ++n) {
         const SourceAxis& axis = table.axes[n];
         const double position = adjustment.zero[n];
-        if (axis.knots.front() <= position && position <= axis.knots.back())
+        const double turns =
+            axis.wrap ? std::floor((position - axis.knots.front()) / *axis.wrap) : 0.0;
+        const double inTurn = axis.wrap ? position - turns * *axis.wrap : position;
+        if (axis.knots.front() <= inTurn && inTurn <= axis.knots.back())
             continue;
         return refuse(AXISCOMP_TEXT("Error",
             "{position} of source {number}, where the values shall be 0, is outside of the table, "

@@ -55,6 +55,19 @@ private Q_SLOTS:
             remarks.front().english().c_str());
     }
 
+    void ofAModuloAxisThePositionMayBeInAnotherTurn()
+    {
+        NeutralTable table = line(); // 0 .. 30 of a turn of 40
+        table.axes.front().wrap = 40.0;
+        std::vector<Text> remarks;
+        for (const double zero : {12.5, 52.5, -27.5})
+            QCOMPARE(
+                valuesOf(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {zero}}, remarks)),
+                (Values{-2.5, -0.5, 1.5, -3.5}));
+        VERIFY_ERROR(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {75.0}}, remarks),
+            ErrorCode::InvalidArgument);
+    }
+
     void everyColumnHasItsOwnShift()
     {
         NeutralTable table = line();
