@@ -40,7 +40,6 @@ struct FitOptions {
     std::optional<double> smoothness;
     std::vector<double> periods;
     std::optional<int> harmonics; ///< 1
-    std::optional<double> turn;
     std::string direction = "mean";
     std::string by; ///< temperature; empty: position alone
     std::string zero;
@@ -137,7 +136,7 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
             "(--period); the method "
                 + options.method + " has none",
             options.input.command);
-    settings.turn = options.turn;
+    settings.turn = options.file.turn;
     settings.direction = fitDirectionNamed(options.direction).value_or(FitDirection::Mean);
     if (!options.removedSlope.empty())
         settings.slope =
@@ -371,7 +370,7 @@ void addCurveOptions(CLI::App& command, FitOptions& options)
         ->check(CLI::Range(1, 100))
         ->group(group);
     command
-        .add_option("--turn", options.turn,
+        .add_option("--turn", options.file.turn,
             AXISCOMP_HELP("Help",
                 "Length of a turn of a modulo axis, such as 360: the table ends as it begins"))
         ->option_text("LENGTH")

@@ -64,6 +64,10 @@ Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& 
     if (isPair(fitted))
         for (std::size_t i = 0; i < fitted.size(); ++i)
             table.columns[i].direction = fitted[i].direction;
+    const bool isRepeated = std::ranges::all_of(data.tables,
+        [](const CompensationTable& made) { return made.values.front() == made.values.back(); });
+    if (options.turn && isRepeated && format.facts.holdsWrap)
+        table.axes.front().wrap = options.turn;
     const NeutralTable tables[] = {std::move(table)};
     ConversionOptions conversion = options.conversion;
     conversion.targets.clear(); // stated already

@@ -15,6 +15,7 @@ struct FittedFileOptions {
     std::string table; ///< the one column that is written; empty: all
     bool acceptsLarge = false;
     ConversionOptions conversion; ///< target, sign and settings of the output
+    std::optional<double> turn; ///< of a modulo axis, which other controllers' tables may be for
 };
 
 /// The format that the options name, and that it can be written there. Meant to be asked before the

@@ -315,6 +315,47 @@ void remarkOfHome(const FitInput& input, const CompensationTable& table, Remarks
             .with("value", remarks.fine(lookup.at(*input.settings.home))));
 }
 
+/// Targets where the drive holds the value at the end of the table.
+void remarkOfTargetsOutside(const FitInput& input, const CompensationTable& table, Remarks& remarks)
+{
+    const GridAxis& axis = table.grid.axes.front();
+    const std::vector<double> targets = usedTargets(input.measurement);
+    constexpr double rounding = 1e-6; // of the distance of two points
+    const double before = axis.start - targets.front();
+    const double behind = targets.back() - axis.last();
+    if (std::max(before, behind) <= rounding * axis.distance)
+        return;
+    remarks.warn("TargetsOutside",
+        AXISCOMP_TEXT("Measurement",
+            "{table} goes from {from} to {to}, the targets from {first} to {last}: beyond its ends "
+            "the drive holds their values; take the number of points, or a distance that divides "
+            "the range of the targets")
+            .with("table", table.name)
+            .with("from", remarks.place(axis.start))
+            .with("to", remarks.place(axis.last()))
+            .with("first", remarks.place(targets.front()))
+            .with("last", remarks.place(targets.back())));
+}
+
+/// The count of the axis is not known but by its targets.
+void remarkOfCount(const FitInput& input, const GridAxis& axis, Remarks& remarks)
+{
+    const double turn = *input.settings.turn;
+    const double first = usedTargets(input.measurement).front();
+    const double halves = 2.0 * axis.start / turn;
+    constexpr double rounding = 1e-9;
+    const bool isUsual = std::abs(halves - std::round(halves)) <= rounding;
+    if (isUsual && std::abs(first - axis.start) <= rounding * turn)
+        return;
+    remarks.warn("CountOfTurn",
+        AXISCOMP_TEXT("Measurement",
+            "the first target is {first}; the table is for an axis that counts from {from} to "
+            "{to}: where it counts otherwise, the drive holds the values at the ends")
+            .with("first", remarks.place(first))
+            .with("from", remarks.place(axis.start))
+            .with("to", remarks.place(axis.last())));
+}
+
 void remarkOfTurn(const FitInput& input, const CompensationTable& table, Remarks& remarks)
 {
     if (!input.settings.turn)
@@ -378,6 +419,10 @@ void addRunsRemarks(
     for (const JudgeWarning& warning : judgement.warnings)
         remarks.warn(warning.name, warning.text);
     remarkOfOutliers(judgement, remarks);
+    if (input.settings.turn)
+        remarkOfCount(input, report.tables.front().table.grid.axes.front(), remarks);
+    else
+        remarkOfTargetsOutside(input, report.tables.front().table, remarks);
     for (const FittedTable& made : report.tables) {
         remarkOfHome(input, made.table, remarks);
         remarkOfTurn(input, made.table, remarks);

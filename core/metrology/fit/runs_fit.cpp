@@ -217,6 +217,55 @@ Result<double> distanceOf(const std::vector<double>& targets)
     return even.distance;
 }
 
+/// Where a modulo axis begins to count, as far as its targets tell: they lie between 0 and a turn,
+/// or within half a turn to both sides; otherwise the first of them.
+double startOfTurn(const std::vector<double>& targets, double turn)
+{
+    constexpr double rounding = 1e-9; // of a turn
+    for (const double offset : {0.0, -0.5 * turn}) {
+        const double turns = std::floor((targets.front() - offset) / turn + rounding);
+        const double start = turns * turn + offset;
+        if (targets.back() <= start + turn * (1.0 + rounding))
+            return start;
+    }
+    return targets.front();
+}
+
+/// The range of a table of one turn, and the points where nothing else was asked for: the targets
+/// are among them.
+Result<AxisRequest> gridOfTurn(const FitInput& input, const CompensationTable* old)
+{
+    const FitSettings& settings = input.settings;
+    const std::vector<double> targets = usedTargets(input.measurement);
+    AxisRequest wanted = settings.grid.empty() ? AxisRequest{} : settings.grid.front();
+    const double turn = *settings.turn;
+    wanted.start = old ? old->grid.axes.front().start : startOfTurn(targets, turn);
+    wanted.end = *wanted.start + turn;
+    const bool isAsked = settings.within || wanted.points != 0 || wanted.distance != 0.0
+        || !settings.periods.periods.empty();
+    if (isAsked)
+        return wanted;
+    if (old) {
+        wanted.points = old->grid.axes.front().size;
+        return wanted;
+    }
+    AXISCOMP_TRY(const double distance, distanceOf(targets));
+    constexpr double rounding = 1e-6; // of a step
+    const auto isWhole = [&](double length) {
+        return std::abs(length / distance - std::round(length / distance)) <= rounding;
+    };
+    if (!isWhole(targets.front() - *wanted.start) || !isWhole(turn))
+        return badFit(AXISCOMP_TEXT("Error",
+            "the axis is taken to count from {from} to {to}, and steps of {distance} do not lead "
+            "from one end over the targets to the other; say the grid of the table: its points, "
+            "their distance, or what it may be off the curve (--points, --distance or --within)")
+                          .with("from", placeOf(*wanted.start, input.measurement.isAngular))
+                          .with("to", placeOf(*wanted.end, input.measurement.isAngular))
+                          .with("distance", placeOf(distance, input.measurement.isAngular)));
+    wanted.points = static_cast<std::size_t>(std::llround(turn / distance)) + 1;
+    return wanted;
+}
+
 /// The grid where knots are not the targets: the old table's, or the targets' own, or what was
 /// asked for from the first to the last target. The ends of the curve, which lie beside these by
 /// the deviations only, are held as the drive holds them.
@@ -228,14 +277,12 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
     const double from = targets.front();
     const double to = targets.back();
     if (settings.within || wanted.points != 0) {
-        if (!settings.turn) {
-            wanted.start = from;
-            wanted.end = to;
-        }
+        wanted.start = from;
+        wanted.end = to;
         return wanted;
     }
     if (wanted.distance != 0.0) {
-        if (settings.turn || settings.holdsEnds)
+        if (settings.holdsEnds)
             return wanted;
         const double steps = std::floor((to - from) / wanted.distance * (1.0 + 1e-12));
         if (steps < 1.0)
@@ -249,11 +296,9 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
         return AxisRequest{.points = axis.size, .start = axis.start, .end = axis.last()};
     }
     AXISCOMP_TRY(const double distance, distanceOf(targets));
-    const double last = settings.turn ? from + *settings.turn : to;
-    return AxisRequest{
-        .points = static_cast<std::size_t>(std::llround((last - from) / distance)) + 1,
+    return AxisRequest{.points = static_cast<std::size_t>(std::llround((to - from) / distance)) + 1,
         .start = from,
-        .end = last};
+        .end = to};
 }
 
 } // namespace
@@ -283,6 +328,11 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
     // Harmonics go on between the knots of their curve, which are the ends of the turn.
     const bool areKnotsTargets = input.lookupAt == LookupAt::Encoder
         && input.state.kind == FoundState::Kind::Off && settings.method != FitMethod::Harmonic;
+    if (settings.turn) {
+        AXISCOMP_TRY(request.grid, gridOfTurn(input, old));
+        request.holdsEnds = request.holdsEnds || !areKnotsTargets;
+        return request;
+    }
     const bool isOpen = settings.grid.empty() && !settings.within && !old;
     if (isOpen && !settings.periods.periods.empty())
         return request;

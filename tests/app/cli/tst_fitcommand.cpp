@@ -641,6 +641,28 @@ private Q_SLOTS:
         VERIFY_CODE(box.run({"report", "x.axcal", "-o", "x.html"}), 0);
         QVERIFY(box.content("x.html").contains(crc));
     }
+
+    /// At 30 to 330 degrees: the table goes from 0 to 360, and the controller knows of the turn.
+    void theTableOfATurnIsThatOfAModuloAxis()
+    {
+        const Sandbox box;
+        QByteArray turn = "// axis: C\ntarget [deg],direction,deviation [arcsec]\n";
+        for (const char* direction : {"+", "-"})
+            for (int target = 30; target <= 330; target += 30)
+                turn += QByteArray::number(target) + ',' + direction + ','
+                    + QByteArray::number(36.0 * std::sin(target * std::numbers::pi / 180.0)) + '\n';
+        box.file("turn.csv", turn);
+        const ProgramRun run = box.run(QStringList{"fit", "turn.csv", "-o", "c.mpf", "--to",
+                                           "siemens-eec", "--turn", "360", "--zero", "keep"}
+            + offAtEncoder);
+        VERIFY_CODE(run, 0);
+        QVERIFY2(
+            run.out.contains("for an axis that counts from 0 deg to 360 deg"), run.out.constData());
+        const QByteArray table = box.content("c.mpf");
+        QVERIFY2(table.contains("$AA_ENC_COMP_IS_MODULO[0,C]=1"), table.constData());
+        QVERIFY2(table.contains("$AA_ENC_COMP_MIN[0,C]=0"), table.constData());
+        QVERIFY2(table.contains("$AA_ENC_COMP_MAX[0,C]=360"), table.constData());
+    }
 };
 
 AXISCOMP_TEST(tst_FitCommand)

@@ -745,6 +745,76 @@ private Q_SLOTS:
             report->heldOut->range < 1e-8, qPrintable(QString::number(report->heldOut->range)));
     }
 
+    void aTableOfATurnGoesWhereTheAxisCounts_data()
+    {
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("start");
+        QTest::addColumn<bool>("isDoubtful");
+        QTest::newRow("from 0") << 0.0 << 0.0 << false;
+        QTest::newRow("from -180") << -180.0 << -180.0 << false;
+        QTest::newRow("without 0") << 30.0 << 0.0 << true;
+        QTest::newRow("the second turn") << 390.0 << 360.0 << true;
+        QTest::newRow("across both ends") << -90.0 << -90.0 << true;
+    }
+    void aTableOfATurnGoesWhereTheAxisCounts()
+    {
+        QFETCH(const double, first);
+        QFETCH(const double, start);
+        QFETCH(const bool, isDoubtful);
+        const auto error = [](double degrees) { return 0.01 * std::sin(degrees * pi / 180.0); };
+        Measurement runs = runsOver(first, 30.0, 11, error);
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        const GridAxis& axis = table.grid.axes.front();
+        QCOMPARE(axis.start, start);
+        QCOMPARE(axis.last(), start + 360.0);
+        QCOMPARE(hasRemark(*report, "CountOfTurn"), isDoubtful);
+        for (std::size_t i = 0; i < axis.size; ++i) {
+            const double fromFirst = std::fmod(axis.position(i) - first + 360.0, 360.0);
+            const double due = fromFirst > 300.0 // between the last target and the first
+                ? 0.5 * (error(first) + error(first + 300.0))
+                : error(first + fromFirst);
+            QVERIFY(std::abs(static_cast<double>(table.values[i]) - due) < 1e-8);
+        }
+    }
+
+    void aTurnWhoseStepsMissItsTargetsNeedsAGrid()
+    {
+        Measurement runs = runsOver(15.0, 30.0, 12, [](double) { return 0.001; });
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        QVERIFY(isRefused(fitMeasurement(runs, settings, measuredOff()),
+            "the axis is taken to count from 0 deg to 360 deg, and steps of 30 deg do not lead"));
+        settings.grid = {{.points = 25}};
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QCOMPARE(report->tables.front().table.grid.axes.front().start, 0.0);
+        settings.grid.clear();
+        Measurement odd = runsOver(0.0, 50.0, 7, [](double) { return 0.001; });
+        odd.isAngular = true;
+        QVERIFY(isRefused(fitMeasurement(odd, settings, measuredOff()), "steps of 50 deg"));
+    }
+
+    void targetsBeyondTheTableAreNamed()
+    {
+        const Measurement runs = runsOver(0.0, 50.0, 7, [](double x) { return 1e-6 * x; });
+        FitSettings settings = keeping();
+        settings.grid = {{.distance = 70.0}};
+        const auto cut = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(cut);
+        QVERIFY(hasRemark(
+            *cut, "TargetsOutside", "goes from 0 mm to 280 mm, the targets from 0 mm to 300 mm"));
+        settings.grid = {{.distance = 60.0}};
+        const auto whole = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(whole);
+        QVERIFY(!hasRemark(*whole, "TargetsOutside"));
+    }
+
     /// What was taken out of the table stays in the machine, and more targets do not change that.
     void aSlopeThatWasTakenOutIsForetoldHeldOutToo()
     {
