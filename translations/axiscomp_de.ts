@@ -8297,6 +8297,46 @@
         <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
         <translation>eine .TAMtbl hat keine Einheiten, und ein Antrieb nimmt ihre Werte in der Einheit der Achse, die sie korrigieren. Die Positionen haben verschiedene Einheiten, und es ist nicht angegeben, welche davon das ist: erst in eine .csv-Datei konvertieren und diese mit --value-unit, etwa --value-unit mm, oder, wenn die Werte die Achse einer der Positionen korrigieren, die Zielachse angeben, etwa #1 für die erste</translation>
     </message>
+    <message>
+        <source>{number} in a column with {whole}</source>
+        <translation>{number} in einer Spalte mit {whole}</translation>
+    </message>
+    <message>
+        <source>numbers that show whether the point stands between thousands: no point in {number}, or the same decimals in {whole}</source>
+        <translation>Zahlen, an denen zu sehen ist, ob der Punkt zwischen Tausendern steht: {number} ohne Punkt, oder dieselben Nachkommastellen in {whole}</translation>
+    </message>
+    <message>
+        <source>the axis is taken to count from {from} to {to}, and steps of {distance} do not lead from one end over the targets to the other; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>angenommen wird, dass die Achse von {from} bis {to} zählt, und Schritte von {distance} führen nicht von einem Ende über die Zielpositionen zum anderen; geben Sie das Gitter der Tabelle an: die Stützstellen, ihren Abstand oder die erlaubte Abweichung von der Kurve (--points, --distance oder --within)</translation>
+    </message>
+    <message>
+        <source>the table in {slot} stays in flash, because {user} uses it too; free it there first, with a persistent write into another slot</source>
+        <translation>die Tabelle in {slot} bleibt im Flash, weil sie noch anderswo verwendet wird ({user}); geben Sie sie dort zuerst frei, indem Sie dort dauerhaft in einen anderen Tabellenplatz schreiben</translation>
+    </message>
+    <message>
+        <source>Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the table first (&apos;axiscomp delete&apos;) if it must not come back.</source>
+        <translation>Die Tabelle in {slot} bleibt im Flash: nach einem Neustart verwendet {axis} sie wieder. Wenn sie nicht wiederkommen darf, löschen Sie die Tabelle zuerst (&apos;axiscomp delete&apos;).</translation>
+    </message>
+    <message>
+        <source>the axis has the values of the record&apos;s table, {crc}, over other positions: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
+        <translation>die Achse hat die Werte der Tabelle des Protokolls, {crc}, über anderen Positionen: die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“) oder das Protokoll weglassen</translation>
+    </message>
+    <message>
+        <source>The table stays, and {source} is a position of another axis: its values belong to positions of the axis itself. Write the table that was made for this source.</source>
+        <translation>Die Tabelle bleibt, und {source} ist eine Position einer anderen Achse: Ihre Werte gehören zu Positionen der Achse selbst. Schreiben Sie die Tabelle, die für diese Quelle erstellt wurde.</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, and {first} and {second} have the same values over other positions: merge onto the file of the one that was active (--onto)</source>
+        <translation>während der Messung war die Tabelle {crc} aktiv, und {first} und {second} haben dieselben Werte über verschiedenen Positionen: in die Datei der Tabelle einrechnen, die aktiv war (--onto)</translation>
+    </message>
+    <message>
+        <source>{axis} is the name of axis {named} and the index of axis {numbered}; say name:{axis} or {index}</source>
+        <translation>{axis} ist der Name von Achse {named} und der Index von Achse {numbered}; name:{axis} oder {index} angeben</translation>
+    </message>
+    <message>
+        <source>there is no name on the drive</source>
+        <translation>auf dem Antrieb steht kein Name</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10040,6 +10080,14 @@
         <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
         <translation>ein Wert {direction} fällt auf, den die Regel mad nicht vorschlägt: sie behält 3 Werte jeder Zielposition und braucht andere, die sich unterscheiden</translation>
     </message>
+    <message>
+        <source>{table} goes from {from} to {to}, the targets from {first} to {last}: beyond its ends the drive holds their values; take the number of points, or a distance that divides the range of the targets</source>
+        <translation>{table} geht von {from} bis {to}, die Zielpositionen von {first} bis {last}: jenseits der Enden hält der Antrieb deren Werte; geben Sie die Anzahl der Stützstellen an oder einen Abstand, der den Bereich der Zielpositionen teilt</translation>
+    </message>
+    <message>
+        <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
+        <translation>die erste Zielposition ist {first}; die Tabelle ist für eine Achse, die von {from} bis {to} zählt: wo sie anders zählt, hält der Antrieb die Werte an den Enden</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10130,12 +10178,12 @@
         <translation>diese Zahl ist nicht endlich</translation>
     </message>
     <message>
-        <source>decimal comma and decimal point are mixed</source>
-        <translation>Dezimalkomma und Dezimalpunkt sind gemischt</translation>
+        <source>it is not clear which sign is the decimal one</source>
+        <translation>es ist nicht klar, welches das Dezimalzeichen ist</translation>
     </message>
     <message>
-        <source>use the same decimal sign in every number</source>
-        <translation>in allen Zahlen dasselbe Dezimalzeichen verwenden</translation>
+        <source>use one decimal sign in all numbers, and none between thousands</source>
+        <translation>verwenden Sie in allen Zahlen dasselbe Dezimalzeichen und keines zwischen Tausendern</translation>
     </message>
     <message>
         <source>a quotation mark is not closed as it should be</source>
@@ -10903,6 +10951,14 @@
     <message>
         <source>not stated</source>
         <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>The accuracy A is not defined, before or after.</source>
+        <translation>Die Genauigkeit A ist nicht definiert, weder vorher noch nachher.</translation>
+    </message>
+    <message>
+        <source>{figure}: {before} before, {after} after.</source>
+        <translation>{figure}: {before} vorher, {after} nachher.</translation>
     </message>
 </context>
 <context>

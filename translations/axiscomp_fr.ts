@@ -8297,6 +8297,46 @@
         <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
         <translation>un .TAMtbl n&apos;a pas d&apos;unités, et un variateur prend ses valeurs dans l&apos;unité de l&apos;axe qu&apos;elles corrigent. Les positions ont des unités différentes, et il n&apos;est pas indiqué laquelle&#xa0;: convertir d&apos;abord en un fichier .csv, puis celui-ci avec --value-unit, comme --value-unit mm, ou, si les valeurs corrigent l&apos;axe d&apos;une des positions, indiquer l&apos;axe cible, comme #1 pour la première</translation>
     </message>
+    <message>
+        <source>{number} in a column with {whole}</source>
+        <translation>{number} dans une colonne avec {whole}</translation>
+    </message>
+    <message>
+        <source>numbers that show whether the point stands between thousands: no point in {number}, or the same decimals in {whole}</source>
+        <translation>des nombres qui montrent si le point sépare les milliers&#xa0;: {number} sans point, ou les mêmes décimales dans {whole}</translation>
+    </message>
+    <message>
+        <source>the axis is taken to count from {from} to {to}, and steps of {distance} do not lead from one end over the targets to the other; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>l&apos;axe est supposé compter de {from} à {to}, et des pas de {distance} ne mènent pas d&apos;une extrémité à l&apos;autre en passant par les positions cibles&#xa0;; indiquez la grille de la table&#xa0;: ses points, leur distance ou l&apos;écart permis à la courbe (--points, --distance ou --within)</translation>
+    </message>
+    <message>
+        <source>the table in {slot} stays in flash, because {user} uses it too; free it there first, with a persistent write into another slot</source>
+        <translation>la table dans {slot} reste dans la mémoire flash, car elle est aussi utilisée ailleurs ({user})&#xa0;; l&apos;en détacher d&apos;abord, par une écriture persistante dans un autre emplacement</translation>
+    </message>
+    <message>
+        <source>Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the table first (&apos;axiscomp delete&apos;) if it must not come back.</source>
+        <translation>La table dans {slot} reste dans la mémoire flash&#xa0;: après un redémarrage, {axis} l&apos;utilise de nouveau. Si elle ne doit pas revenir, supprimer d&apos;abord la table (&apos;axiscomp delete&apos;).</translation>
+    </message>
+    <message>
+        <source>the axis has the values of the record&apos;s table, {crc}, over other positions: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
+        <translation>l&apos;axe a les valeurs de la table de la fiche, {crc}, sur d&apos;autres positions&#xa0;: écrire de nouveau la table de la fiche (« axiscomp write --record ») ou omettre la fiche</translation>
+    </message>
+    <message>
+        <source>The table stays, and {source} is a position of another axis: its values belong to positions of the axis itself. Write the table that was made for this source.</source>
+        <translation>La table reste, et {source} est une position d&apos;un autre axe&#xa0;: ses valeurs appartiennent à des positions de l&apos;axe lui-même. Écrivez la table qui a été faite pour cette source.</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, and {first} and {second} have the same values over other positions: merge onto the file of the one that was active (--onto)</source>
+        <translation>mesuré avec la table {crc} active, et {first} et {second} ont les mêmes valeurs sur des positions différentes&#xa0;: fusionner avec le fichier de celle qui était active (--onto)</translation>
+    </message>
+    <message>
+        <source>{axis} is the name of axis {named} and the index of axis {numbered}; say name:{axis} or {index}</source>
+        <translation>{axis} est le nom de l&apos;axe {named} et l&apos;indice de l&apos;axe {numbered}&#xa0;; indiquer name:{axis} ou {index}</translation>
+    </message>
+    <message>
+        <source>there is no name on the drive</source>
+        <translation>il n&apos;y a pas de nom sur le variateur</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10040,6 +10080,14 @@
         <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
         <translation>une valeur {direction} se détache que la règle mad ne propose pas&#xa0;: elle garde 3 valeurs par position et a besoin d&apos;autres valeurs différentes</translation>
     </message>
+    <message>
+        <source>{table} goes from {from} to {to}, the targets from {first} to {last}: beyond its ends the drive holds their values; take the number of points, or a distance that divides the range of the targets</source>
+        <translation>{table} va de {from} à {to}, les positions cibles de {first} à {last}&#xa0;: au-delà de ses extrémités le variateur maintient leurs valeurs&#xa0;; indiquez le nombre de points, ou une distance qui divise la plage des positions cibles</translation>
+    </message>
+    <message>
+        <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
+        <translation>la première position cible est {first}&#xa0;; la table est pour un axe qui compte de {from} à {to}&#xa0;: là où il compte autrement, le variateur maintient les valeurs des extrémités</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10130,12 +10178,12 @@
         <translation>ce nombre n&apos;est pas fini</translation>
     </message>
     <message>
-        <source>decimal comma and decimal point are mixed</source>
-        <translation>virgule et point décimaux sont mélangés</translation>
+        <source>it is not clear which sign is the decimal one</source>
+        <translation>on ne sait pas quel signe est le séparateur décimal</translation>
     </message>
     <message>
-        <source>use the same decimal sign in every number</source>
-        <translation>utiliser le même signe décimal dans tous les nombres</translation>
+        <source>use one decimal sign in all numbers, and none between thousands</source>
+        <translation>utilisez un seul séparateur décimal dans tous les nombres, et aucun entre les milliers</translation>
     </message>
     <message>
         <source>a quotation mark is not closed as it should be</source>
@@ -10903,6 +10951,14 @@
     <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>The accuracy A is not defined, before or after.</source>
+        <translation>L&apos;exactitude A n&apos;est définie ni avant ni après.</translation>
+    </message>
+    <message>
+        <source>{figure}: {before} before, {after} after.</source>
+        <translation>{figure}&#xa0;: {before} avant, {after} après.</translation>
     </message>
 </context>
 <context>

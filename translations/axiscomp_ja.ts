@@ -8256,6 +8256,46 @@
         <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
         <translation>.TAMtbl には単位がなく、ドライブは値を、補正する軸の単位として読み込みます。位置の単位が異なり、どれがその単位か指定されていません。まず .csv ファイルに変換してから、それを --value-unit mm のように --value-unit を付けて変換してください。値がいずれかの位置の軸を補正する場合は、対象軸を指定してください (1 番目なら #1)</translation>
     </message>
+    <message>
+        <source>{number} in a column with {whole}</source>
+        <translation>{whole} のある列に {number}</translation>
+    </message>
+    <message>
+        <source>numbers that show whether the point stands between thousands: no point in {number}, or the same decimals in {whole}</source>
+        <translation>点が桁区切りかどうかが分かる数値：{number} を点なしで、または {whole} にも同じ小数桁</translation>
+    </message>
+    <message>
+        <source>the axis is taken to count from {from} to {to}, and steps of {distance} do not lead from one end over the targets to the other; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>軸は {from} から {to} まで数えるとみなしますが、{distance} 刻みでは一方の端から目標位置を通って他方の端に達しません。テーブルの格子を指定してください：点数、間隔、または曲線からの許容差（--points、--distance または --within）</translation>
+    </message>
+    <message>
+        <source>the table in {slot} stays in flash, because {user} uses it too; free it there first, with a persistent write into another slot</source>
+        <translation>{slot} のテーブルは {user} も使用しているため、フラッシュに残します。先にそちらで別のスロットに不揮発で書き込み、解放してください</translation>
+    </message>
+    <message>
+        <source>Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the table first (&apos;axiscomp delete&apos;) if it must not come back.</source>
+        <translation>{slot} のテーブルはフラッシュに残り、再起動すると {axis} は再びそのテーブルを使用します。元に戻らないようにするには、先にテーブルを削除してください (&apos;axiscomp delete&apos;)。</translation>
+    </message>
+    <message>
+        <source>the axis has the values of the record&apos;s table, {crc}, over other positions: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
+        <translation>軸には記録のテーブルの値 {crc} がありますが、位置が異なります。記録のテーブルを書き込み直すか (`axiscomp write --record`)、記録を指定しないでください</translation>
+    </message>
+    <message>
+        <source>The table stays, and {source} is a position of another axis: its values belong to positions of the axis itself. Write the table that was made for this source.</source>
+        <translation>テーブルはそのまま残りますが、{source} は別の軸の位置です。値はその軸自身の位置のものです。このソース用に作成したテーブルを書き込んでください。</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, and {first} and {second} have the same values over other positions: merge onto the file of the one that was active (--onto)</source>
+        <translation>測定時に有効だったテーブルは {crc} ですが、{first} と {second} は同じ値を異なる位置に持っています。有効だったほうのテーブルのファイルに統合してください (--onto)</translation>
+    </message>
+    <message>
+        <source>{axis} is the name of axis {named} and the index of axis {numbered}; say name:{axis} or {index}</source>
+        <translation>{axis} は軸 {named} の名前でも、軸 {numbered} のインデックスでもあります。name:{axis} または {index} と指定してください</translation>
+    </message>
+    <message>
+        <source>there is no name on the drive</source>
+        <translation>ドライブに名前がありません</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9991,6 +10031,14 @@
         <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
         <translation>{direction}に目立つ値がありますが、規則 mad は提案しません。目標位置ごとに 3 個の値を残し、ばらつきのある他の値を必要とするためです</translation>
     </message>
+    <message>
+        <source>{table} goes from {from} to {to}, the targets from {first} to {last}: beyond its ends the drive holds their values; take the number of points, or a distance that divides the range of the targets</source>
+        <translation>{table} は {from} から {to} まで、目標位置は {first} から {last} までです。端の外側ではドライブが端の値を保持します。点数、または目標位置の範囲を割り切る間隔を指定してください</translation>
+    </message>
+    <message>
+        <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
+        <translation>最初の目標位置は {first} です。テーブルは {from} から {to} まで数える軸のものです。それ以外では、ドライブが端の値を保持します</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10081,12 +10129,12 @@
         <translation>有限の数値ではありません</translation>
     </message>
     <message>
-        <source>decimal comma and decimal point are mixed</source>
-        <translation>小数点のカンマとピリオドが混在しています</translation>
+        <source>it is not clear which sign is the decimal one</source>
+        <translation>小数点の記号がどれか分かりません</translation>
     </message>
     <message>
-        <source>use the same decimal sign in every number</source>
-        <translation>すべての数値で同じ小数点を使ってください</translation>
+        <source>use one decimal sign in all numbers, and none between thousands</source>
+        <translation>すべての数値で同じ小数点を使い、桁区切りは入れないでください</translation>
     </message>
     <message>
         <source>a quotation mark is not closed as it should be</source>
@@ -10852,6 +10900,14 @@
     <message>
         <source>not stated</source>
         <translation>記載なし</translation>
+    </message>
+    <message>
+        <source>The accuracy A is not defined, before or after.</source>
+        <translation>正確さ A は補正前も補正後も未定義です。</translation>
+    </message>
+    <message>
+        <source>{figure}: {before} before, {after} after.</source>
+        <translation>{figure}: 補正前 {before}、補正後 {after}。</translation>
     </message>
 </context>
 <context>

@@ -8256,6 +8256,46 @@
         <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. The positions have different units, and it is not stated which one that is: convert to a .csv file first, and that one with --value-unit, such as --value-unit mm, or, if the values correct the axis of one of the positions, state the target, such as #1 for the first</source>
         <translation>.TAMtbl 没有单位，驱动器按所补偿轴的单位读取其值。各位置的单位不同，且未说明是其中哪一个：请先转换为 .csv 文件，再用 --value-unit（如 --value-unit mm）转换该文件；若值补偿的是某个位置的轴，请指定目标轴，如第一个为 #1</translation>
     </message>
+    <message>
+        <source>{number} in a column with {whole}</source>
+        <translation>含有 {whole} 的列中出现 {number}</translation>
+    </message>
+    <message>
+        <source>numbers that show whether the point stands between thousands: no point in {number}, or the same decimals in {whole}</source>
+        <translation>能看出点是否为千位分隔符的数字：{number} 不写点，或 {whole} 写出同样的小数位</translation>
+    </message>
+    <message>
+        <source>the axis is taken to count from {from} to {to}, and steps of {distance} do not lead from one end over the targets to the other; say the grid of the table: its points, their distance, or what it may be off the curve (--points, --distance or --within)</source>
+        <translation>假定轴从 {from} 计数到 {to}，而以 {distance} 为步距不能从一端经过各目标位置到达另一端；请给出表格的网格：点数、间距或与曲线的允许偏差（--points、--distance 或 --within）</translation>
+    </message>
+    <message>
+        <source>the table in {slot} stays in flash, because {user} uses it too; free it there first, with a persistent write into another slot</source>
+        <translation>{slot} 中的表仍保留在闪存中，因为 {user} 也在使用；请先在那里持久写入另一个表槽以释放它</translation>
+    </message>
+    <message>
+        <source>Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the table first (&apos;axiscomp delete&apos;) if it must not come back.</source>
+        <translation>闪存中保留 {slot} 中的表：重启后 {axis} 会重新使用它。如果不应恢复，请先删除该表（&apos;axiscomp delete&apos;）。</translation>
+    </message>
+    <message>
+        <source>the axis has the values of the record&apos;s table, {crc}, over other positions: write the record&apos;s table again (`axiscomp write --record`), or leave the record out</source>
+        <translation>该轴有档案的表的值 {crc}，但位于其他位置：请重新写入档案的表（`axiscomp write --record`），或不用该档案</translation>
+    </message>
+    <message>
+        <source>The table stays, and {source} is a position of another axis: its values belong to positions of the axis itself. Write the table that was made for this source.</source>
+        <translation>表保持不变，而 {source} 是另一轴的位置：其值属于该轴自身的位置。请写入为该源制作的表。</translation>
+    </message>
+    <message>
+        <source>it was measured with the table {crc} active, and {first} and {second} have the same values over other positions: merge onto the file of the one that was active (--onto)</source>
+        <translation>测量时启用的是表 {crc}，而 {first} 和 {second} 在不同位置上有相同的值：请合并到当时启用的那个表的文件 (--onto)</translation>
+    </message>
+    <message>
+        <source>{axis} is the name of axis {named} and the index of axis {numbered}; say name:{axis} or {index}</source>
+        <translation>{axis} 既是轴 {named} 的名称，又是轴 {numbered} 的索引；请写 name:{axis} 或 {index}</translation>
+    </message>
+    <message>
+        <source>there is no name on the drive</source>
+        <translation>驱动器上没有名称</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9991,6 +10031,14 @@
         <source>a value {direction} stands out that the rule mad does not propose: it keeps 3 values of each target, and needs others that differ</source>
         <translation>{direction}有一个突出的值，规则 mad 不予建议：它为每个目标位置保留 3 个值，并且需要其他值有差异</translation>
     </message>
+    <message>
+        <source>{table} goes from {from} to {to}, the targets from {first} to {last}: beyond its ends the drive holds their values; take the number of points, or a distance that divides the range of the targets</source>
+        <translation>{table} 从 {from} 到 {to}，而目标位置从 {first} 到 {last}：两端以外驱动器保持端点值；请给出点数，或能整除目标位置范围的间距</translation>
+    </message>
+    <message>
+        <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
+        <translation>第一个目标位置为 {first}；该表格适用于从 {from} 计数到 {to} 的轴：在其他计数处，驱动器保持端点值</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10081,12 +10129,12 @@
         <translation>该数字不是有限值</translation>
     </message>
     <message>
-        <source>decimal comma and decimal point are mixed</source>
-        <translation>混用了小数逗号和小数点</translation>
+        <source>it is not clear which sign is the decimal one</source>
+        <translation>不清楚哪个是小数点符号</translation>
     </message>
     <message>
-        <source>use the same decimal sign in every number</source>
-        <translation>所有数字使用相同的小数符号</translation>
+        <source>use one decimal sign in all numbers, and none between thousands</source>
+        <translation>所有数字使用同一个小数点，千位之间不加分隔符</translation>
     </message>
     <message>
         <source>a quotation mark is not closed as it should be</source>
@@ -10852,6 +10900,14 @@
     <message>
         <source>not stated</source>
         <translation>未注明</translation>
+    </message>
+    <message>
+        <source>The accuracy A is not defined, before or after.</source>
+        <translation>定位精度 A 在补偿前和补偿后均无定义。</translation>
+    </message>
+    <message>
+        <source>{figure}: {before} before, {after} after.</source>
+        <translation>{figure}：补偿前 {before}，补偿后 {after}。</translation>
     </message>
 </context>
 <context>

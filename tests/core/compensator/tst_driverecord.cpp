@@ -21,7 +21,7 @@ AxisStatus axisWithTable()
     status.axis.index = 1;
     status.axis.name = "Y";
     status.setup.slot = "Large2";
-    status.setup.sources[0] = {1, "Axes[1]/Signals/Encoders[0]/Position"};
+    status.setup.sources[0] = {1, "Axes[1]/Signals/PositionController/MasterPosition"};
     status.table = TableHeader{{{{"Y", "mm", 0.0, 20.0, 3}}}, 3, 0x1c291ca3, true};
     return status;
 }
@@ -123,7 +123,7 @@ private Q_SLOTS:
         VERIFY_RESULT(checkRecordTable(record, status, profile()));
         status.setup.sources[0].path = "Axes[1]/Signals/PathPlanner/Position";
         VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::InvalidArgument);
-        status.setup.sources[0].path = "Axes[0]/Signals/Encoders[0]/Position";
+        status.setup.sources[0].path = "Axes[0]/Signals/PositionController/MasterPosition";
         VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::TargetMismatch);
     }
 };
