@@ -241,14 +241,11 @@ Result<AxisRequest> gridOfTurn(const FitInput& input, const CompensationTable* o
     const double turn = *settings.turn;
     wanted.start = old ? old->grid.axes.front().start : startOfTurn(targets, turn);
     wanted.end = *wanted.start + turn;
-    const bool isAsked = settings.within || wanted.points != 0 || wanted.distance != 0.0
-        || !settings.periods.periods.empty();
-    if (isAsked)
-        return wanted;
-    if (old) {
+    const bool isAsked = settings.within || wanted.points != 0 || wanted.distance != 0.0;
+    if (old && !isAsked)
         wanted.points = old->grid.axes.front().size;
+    if (old || isAsked || !settings.periods.periods.empty())
         return wanted;
-    }
     AXISCOMP_TRY(const double distance, distanceOf(targets));
     constexpr double rounding = 1e-6; // of a step
     const auto isWhole = [&](double length) {

@@ -782,6 +782,29 @@ private Q_SLOTS:
         }
     }
 
+    void aMergeOfATurnKeepsTheGridOfTheOldTable()
+    {
+        KnownTables old{Verbatim{"old.csv"}, {{}}, {1}};
+        CompensationTable& table = old.tables.front();
+        table.grid.axes = {{"C", "deg", -90.0, 10.0, 37}};
+        table.values.assign(37, 0.002F);
+        Measurement runs = runsOver(0.0, 15.0, 24, [](double) { return 0.001; });
+        runs.isAngular = true;
+        FitSettings settings = keeping();
+        settings.turn = 360.0;
+        settings.method = FitMethod::Smooth;
+        for (const bool hasPeriod : {false, true}) {
+            if (hasPeriod)
+                settings.periods.periods = {120.0};
+            const auto report =
+                fitMeasurement(runs, settings, {FoundState::Kind::On, &old, {}, {}});
+            VERIFY_RESULT(report);
+            const GridAxis& axis = report->tables.front().table.grid.axes.front();
+            QCOMPARE(axis.start, -90.0);
+            QCOMPARE(axis.size, 37U);
+        }
+    }
+
     void aTurnWhoseStepsMissItsTargetsNeedsAGrid()
     {
         Measurement runs = runsOver(15.0, 30.0, 12, [](double) { return 0.001; });
