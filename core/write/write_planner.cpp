@@ -243,8 +243,10 @@ Result<std::vector<std::string>> WritePlanner::namesBeside(int axis)
     if (m_names.empty()) {
         AXISCOMP_TRY(m_names, readAxisNames(m_access, m_drive));
     }
-    std::vector<std::string> names = m_names;
-    names.erase(names.begin() + axis);
+    std::vector<std::string> names;
+    for (int other = 0; other < std::ssize(m_names); ++other)
+        if (other != axis)
+            names.push_back(m_names[static_cast<std::size_t>(other)]);
     return names;
 }
 
@@ -338,9 +340,10 @@ Result<void> WritePlanner::checkColumns(const WriteRequest& request)
             isStatedSource(*request.table, n), [&](int) { return name; },
             [&](int axis) {
                 auto others = namesBeside(axis);
-                if (!others)
-                    unread = std::move(others).error();
-                return std::move(others).value_or(std::vector<std::string>{});
+                if (others)
+                    return *std::move(others);
+                unread = std::move(others).error();
+                return std::vector<std::string>{};
             });
         if (unread)
             return fail(*std::move(unread));
