@@ -2,6 +2,7 @@
 #include "core/text/thousands_point.h"
 
 #include "core/text/line_reader.h"
+#include "core/text/text_file.h"
 
 #include <algorithm>
 #include <vector>
@@ -64,7 +65,7 @@ std::optional<ThousandsDoubt> thousandsDoubt(
     for (LineReader reader(lines); !reader.atEnd();) {
         const std::size_t line = firstLine + reader.lineNumber() - 1;
         std::string_view rest = reader.next();
-        if (rest.starts_with("//"))
+        if (trimmed(rest).starts_with("//"))
             continue;
         for (std::size_t n = 0; !rest.empty(); ++n) {
             const std::size_t end = std::min(rest.find(separator), rest.size());
@@ -77,7 +78,8 @@ std::optional<ThousandsDoubt> thousandsDoubt(
             case CellKind::Decimal:
                 return std::nullopt;
             case CellKind::Whole:
-                column.whole = number;
+                if (number.size() > column.whole.size()) // the one that says most
+                    column.whole = number;
                 break;
             case CellKind::Long:
                 column.isLong = true;

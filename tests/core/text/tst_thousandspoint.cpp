@@ -23,9 +23,11 @@ private Q_SLOTS:
             QTest::newRow(name) << QByteArray(lines) << QByteArray(found);
         };
         row("beside hundreds", "750;1\n1.000;2\n", "8:1 1.000 750");
+        row("before a 0", "0;1\n750;1\n1.000;2\n0;1\n", "9:1 1.000 750");
         row("in the second column", "1;-250\n2;-1.250\n", "8:2 1.250 250");
         row("with quotes, blanks and CRLF", "\"0\" ; 1\r\n \"+12.500\";2\r\n", "8:1 12.500 0");
         row("of comments nothing counts", "// 0.5\n0;1\n1.000;2\n", "9:1 1.000 0");
+        row("nor behind blanks", " // 0.5\n0;1\n1.000;2\n", "9:1 1.000 0");
         row("a date says nothing", "0;1.05.2024\n1.000;2.05.2024\n", "8:1 1.000 0");
         row("other digits behind a point somewhere", "0;0.25\n1.000;1\n", "");
         row("a point behind 0", "0;0.250\n1.000;1\n", "");
