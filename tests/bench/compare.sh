@@ -185,6 +185,15 @@ row_version() {
         "true $(process /bin/true) ms, python3 -c pass $(process python3 -I -S -c pass) ms"
 }
 
+# shellcheck disable=SC2016
+row_import() {
+    local bare with
+    bare=$(process python3 -S -c pass)
+    with=$(PYTHONPATH=$build/python process python3 -S -c 'import axiscomp')
+    row '`import axiscomp` in Python' "$(calculate "$with - $bare" '%.4g') ms" '60 ms' \
+        "python3 -S -c pass $bare ms"
+}
+
 # start_drive BAUD: a virtual drive, its addresses in $web and $terminal.
 start_drive() {
     [ -z "$drive" ] || kill "$drive"
@@ -295,7 +304,7 @@ row_formats
 heading 'Lookups and conversions'
 for name in lookup conversion; do "row_$name"; done
 heading 'Whole processes, and the window'
-for name in convert version window; do "row_$name"; done
+for name in convert version import window; do "row_$name"; done
 heading 'Links, to the virtual drive'
 for name in web serial registers; do "row_$name"; done
 table_growth

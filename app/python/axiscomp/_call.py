@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import math
 import os
-import tempfile
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Callable
@@ -62,6 +61,8 @@ class _Files:
 
     def put(self, content: bytes, name: str) -> str:
         if self._folder is None:
+            import tempfile  # here, since it is a third of what an import of the package costs
+
             self._folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="axiscomp-")))
         place = self._folder / str(len(self.names) + 1)
         place.mkdir()
