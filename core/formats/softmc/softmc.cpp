@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 #include "core/formats/formats.h"
+#include "core/formats/softmc/softmc_targets.h"
 #include "core/formats/units.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
@@ -26,7 +27,8 @@ constexpr std::array<std::string_view, 4> rules{
 };
 constexpr std::array<std::string_view, 3> assumptions{
     "Above the last value the last correction is held.",
-    "The k-th correction belongs to the k-th axis; there may be fewer or more than N of them.",
+    "The k-th correction belongs to the k-th target axis that the program defines for the table; "
+    "there may be fewer or more than N of them.",
     "The manual's example has a header that does not fit its rows: the rule is followed, and such "
     "a "
     "file is refused. The binary .CMP file is not published and not supported.",
@@ -290,6 +292,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         for (const CompensationColumn& column : table.columns)
             text += toText(column.values[row]) + (&column == &table.columns.back() ? '\n' : ' ');
     }
+    remarkTargets(table, written.remarks);
     // The file has no names; what they said stays known.
     table.name.clear();
     table.notes.clear();

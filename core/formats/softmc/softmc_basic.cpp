@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
+#include "core/formats/softmc/softmc_targets.h"
 #include "core/formats/units.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
@@ -19,19 +20,19 @@ constexpr std::array settings{
         .standard = "Comp1",
         .forWriting = true},
 };
-constexpr std::array<std::string_view, 5> rules{
+constexpr std::array<std::string_view, 6> rules{
     "Assignments NAME.SourceData[axis][point] = position and NAME.TargetData[axis][point] = "
     "correction; both indices begin at 1.",
+    "The axis of TargetData is the number of a target axis in the table.",
     "TargetData is added to the position command of the axis; between two SourceData points it is "
     "interpolated.",
     "Positions are in source user units, corrections in target user units.",
     "The table must not be in use (CompActive = 0) while TargetData is written.",
     "The compensation takes effect once every source has reached its first value.",
 };
-constexpr std::array<std::string_view, 4> assumptions{
+constexpr std::array<std::string_view, 3> assumptions{
     "The point is the number of the row in the text table, the first source fastest: every point "
     "has a position of each source.",
-    "The k-th correction belongs to the k-th axis of the table.",
     "Above the last value the last correction is held.",
     "The fragment assigns to a table that the program has defined before, with as many sources and "
     "points. A name is letters, digits and _, beginning with a letter.",
@@ -87,6 +88,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                 "source fastest, and not be in use (CompActive = 0) while the lines run"))
                                   .with("name", name)
                                   .with("count", sizeText(knotCounts(table))));
+    softmc::remarkTargets(table, written.remarks);
     written.held.push_back(std::move(table));
     return written;
 }

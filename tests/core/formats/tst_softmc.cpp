@@ -8,6 +8,8 @@ using namespace axiscomp;
 
 namespace {
 
+using Targets = std::vector<std::string>;
+
 const TableFormat& format = softmc::format();
 
 const TableReadOptions withUnits =
@@ -83,6 +85,39 @@ class TestSoftmc : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    void theTargetAxesAreNamedUnlessTheyAreTheSourcesInTheirOrder_data()
+    {
+        QTest::addColumn<Targets>("targets");
+        QTest::addColumn<std::string>("named");
+        const auto row = [](const char* name, Targets targets, std::string named) {
+            QTest::newRow(name) << std::move(targets) << std::move(named);
+        };
+        row("the sources", {"X", "Y"}, "");
+        row("the first of them", {"#1"}, "");
+        row("the other order", {"Y", "X"}, "Y, X");
+        row("the second alone", {"#2"}, "Y");
+        row("another axis", {"X", "Y", "Z"}, "X, Y, Z");
+        row("an axis without a name", {"other"}, "another axis");
+    }
+    void theTargetAxesAreNamedUnlessTheyAreTheSourcesInTheirOrder()
+    {
+        QFETCH(Targets, targets);
+        QFETCH(std::string, named);
+        NeutralTable table = test::commandTable(
+            {test::evenAxis("X", "mm", 0, 1, 2), test::evenAxis("Y", "mm", 0, 1, 2)}, {});
+        for (const std::string& target : targets)
+            table.columns.push_back(test::columnOf(target, "mm", {1, 2, 3, 4}));
+        for (const TableFormat* to : {&format, &softmc_basic::format()}) {
+            const auto written = to->write(std::array{table}, {});
+            VERIFY_RESULT(written);
+            const std::string remarks = test::joined(written->remarks);
+            QCOMPARE(remarks.find("target axes") != std::string::npos, !named.empty());
+            QVERIFY2(
+                named.empty() || remarks.ends_with("order of the corrections: " + named + '\n'),
+                remarks.c_str());
+        }
+    }
 
     void aTableOfThreeAxesIsReadWithTheFirstSourceFastest()
     {
