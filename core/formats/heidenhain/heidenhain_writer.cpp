@@ -63,6 +63,7 @@ public:
 
 private:
     [[nodiscard]] Result<void> takeLetters(const NeutralTable& table);
+    [[nodiscard]] Result<void> checkStatedTarget(const NeutralTable& table) const;
     [[nodiscard]] Result<void> checkUnits() const;
     [[nodiscard]] Result<void> checkDistance(double distance) const;
     [[nodiscard]] Result<std::string> firstLine() const;
@@ -105,7 +106,27 @@ Result<void> FileWriter::takeLetters(const NeutralTable& table)
                     .with("axis", letter),
                 AXISCOMP_TEXT("Error", "choose one of them"));
     }
-    return {};
+    return checkStatedTarget(table);
+}
+
+/// A target that is stated must be that of a column.
+Result<void> FileWriter::checkStatedTarget(const NeutralTable& table) const
+{
+    if (!m_given.has(compensatedAxis.key))
+        return {};
+    AXISCOMP_TRY(
+        const auto letter, axisLetter(m_facts, m_given, compensatedAxis.key, {}, axisLetters));
+    if (m_columns.contains(letter))
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the setting {key} of the format {format} says {value}, and the table goes from "
+                "{column}")
+                .with("key", compensatedAxis.key)
+                .with("format", m_facts.name)
+                .with("value", letter)
+                .with("column", columnText(table, table.columns.front()))}});
 }
 
 /// Lengths for linear axes, angles for rotary ones; of a rotary axis 0 to 360 degrees.

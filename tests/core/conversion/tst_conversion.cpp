@@ -66,10 +66,8 @@ FormatSettings writeSettings(const FormatFacts& facts)
                 setting.kind == FormatSetting::Kind::Text ? "X" : "100000";
         else if (setting.key == "unit")
             settings["unit"] = "mm";
-    if (facts.name == "weihong")
+    if (facts.name == "weihong" || facts.name.starts_with("heidenhain"))
         settings["axis"] = "X";
-    if (facts.name.starts_with("heidenhain"))
-        settings = {{"axis", "X"}, {"target-axis", "Z"}};
     if (facts.name == "heidenhain-com-530")
         settings["any-distance"] = "yes";
     if (facts.name == "acs-2d")

@@ -271,7 +271,7 @@ private Q_SLOTS:
         ConversionRequest asked = requestFor(calibration_csv::format(), to);
         if (to.facts.name == "weihong" || to.facts.name.starts_with("heidenhain"))
             asked.writing.settings["axis"] = "X";
-        if (to.facts.name.starts_with("heidenhain"))
+        if (to.facts.name.starts_with("heidenhain") && !axis)
             asked.writing.settings["target-axis"] = "Z";
         if (to.facts.name == "heidenhain-com-530")
             asked.writing.settings["any-distance"] = "yes";

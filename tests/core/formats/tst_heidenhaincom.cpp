@@ -120,6 +120,9 @@ void describeWriting(test::FormatSample& sample)
     refuses("no such letter", exampleTable("1", "1"), "the setting axis is Q", {{"axis", "Q"}});
     refuses("the letter of the moving axis", exampleTable("1", "2"), "say X for both",
         {{"axis", "X"}, {"target-axis", "X"}});
+    refuses("a target that no column has", exampleTable("X", "X"),
+        "target-axis of the format heidenhain-com says Z, and the table goes from X to X",
+        {{"target-axis", "Z"}});
 }
 
 void describe(test::FormatSample& sample)
