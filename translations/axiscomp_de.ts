@@ -8337,6 +8337,22 @@
         <source>there is no name on the drive</source>
         <translation>auf dem Antrieb steht kein Name</translation>
     </message>
+    <message>
+        <source>the program must define the target axes of the table in the order of the corrections: {axes}</source>
+        <translation>das Programm muss die Zielachsen der Tabelle in der Reihenfolge der Korrekturen definieren: {axes}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} says {value}, and the table goes from {column}</source>
+        <translation>die Einstellung {key} des Formats {format} sagt {value}, und die Tabelle geht von {column}</translation>
+    </message>
+    <message>
+        <source>positions with {all} combinations in the first {count} data lines</source>
+        <translation>Positionen mit {all} Kombinationen in den ersten {count} Datenzeilen</translation>
+    </message>
+    <message>
+        <source>a line for every combination of the positions; fit makes a table of scattered points</source>
+        <translation>eine Zeile für jede Kombination der Positionen; fit macht aus verstreuten Punkten eine Tabelle</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

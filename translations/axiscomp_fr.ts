@@ -8337,6 +8337,22 @@
         <source>there is no name on the drive</source>
         <translation>il n&apos;y a pas de nom sur le variateur</translation>
     </message>
+    <message>
+        <source>the program must define the target axes of the table in the order of the corrections: {axes}</source>
+        <translation>le programme doit définir les axes cibles de la table dans l&apos;ordre des corrections&#xa0;: {axes}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} says {value}, and the table goes from {column}</source>
+        <translation>le réglage {key} du format {format} indique {value}, et la table va de {column}</translation>
+    </message>
+    <message>
+        <source>positions with {all} combinations in the first {count} data lines</source>
+        <translation>des positions avec {all} combinaisons dans les {count} premières lignes de données</translation>
+    </message>
+    <message>
+        <source>a line for every combination of the positions; fit makes a table of scattered points</source>
+        <translation>une ligne pour chaque combinaison des positions&#xa0;; fit fait une table de points dispersés</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

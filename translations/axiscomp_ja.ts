@@ -8296,6 +8296,22 @@
         <source>there is no name on the drive</source>
         <translation>ドライブに名前がありません</translation>
     </message>
+    <message>
+        <source>the program must define the target axes of the table in the order of the corrections: {axes}</source>
+        <translation>プログラムでテーブルの対象軸を補正値の順に定義してください: {axes}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} says {value}, and the table goes from {column}</source>
+        <translation>形式 {format} の設定 {key} は {value} ですが、テーブルの対応は {column} です</translation>
+    </message>
+    <message>
+        <source>positions with {all} combinations in the first {count} data lines</source>
+        <translation>最初の {count} データ行で {all} 通りの組合せになる位置</translation>
+    </message>
+    <message>
+        <source>a line for every combination of the positions; fit makes a table of scattered points</source>
+        <translation>位置のすべての組合せに対する行。散在する点からは fit でテーブルを作成できます</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8296,6 +8296,22 @@
         <source>there is no name on the drive</source>
         <translation>驱动器上没有名称</translation>
     </message>
+    <message>
+        <source>the program must define the target axes of the table in the order of the corrections: {axes}</source>
+        <translation>程序必须按补偿值的顺序定义该表的目标轴：{axes}</translation>
+    </message>
+    <message>
+        <source>the setting {key} of the format {format} says {value}, and the table goes from {column}</source>
+        <translation>格式 {format} 的设置 {key} 为 {value}，而该表为 {column}</translation>
+    </message>
+    <message>
+        <source>positions with {all} combinations in the first {count} data lines</source>
+        <translation>前 {count} 个数据行中的位置有 {all} 种组合</translation>
+    </message>
+    <message>
+        <source>a line for every combination of the positions; fit makes a table of scattered points</source>
+        <translation>每种位置组合各一行；散点可用 fit 生成表</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/csv/cell_reader.h"
 #include "core/csv/header.h"
+#include "core/csv/scattered.h"
 #include "core/table/target_axis.h"
 #include "core/text/line_reader.h"
 
@@ -19,6 +20,8 @@ namespace {
 /// Ids have 16 bits; a line of two positions and a value, which may be an empty cell, has at least
 /// five characters.
 constexpr std::size_t mostPieceBytes = std::size_t{1} << 18U;
+/// After which it is asked whether what is read can be a grid.
+constexpr std::size_t firstBytes = std::size_t{1} << 18U;
 static_assert(mostPieceBytes / 5 + 1 < std::numeric_limits<std::uint16_t>::max());
 
 class Scanner {
@@ -46,6 +49,7 @@ private:
     void readPiece(const char* plainUntil, const char* end);
     void takePlainRows(const char* position, std::size_t rows);
     [[nodiscard]] std::vector<const char*> pieceEnds() const;
+    void refuseScattered();
     void readDataLine(std::string_view line, std::size_t lineNumber);
     void refuseMoreRows(std::size_t lineNumber);
     bool readPositions(RowStore::Block& block);
@@ -68,6 +72,7 @@ private:
     std::size_t m_nextReport = 0; ///< of the progress, in bytes
     std::array<std::size_t, 3> m_nextId{};
     Piece* m_piece = nullptr; ///< which is being read
+    const char* m_firstEnd = nullptr; ///< of the first bytes; null: they have been looked at
     Scan m_scan;
 };
 
@@ -75,10 +80,12 @@ Scan Scanner::run()
 {
     m_scan.complete = true;
     while (!m_lines.atEnd() && !m_stop && goesOn()) {
-        if (m_scan.headerLine == 0)
+        if (m_scan.headerLine == 0) {
             readLine();
-        else
+        } else {
             readPieces();
+            refuseScattered();
+        }
     }
     reportDroppedNotes();
     return std::move(m_scan);
@@ -145,12 +152,14 @@ bool Scanner::useHeader(std::string_view line, std::size_t lineNumber)
     if (!header)
         return false;
     m_cells.begin(header->separator, header->columns.size(), lineNumber);
-    if (!m_cells.checkThousands(
-            {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())},
-            m_lines.lineNumber()))
+    const std::string_view data(
+        m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position()));
+    if (!m_cells.checkThousands(data, m_lines.lineNumber()))
         return false;
     m_scan.columns = std::move(header->columns);
     m_scan.ranges.resize(m_scan.tables());
+    if (!data.empty() && m_scan.dimensions > 1)
+        m_firstEnd = axiscomp::pieceEnds(data, firstBytes, 1).front();
     const auto dimensions = static_cast<std::size_t>(m_scan.dimensions);
     m_cells.setNoValueHint(dimensions + 1,
         AXISCOMP_TEXT("Error",
@@ -166,9 +175,21 @@ std::vector<const char*> Scanner::pieceEnds() const
     constexpr std::size_t mostPieces = 64;
     const std::size_t count = m_cells.format().decimal == '\0' ? 1 : mostPieces;
     const std::size_t bytes = std::clamp<std::size_t>(m_options.pieceBytes, 1, mostPieceBytes);
+    const char* const end = m_firstEnd ? m_firstEnd : m_lines.end();
     return axiscomp::pieceEnds(
-        {m_lines.position(), static_cast<std::size_t>(m_lines.end() - m_lines.position())}, bytes,
-        count);
+        {m_lines.position(), static_cast<std::size_t>(end - m_lines.position())}, bytes, count);
+}
+
+/// Once, when the first bytes have been read: a file of scattered positions is not read to its end.
+void Scanner::refuseScattered()
+{
+    if (!m_firstEnd || m_lines.position() < m_firstEnd || m_stop || m_scan.cancelled)
+        return;
+    m_firstEnd = nullptr;
+    if (!isScattered(m_scan, m_options.snap, maximumRows(), m_diagnostics))
+        return;
+    m_stop = true;
+    m_scan.complete = false;
 }
 
 /// All threads read pieces as far as their lines are plain; the rest of each is read here, in the

@@ -30,6 +30,23 @@ const QByteArray measured = "X [mm],Y [mm],Z [um]\n"
                             "0.0001,-0.0002,1\n9.9998,0,2\n20.0001,0.0001,3\n"
                             "-0.0001,49.9999,4\n10.0002,50.0001,5\n20,50,6\n";
 
+/// "12.345678,", within 0.0005 of the position, and each another one.
+QByteArray measuredAt(double position, int n)
+{
+    return QByteArray::number(position + ((n * 337) % 1000 - 500) * 1e-6, 'f', 6) + ',';
+}
+
+/// Three positions without a pattern, of which none comes up again.
+QByteArray scatteredAt(int n)
+{
+    QByteArray text;
+    for (const qint64 step : {7919, 104'729, 15'485'863}) {
+        const auto place = static_cast<double>((n + 1) * step % 899'981);
+        text += QByteArray::number(100 + place * 1e-3, 'f', 3) + ',';
+    }
+    return text;
+}
+
 } // namespace
 
 class TestIncompleteGrid : public QObject {
@@ -201,6 +218,53 @@ private Q_SLOTS:
         const CsvReading reading = parse(text, 2, options);
         QVERIFY(!reading.data);
         QCOMPARE(reading.diagnostics.back().code, DiagnosticCode::MissingPoint);
+    }
+
+    /// 300 positions of each axis are 27 million points; 16 million lines may be read.
+    void scatteredPositionsAreRefusedByTheFirstLines_data()
+    {
+        QTest::addColumn<int>("lines");
+        QTest::addColumn<int>("read");
+        QTest::newRow("few") << 300 << 300;
+        // Lines of 30 bytes, up to 256 KiB; what follows is not looked at.
+        QTest::newRow("many") << 30'000 << 8739;
+    }
+    void scatteredPositionsAreRefusedByTheFirstLines()
+    {
+        QFETCH(int, lines);
+        QFETCH(int, read);
+        QByteArray text = "X [mm],Y [mm],Z [mm],E [um]\n";
+        for (int i = 0; i < lines; ++i)
+            text += scatteredAt(i) + "0.001\n";
+        const QByteArrayList problems = describe(parse(text, 3));
+        QCOMPARE(problems.size(), 1);
+        QVERIFY2(problems[0].startsWith("0:0 MissingPoint positions with "), problems[0]);
+        QVERIFY2(problems[0].contains(" in the first " + QByteArray::number(read) + " data lines|"),
+            problems[0]);
+        QVERIFY2(problems[0].endsWith("fit makes a table of scattered points (or is the "
+                                      "dimensionality 1?)"),
+            problems[0]);
+        for (const std::size_t bytes : {1000, 100'000}) {
+            CsvOptions options;
+            options.pieceBytes = bytes;
+            QCOMPARE(describe(parse(text, 3, options)), problems);
+        }
+    }
+
+    void manyMeasuredPositionsOfAGridAreNotScattered()
+    {
+        QByteArray text = "X [mm],Y [mm],Z [mm],E [um]\n";
+        for (int i = 0; i < 1000; ++i)
+            text += measuredAt(10 * (i % 10), i) + measuredAt(10 * (i / 10 % 10), i + 300)
+                + measuredAt(10 * (i / 100), i + 600) + "0.001\n";
+        const CsvReading refused = parse(text, 3);
+        QVERIFY(!refused.data);
+        QCOMPARE(refused.diagnostics.front().code, DiagnosticCode::UnevenSpacing);
+        const QByteArray first = describe(refused).front();
+        QVERIFY2(first.contains("a tolerance of 0.0005 takes them for an even grid"), first);
+        const CsvReading reading = parse(text, 3, with(MissingPoints::Refuse, 0.0005));
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        QCOMPARE(reading.data->grid.pointCount(), 1000U);
     }
 };
 
