@@ -61,7 +61,7 @@ class _Files:
 
     def put(self, content: bytes, name: str) -> str:
         if self._folder is None:
-            import tempfile  # here, since it is a third of what an import of the package costs
+            import tempfile  # not before, since it loads as many modules as all else here
 
             self._folder = Path(self._stack.enter_context(tempfile.TemporaryDirectory(prefix="axiscomp-")))
         place = self._folder / str(len(self.names) + 1)
