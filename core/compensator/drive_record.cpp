@@ -2,9 +2,12 @@
 #include "core/compensator/drive_record.h"
 
 #include "core/drive/axis_target.h"
+#include "core/metrology/fit/known_tables.h"
 #include "core/store/backup_json.h"
+#include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace axiscomp {
@@ -44,6 +47,16 @@ Result<void> checkLookup(
     return fits;
 }
 
+bool hasCrc(const RecordedTable& recorded, std::uint32_t crc, const TableLayout& layout)
+{
+    if (recorded.crc == crc)
+        return true;
+    const CompensationTable& table = recorded.table;
+    const auto asItIs = elementCrc(table, layout);
+    const auto inMeters = crcInMeters(table, table.unit, layout);
+    return (asItIs && *asItIs == crc) || (inMeters && *inMeters == crc);
+}
+
 Grid spansOf(Grid grid)
 {
     for (GridAxis& axis : grid.axes) {
@@ -69,6 +82,12 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
                            .with("found",
                                axisText(status.axis.index, status.axis.name, status.drive.name,
                                    status.drive.serialNumber)));
+}
+
+bool hasTable(const CalibrationRecord& record, std::uint32_t crc, const TableLayout& layout)
+{
+    return std::ranges::any_of(record.tables,
+        [&](const RecordedTable& recorded) { return hasCrc(recorded, crc, layout); });
 }
 
 Result<void> checkRecordSources(const CalibrationRecord& record, const DriveProfile& profile,

@@ -7,7 +7,9 @@
 #include "core/base/wall_time.h"
 #include "core/drive/drive_profile.h"
 #include "core/metrology/record/calibration_record.h"
+#include "core/table/table_layout.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +23,11 @@ namespace axiscomp {
 /// in that. Errors: InvalidArgument, with both axes.
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
+
+/// Whether a table with this CRC-32 is one of the record: as it has the numbers, in mm or deg, or
+/// as a drive shows them whose axis is in m or rad.
+[[nodiscard]] bool hasTable(
+    const CalibrationRecord& record, std::uint32_t crc, const TableLayout& layout);
 
 /// Whether the sources are on the side of the compensation for which the record's table was made
 /// (checkLookupSources). Errors: InvalidArgument, with the way out.

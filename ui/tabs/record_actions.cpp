@@ -49,11 +49,6 @@ QString reportId()
     return QStringLiteral("reportMessage");
 }
 
-bool hasTable(const CalibrationRecord& record, std::uint32_t crc)
-{
-    return std::ranges::find(record.tables, crc, &RecordedTable::crc) != record.tables.end();
-}
-
 /// As `axiscomp report` makes it.
 Result<void> reportOf(
     const RecordParts& parts, const std::filesystem::path& file, const QLocale& locale)
@@ -429,7 +424,8 @@ bool RecordActions::mayWrite()
     const auto& calibration = m_record.record().calibration;
     const auto table = m_controller.selectedTable();
     const auto& status = m_controller.status();
-    if (!calibration || !table || !status || !hasTable(*calibration, tableCrc(*table)))
+    if (!calibration || !table || !status
+        || !hasTable(*calibration, tableCrc(*table), m_profile.layout))
         return true;
     const auto fits = checkRecordSources(
         *calibration, m_profile, status->axis.index, sourcePaths(m_controller.setup().edited()));
@@ -444,8 +440,9 @@ void RecordActions::noteWrite()
     if (!status || !status->table)
         return;
     const std::uint32_t crc = status->table->crc;
-    const auto has = [crc](const CalibrationRecord& record) { return hasTable(record, crc); };
-    noteInRecords({crc, has,
+    const auto has = [crc, &layout = m_profile.layout](
+                         const CalibrationRecord& record) { return hasTable(record, crc, layout); };
+    noteInRecords({has,
         [now = *status, profile = m_profile.name, time = std::chrono::system_clock::now()](
             CalibrationRecord& record) { return recordWrite(record, now, profile, time); }});
 }
@@ -456,13 +453,11 @@ void RecordActions::noteProof()
     const auto& proof = m_controller.proof();
     if (!status || !status->table || !proof)
         return;
-    const std::uint32_t crc = status->table->crc;
-    const TableIdentity found{crc, status->table->grid};
+    const TableIdentity found{status->table->crc, status->table->grid};
     const auto isWritten = [found](const CalibrationRecord& record) {
-        return hasTable(record, found.crc) && record.write
-            && isSameTable(found, record.write->table());
+        return record.write && isSameTable(found, record.write->table());
     };
-    noteInRecords({crc, isWritten,
+    noteInRecords({isWritten,
         [now = *status, proof = *proof, profile = m_profile](
             CalibrationRecord& record) { return recordProof(record, now, proof, profile); }});
 }

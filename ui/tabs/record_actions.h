@@ -97,7 +97,6 @@ private:
     void noteProof();
     /// What is noted in the records of a table.
     struct Note {
-        std::uint32_t crc = 0;
         std::function<bool(const CalibrationRecord&)> isDue;
         std::function<Result<void>(CalibrationRecord&)> change;
         std::vector<std::shared_ptr<const CalibrationRecord>> done = {}; ///< have it, or refuse it

@@ -110,6 +110,28 @@ private Q_SLOTS:
         VERIFY_RESULT(checkRecordTable(record, status, profile()));
     }
 
+    void aTableOfTheRecordIsKnownInTheUnitOfItsAxis()
+    {
+        CompensationTable millimetres{{}, "mm", {{{"Y", "mm", 0.0, 20.0, 3}}}, {0.0F, 1.0F, 2.0F}};
+        CompensationTable metres{{}, "m", {{{"Y", "m", 0.0, 0.02, 3}}}, {0.0F, 0.001F, 0.002F}};
+        CalibrationRecord record;
+        record.tables = {{millimetres, tableCrc(millimetres)}};
+        QVERIFY(hasTable(record, tableCrc(millimetres), profile().layout));
+        QVERIFY(hasTable(record, tableCrc(metres), profile().layout));
+        metres.values[1] = 0.0015F;
+        QVERIFY(!hasTable(record, tableCrc(metres), profile().layout));
+    }
+
+    void aTableOfAnglesIsKnownInRadians()
+    {
+        CompensationTable degrees{{}, "deg", {{{"C", "deg", 0.0, 90.0, 3}}}, {0.0F, 180.0F, 0.0F}};
+        CompensationTable radians{degrees};
+        radians.values[1] = 3.14159265F;
+        CalibrationRecord record;
+        record.tables = {{degrees, tableCrc(degrees)}};
+        QVERIFY(hasTable(record, tableCrc(radians), profile().layout));
+    }
+
     /// A source can be changed without the table.
     void aTableThatIsLookedUpElsewhereIsNotThatOfTheRecord()
     {

@@ -323,6 +323,33 @@ private Q_SLOTS:
             static_cast<int>(bench.controller().proof()->samples.size()));
     }
 
+    /// Its numbers on the drive are others than those of the record.
+    void aWriteToAnAxisInMetresIsNotedToo()
+    {
+        auto options = PageFixture::twoAxes();
+        options.axes.front() = {"X", "Meter", 0.0, 0.04, 0.017, true};
+        PageFixture bench(options);
+        const CalibrationRecord record = test::recordOfFit();
+        QVERIFY(bench.open() && openRecord(bench, record));
+        QVERIFY(writeTable(bench, record));
+        QVERIFY(isNamed(bench, "x.axcal*"));
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "x.axcal"));
+        const CalibrationRecord written = savedRecord(bench);
+        QVERIFY(written.write);
+        QCOMPARE(written.write->crc, bench.controller().status()->table->crc);
+        QVERIFY(written.write->crc != record.tables.front().crc);
+        QVERIFY(bench.user.click("activateButton") && bench.idle());
+        QVERIFY(isNamed(bench, "x.axcal*"));
+        // Prove knows the table by what the drive shows.
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Prove);
+        bench.picked = bench.file(QStringLiteral("after.csv"),
+            test::goodAfterMeasurement(
+                "crc:" + QByteArray::fromStdString(crcText(written.write->crc))));
+        QVERIFY(bench.user.click("afterAddMeasurement"));
+        QTRY_VERIFY(bench.user.the("keepAfter").isEnabled());
+    }
+
     void aTableThatIsNotTheRecordsIsNotNoted()
     {
         PageFixture bench;
