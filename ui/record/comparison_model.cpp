@@ -53,14 +53,27 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
     return fineUnit(shown, isAngular);
 }
 
-bool isCorrectedOtherwise(const Sides& sides, const Measurement& before)
+CorrectedAlike correctedAlike(const Sides& sides, const Measurement& before)
 {
     bool isForDeadPath = sides.corrections.deadPath.has_value();
     if (sides.calibration && sides.calibration->before)
         isForDeadPath = sides.calibration->before->corrections.deadPath.has_value();
     const CorrectedSide after{
         *sides.after.measurement, sides.after.record.corrections.deadPath.has_value()};
-    return areCorrectedAlike({before, isForDeadPath}, after) != CorrectedAlike::Yes;
+    return areCorrectedAlike({before, isForDeadPath}, after);
+}
+
+/// They differ by the temperature, not by what the compensation has done.
+Error lacksCorrection()
+{
+    return {ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the first measurement is corrected and the second is not, so that they cannot be "
+                "compared: save the record and correct the second one with `axiscomp compare "
+                "--record`, or state in its file that its values are at 20 °C (// corrected: "
+                "20C)")}},
+        {}};
 }
 
 bool isKept(const Sides& sides)
@@ -93,6 +106,11 @@ ComparisonState compared(const Sides& sides, const std::stop_token& stop)
     }
     if (!*before)
         return state;
+    const CorrectedAlike alike = correctedAlike(sides, **before);
+    if (alike == CorrectedAlike::AfterIsNot) {
+        state.refusal = lacksCorrection();
+        return state;
+    }
     auto comparison = compareMeasurements(**before, *after, request);
     if (!comparison) {
         state.refusal = comparison.error();
@@ -101,7 +119,7 @@ ComparisonState compared(const Sides& sides, const std::stop_token& stop)
     state.unit = unitOf(*comparison, after->isAngular);
     state.comparison = std::make_shared<const Comparison>(std::move(*comparison));
     state.isKept = isKept(sides);
-    state.isCorrectedOtherwise = isCorrectedOtherwise(sides, **before);
+    state.isCorrectedOtherwise = alike != CorrectedAlike::Yes;
     return state;
 }
 

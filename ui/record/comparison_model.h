@@ -17,7 +17,7 @@ struct ComparisonState {
     std::optional<Error> refusal; ///< why
     std::optional<std::uint32_t> tableCrc; ///< of the table that is compared
     bool needsStatement = false; ///< the second measurement does not say which table was active
-    /// One is corrected for temperature or dead path, and the other is not.
+    /// The second one is corrected for temperature or dead path, and the first is not.
     bool isCorrectedOtherwise = false;
     bool isAngular = false;
     bool isKept = false; ///< the second measurement is in the record

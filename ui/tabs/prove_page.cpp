@@ -257,7 +257,7 @@ void ProvePage::sayPromise()
     const QString found = scale.textWithUnit(*comparison->after[Iso230Figure::M].value);
     const QString limit = scale.textWithUnit(*comparison->largestAsPredicted);
     if (*comparison->isAsPredicted)
-        m_promise->say(Tone::Success,
+        m_promise->say(m_comparison.state().isCorrectedOtherwise ? Tone::Warning : Tone::Success,
             tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, "
                "and what cannot be told).")
                 .arg(found, limit));

@@ -247,7 +247,8 @@ private Q_SLOTS:
         QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
     }
 
-    void whatIsCorrectedAndWhatIsNotAreNotComparedInGreen()
+    /// As by `axiscomp compare`.
+    void whatIsNotCorrectedIsNotComparedWithWhatIs()
     {
         PageFixture bench;
         CalibrationRecord record = withTolerance(0.01);
@@ -255,8 +256,24 @@ private Q_SLOTS:
             TemperatureCorrection{20.9, 11.5e-6, 20.0, 0.0, std::nullopt, true};
         QVERIFY(showProve(bench, record));
         QVERIFY(addAfter(bench, test::goodAfterMeasurement(test::stateOf(record))));
+        QVERIFY(hints(bench,
+            QStringLiteral("first measurement is corrected and the second is "
+                           "not")));
+        QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
+        QVERIFY(!bench.user.sees("provePromise") && !bench.user.the("keepAfter").isEnabled());
+        QCOMPARE(bench.user.the<QTableView>("proveFigures").model()->rowCount(), 0);
+    }
+
+    void whatIsCorrectedBesideWhatIsNotIsComparedWithAWarning()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QByteArray after = test::goodAfterMeasurement(test::stateOf(record));
+        QVERIFY(addAfter(bench, after.replace("target", "// corrected: 20C\ntarget")));
         QVERIFY(hints(bench, QStringLiteral("corrected differently for temperature")));
         QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
+        QVERIFY(bench.user.sees("provePromise") && bench.user.the("keepAfter").isEnabled());
     }
 
     void whatIsKeptIsWhatTheCommandCompareKeeps()
