@@ -346,7 +346,8 @@ void CompensationWizard::Private::tellDrive()
         drive.axis = axisOfDrive(*status, *options.profile);
         drive.axis->source = lookupSource(
             *options.profile, status->axis.index, sourcePaths(controller.setup().edited()));
-        drive.hasTable = status->table.has_value();
+        if (const auto& table = status->table)
+            drive.held = TableIdentity{table->crc, table->grid};
         drive.table = controller.driveTable();
     }
     record.setDrive(drive);

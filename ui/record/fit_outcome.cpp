@@ -157,7 +157,7 @@ Result<void> Fitting::readDrive()
         return cannotFit(AXISCOMP_TEXT("Error",
             "there is no axis whose table the residuals could be merged onto; choose one, or take "
             "the file of the table"));
-    if (drive.hasTable && !drive.table)
+    if (drive.held && !drive.table)
         return cannotFit(
             AXISCOMP_TEXT("Error", "the table of the axis is still being read from the drive"));
     if (!drive.table)
@@ -285,10 +285,17 @@ std::optional<LookupAt> FitDrive::lookupAt() const
     return lookupAtSource(*profile, axis->source);
 }
 
+std::optional<HeldTable> FitDrive::heldTable() const
+{
+    if (!axis || !held)
+        return std::nullopt;
+    return HeldTable{axis->serialNumber, axis->axis.index, *held};
+}
+
 bool isSameDrive(const FitDrive& a, const FitDrive& b)
 {
     return a.profile == b.profile && a.storeRoot == b.storeRoot && a.table == b.table
-        && a.hasTable == b.hasTable && isSameAxis(a.axis, b.axis);
+        && a.heldTable() == b.heldTable() && isSameAxis(a.axis, b.axis);
 }
 
 std::shared_ptr<const FitOutcome> fitted(const FitRequest& request, const std::stop_token& stop)

@@ -19,11 +19,13 @@ struct FitDrive {
     const DriveProfile* profile = nullptr; ///< null: the generic limits of a table
     std::filesystem::path storeRoot; ///< where backups are
     std::optional<AxisOfDrive> axis; ///< the current one; nothing: none was read
-    bool hasTable = false; ///< the axis
+    std::optional<TableIdentity> held; ///< the table that the axis has; nothing: it has none
     std::shared_ptr<const CompensationTable> table; ///< null: it has not been downloaded yet
 
     /// What the source says; nothing: no axis, no source, or one that is no position.
     [[nodiscard]] std::optional<LookupAt> lookupAt() const;
+    /// Nothing: no axis, or no table.
+    [[nodiscard]] std::optional<HeldTable> heldTable() const;
 };
 /// Whether a fit for one is a fit for the other.
 [[nodiscard]] bool isSameDrive(const FitDrive& a, const FitDrive& b);

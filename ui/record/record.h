@@ -6,6 +6,7 @@
 #include "core/metrology/judge/outliers.h"
 #include "core/metrology/judge/uncertainty.h"
 #include "core/metrology/record/calibration_record.h"
+#include "core/table/table_identity.h"
 
 #include <QString>
 
@@ -39,6 +40,19 @@ struct MeasurementFile {
     friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
 };
 
+/// The table that an axis has.
+struct HeldTable {
+    std::int32_t serialNumber = 0; ///< of the drive
+    int axis = 0; ///< its number, from 0
+    TableIdentity table = {};
+
+    friend bool operator==(const HeldTable& a, const HeldTable& b)
+    {
+        return a.serialNumber == b.serialNumber && a.axis == b.axis
+            && isSameTable(a.table, b.table);
+    }
+};
+
 /// What a person says of the table that is made of a measurement.
 struct FitChoices {
     /// Without what is said elsewhere: tolerances, uncertainty, rule for outliers, most points.
@@ -50,6 +64,9 @@ struct FitChoices {
     QString measuredWithFile; ///< the table that was active, with File; absolute
     /// What residuals are merged onto.
     enum class Onto { Nothing, Drive, File } onto = Onto::Nothing;
+    /// With Drive: the table that the axis had when it was said. What was measured with it was not
+    /// measured with another one.
+    std::optional<HeldTable> ontoTable;
     QString ontoFile; ///< with File; absolute
 
     friend bool operator==(const FitChoices&, const FitChoices&) = default;

@@ -203,7 +203,9 @@ void RecordModel::fit()
     if (isSecond || !m_state.measurement)
         return takeFit(nullptr);
     m_isFitting = true;
-    m_fitJob.start([request = FitRequest{m_record, m_state.files, m_state.measurement, m_drive}](
+    FitRequest request{m_record, m_state.files, m_state.measurement, m_drive};
+    request.record.fit = choicesOfDrive();
+    m_fitJob.start([request = std::move(request)](
                        const std::stop_token& stop) { return fitted(request, stop); });
     Q_EMIT fitChanged();
 }
@@ -375,9 +377,28 @@ void RecordModel::setUncertainty(std::optional<double> value)
     change(std::move(next), StepKind::Uncertainty);
 }
 
-FitChoices RecordModel::fitChoices() const
+/// Residuals that were merged onto a table are not left over with the one that came of it.
+FitChoices RecordModel::choicesOfDrive() const
 {
     FitChoices choices = m_record.fit;
+    const bool isOther = choices.onto == FitChoices::Onto::Drive && m_drive.axis
+        && choices.ontoTable != m_drive.heldTable();
+    if (!isOther)
+        return choices;
+    choices.ontoTable.reset();
+    const MeasuredState none;
+    const MeasuredState& onFile =
+        m_state.measurement ? m_state.measurement->header.compensation : none;
+    if (choices.measuredWith == FitChoices::MeasuredWith::On)
+        choices.measuredWith = FitChoices::MeasuredWith::NotSaid;
+    else if (onFile.kind == MeasuredState::Kind::On && !onFile.tableCrc)
+        choices.onto = FitChoices::Onto::Nothing;
+    return choices;
+}
+
+FitChoices RecordModel::fitChoices() const
+{
+    FitChoices choices = choicesOfDrive();
     if (m_state.measurement && m_state.measurement->isAngular != choices.areLengthsAngles) {
         choices.settings = withoutLengths(std::move(choices.settings));
         choices.areLengthsAngles = m_state.measurement->isAngular;
@@ -389,6 +410,10 @@ void RecordModel::setFit(const FitChoices& choices, const QString& name)
 {
     Record next = m_record;
     next.fit = choices;
+    if (choices.onto != FitChoices::Onto::Drive)
+        next.fit.ontoTable.reset();
+    else if (!choices.ontoTable)
+        next.fit.ontoTable = m_drive.heldTable();
     if (m_state.measurement)
         next.fit.areLengthsAngles = m_state.measurement->isAngular;
     change(std::move(next), StepKind::Fit, name);

@@ -68,7 +68,8 @@ public:
     /// In mm or deg; none: no limit.
     void setTolerance(Iso230Figure figure, std::optional<double> value);
     void setUncertainty(std::optional<double> value);
-    /// Those of the record, without lengths that are none of the measurement's axis.
+    /// Those of the record, without lengths that are none of the measurement's axis, and without
+    /// what was said of another table than the axis has by now.
     [[nodiscard]] FitChoices fitChoices() const;
     /// name: of what is changed, translated; for the history.
     void setFit(const FitChoices& choices, const QString& name);
@@ -124,6 +125,7 @@ private:
     void evaluate();
     void take(const RecordState& state);
     [[nodiscard]] Record withLimitsOfTheMeasurement() const;
+    [[nodiscard]] FitChoices choicesOfDrive() const;
     void fit();
     void forgetWhatHasChanged();
     void takeFit(std::shared_ptr<const FitOutcome> outcome);

@@ -332,6 +332,9 @@ void FitForm::show(const FitChoices& choices, const RecordState& state, const Fi
     m_hasRaw = m_hasMeasurement && state.hasRaw;
     m_onFile = shown.header.compensation;
     m_isStateAsked = !m_hasRaw && m_onFile.kind == MeasuredState::Kind::NotSaid;
+    const FitChoices& said = state.record.fit;
+    m_wasSaidOfOther = said.measuredWith != choices.measuredWith;
+    m_wasOntoOther = said.onto != choices.onto;
     m_lookupOfDrive = drive.lookupAt();
     m_source = drive.axis ? drive.axis->source : std::string();
     setEnabled(m_hasMeasurement);
@@ -495,9 +498,11 @@ void FitForm::sayWhatWasActive()
                                  : tr("Measured with the compensation on, as the file says.");
     else if (m_shown.measuredWith == MeasuredWith::File)
         note = QFileInfo(m_shown.measuredWithFile).fileName();
-    m_stateNote->setText(note);
-    m_ontoNote->setText(
-        m_shown.onto == Onto::File ? QFileInfo(m_shown.ontoFile).fileName() : QString());
+    const QString otherTable = tr("The axis has another table since that was said: say it anew.");
+    m_stateNote->setText(m_isStateAsked && m_wasSaidOfOther ? otherTable : note);
+    m_ontoNote->setText(m_wasOntoOther   ? otherTable
+            : m_shown.onto == Onto::File ? QFileInfo(m_shown.ontoFile).fileName()
+                                         : QString());
 }
 
 void FitForm::nameRow(QWidget* field, const QString& name, const QString& description)

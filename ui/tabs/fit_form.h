@@ -92,6 +92,8 @@ private:
     bool m_isStateAsked = true;
     MeasuredState m_onFile;
     bool m_hasRaw = false;
+    bool m_wasSaidOfOther = false; ///< table of the axis: what was active
+    bool m_wasOntoOther = false; ///< table of the axis
     std::optional<LookupAt> m_lookupOfDrive;
     std::string m_source;
 

@@ -270,10 +270,11 @@ private Q_SLOTS:
         auto old = std::make_shared<CompensationTable>();
         old->grid.axes = {{"", "", 0.0, 10.0, 5}};
         old->values = {0.001F, 0.001F, 0.001F, 0.001F, 0.001F};
-        drive.hasTable = true;
+        drive.held = TableIdentity{1, old->grid};
         drive.table = old;
         drive.storeRoot = folder.path().toStdString();
         model.setDrive(drive);
+        model.setFit(choices, {});
         QVERIFY(settled(model));
         QVERIFY(isRefused(model, ErrorCode::InvalidArgument, "a position after the compensation"));
 
@@ -289,6 +290,69 @@ private Q_SLOTS:
             QVERIFY(isNear(static_cast<double>(value), 0.00175));
         QVERIFY(
             fit->report->state.text.english().find("the table of axis 0 (X)") != std::string::npos);
+    }
+
+    /// Its own write would be corrected once more, and so would the table of another axis.
+    void residualsAreMergedOntoTheTableAloneOfWhichItWasSaid_data()
+    {
+        QTest::addColumn<QByteArray>("state");
+        QTest::addColumn<QByteArray>("words");
+        QTest::newRow("a person says it") << QByteArray() << QByteArray("does not say whether");
+        QTest::newRow("the file says it")
+            << QByteArray("// compensation: on\n") << QByteArray("these are residuals");
+    }
+    void residualsAreMergedOntoTheTableAloneOfWhichItWasSaid()
+    {
+        QFETCH(QByteArray, state);
+        QFETCH(QByteArray, words);
+        RecordModel model;
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("after.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(state + "target [mm],direction,run,deviation [um]\n");
+        for (int target = 0; target <= 40; target += 10)
+            for (const char* direction : {"+", "-"})
+                file.write(QByteArray::number(target) + ',' + direction + ",1,0.5\n");
+        file.close();
+        const auto driveOf = [&](int axis, float value) {
+            FitDrive drive = driveWith(test::masterX);
+            auto table = std::make_shared<CompensationTable>();
+            table->grid.axes = {{"", "", 0.0, 10.0, 5}};
+            table->values.assign(5, value);
+            drive.axis->axis.index = axis;
+            drive.held = TableIdentity{tableCrc(*table), table->grid};
+            drive.table = table;
+            drive.storeRoot = folder.path().toStdString();
+            return drive;
+        };
+        const auto madeOf = [&] {
+            const auto& fit = model.state().fit;
+            return fit && fit->report ? static_cast<double>(fit->tables.front().table->values[0])
+                                      : std::nan("");
+        };
+        model.setDrive(driveOf(0, 0.001F));
+        model.addFiles({file.fileName()});
+        FitChoices choices = asSpecified();
+        choices.measuredWith =
+            state.isEmpty() ? FitChoices::MeasuredWith::On : FitChoices::MeasuredWith::NotSaid;
+        choices.onto = FitChoices::Onto::Drive;
+        model.setFit(choices, {});
+        QVERIFY(settled(model));
+        QVERIFY(isNear(madeOf(), 0.0015));
+        for (const auto& [axis, value] : {std::pair(0, 0.0015F), std::pair(1, 0.001F)}) {
+            model.setDrive(driveOf(axis, value));
+            QVERIFY(settled(model));
+            QVERIFY(isRefused(model, ErrorCode::MeasurementState, words.constData()));
+            QVERIFY(model.fitChoices().measuredWith == FitChoices::MeasuredWith::NotSaid);
+        }
+        model.setDrive(driveOf(0, 0.001F)); // as after a restore
+        QVERIFY(settled(model));
+        QVERIFY(isNear(madeOf(), 0.0015));
+        // Said anew of another one, it holds for that.
+        model.setDrive(driveOf(0, 0.0015F));
+        model.setFit(choices, {});
+        QVERIFY(settled(model));
+        QVERIFY(isNear(madeOf(), 0.002));
     }
 
     void theFileOfTheTableThatWasActiveIsRead()

@@ -187,6 +187,36 @@ private Q_SLOTS:
                     .startsWith(QStringLiteral("Warning: "))); // they come first
     }
 
+    void residualsAreNotAddedOnceMoreAfterTheirOwnWrite()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.picked =
+            bench.file(QStringLiteral("old.csv"), "X [mm],dX [um]\n0,1\n10,1\n20,1\n30,1\n40,1\n");
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("1D"))
+            && bench.user.click("openButton")
+            && bench.user.enter("source1Field", QString::fromStdString(test::masterX)));
+        QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
+        QVERIFY(bench.write());
+        QByteArray runs = "target [mm],direction,run,deviation [um]\n";
+        for (int target = 0; target <= 40; target += 10)
+            for (const char* direction : {"+", "-"})
+                runs += QByteArray::number(target) + ',' + direction + ",1,0.5\n";
+        QVERIFY(fit(bench, bench.file(QStringLiteral("runs.csv"), runs)));
+        QVERIFY(bench.user.choose("fitZero", QStringLiteral("as measured")));
+        QVERIFY(bench.user.choose("fitOnto", QStringLiteral("table of the axis")));
+        QVERIFY(bench.user.choose("fitMeasuredWith", QStringLiteral("merged onto")));
+        QVERIFY(hasTable(bench) && bench.user.click("useAsTable"));
+        QTRY_VERIFY(bench.controller().dataFile().isMade);
+        QVERIFY(bench.write());
+        QVERIFY(show(bench, PageTabs::Fit));
+        QVERIFY(hints(bench, QStringLiteral("The measurement does not say whether")));
+        QVERIFY(bench.user.the<QLabel>("fitStateNote")
+                    .text()
+                    .startsWith(QStringLiteral("The axis has another table")));
+        QVERIFY(!bench.user.the("useAsTable").isEnabled());
+    }
+
     void fieldsThatMeanNothingHereAreHidden()
     {
         PageFixture bench;
