@@ -99,6 +99,26 @@ class Commands(unittest.TestCase):
         with self.assertRaises(ValueError):
             axiscomp.example(dims=1, output="x.csv\0.txt")
 
+    def test_true_and_false_are_for_options_without_a_value(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / name for name in ("a.csv", "b.csv")]
+            for file in files:
+                file.write_bytes(RUNS.read_bytes())
+            for value in (True, False, numpy.bool_(True)):
+                with self.assertRaisesRegex(TypeError, "output takes a value"):
+                    axiscomp.runs(*files, output=value)
+            self.assertEqual(files[0].read_bytes(), RUNS.read_bytes())
+        with self.assertRaises(axiscomp.RequestError):  # of no command: the command line says so
+            axiscomp._call.call("judge", [RUNS], {"vdj": True})
+
+    def test_no_option_has_a_value_in_one_command_only(self):
+        options = [o for command in axiscomp._axiscomp.commands() for o in command["options"] if not o["positional"]]
+        with_value, without = (
+            {name for o in options if o["takes_value"] is takes for name in o["names"]} for takes in (True, False)
+        )
+        self.assertIn("--output", with_value)
+        self.assertEqual(with_value & without, set())
+
     def test_an_empty_list_is_no_option_and_an_empty_text_an_error(self):
         for nothing in ({"exclude": []}, {"exclude": numpy.array([])}, {"tolerance": {}}):
             self.assertEqual(axiscomp.judge(RUNS, **nothing), axiscomp.judge(RUNS), msg=repr(nothing))

@@ -8,6 +8,7 @@ import tempfile
 import threading
 import time
 import unittest
+from unittest import mock
 
 import numpy
 
@@ -89,6 +90,19 @@ class Drives(unittest.TestCase):
                 self.drive.write(given, axis="X", source1="Axes[0]/Signals/PositionController/MasterPosition")
             self.assertIn("made for a position after the compensation", raised.exception.message)
         self.assertIsNone(self.drive.status("X")["table"])
+
+    def test_a_plan_writes_nothing_whatever_its_options_are(self):
+        for options in ({"target": True}, {"slot": False}):
+            with self.assertRaisesRegex(TypeError, "takes a value"):
+                self.drive.plan(table(), axis="X", source1=SOURCE, **options)
+        self.drive.plan(table(), axis="X", source1=SOURCE, dry_run=False)
+        self.assertIsNone(self.drive.status("X")["table"])
+
+    def test_a_plan_says_first_that_it_is_one(self):
+        with mock.patch.object(axiscomp._call._axiscomp, "run", side_effect=KeyboardInterrupt) as run:
+            with self.assertRaises(KeyboardInterrupt):
+                self.drive.plan(table(), axis="X", source1=SOURCE)
+        self.assertEqual(run.call_args.args[0][:2], ["write", "--dry-run"])
 
     def test_a_large_correction_needs_a_word(self):
         with self.assertRaises(axiscomp.RequestError) as raised:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import os
 from contextlib import ExitStack
@@ -112,13 +113,22 @@ def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple)) or (hasattr(value, "shape") and getattr(value, "ndim", 0) > 0)
 
 
+@functools.cache
+def _options_with_value() -> frozenset[str]:
+    options = [option for command in _axiscomp.commands() for option in command["options"]]
+    return frozenset(name for option in options if option["takes_value"] for name in option["names"])
+
+
 def _words(parameter: str, value: Any, files: _Files) -> list[str]:
     name = option_name(parameter)
     value = _plain(value)
-    if value is None or value is False:
+    if value is None:
         return []
-    if value is True:
-        return [name]
+    if isinstance(value, bool):
+        # Alone it would take the next word for its value. What the command does not know it refuses itself.
+        if name in _options_with_value():
+            raise TypeError(f"{parameter} takes a value: True and False are for options without one")
+        return [name] if value else []
     if (isinstance(value, dict) or _is_list(value)) and len(value) == 0:
         return []
     if isinstance(value, dict):  # tolerance={"A": "10um"}, set_in={"axis": 1}

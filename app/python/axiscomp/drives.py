@@ -78,7 +78,8 @@ class Drive:
         return f"<axiscomp.Drive {self.endpoint}>"
 
     def _call(self, command: str, options: dict[str, Any], *positionals: Any) -> Document:
-        return call(command, list(positionals), {**self._connection, **options}, self.echo)
+        # In the order of the options, the way to the drive behind them.
+        return call(command, list(positionals), options | self._connection | options, self.echo)
 
     def axes(self) -> Document:
         """The axes of the drive: what `axiscomp axes` says."""
@@ -89,11 +90,12 @@ class Drive:
         return self._call("status", {"axis": axis, **options})
 
     def _write(self, data: Any, axis: int | str | None, options: dict[str, Any]) -> Document:
-        return self._call("write", {"axis": axis, "data": data, **options})
+        return self._call("write", {**options, "axis": axis, "data": data})
 
     def plan(self, data: Any = None, axis: int | str | None = None, **options: Any) -> Document:
         """What write with the same arguments would change and cost; changes nothing."""
-        return self._write(data, axis, {**options, "dry_run": True})
+        dry_run = {"dry_run": True}
+        return self._write(data, axis, dry_run | options | dry_run)  # first, so that no word before can take it
 
     def write(self, data: Any = None, axis: int | str | None = None, **options: Any) -> Document:
         """Writes a table in the safe order, verified; the compensation stays off.
