@@ -13,6 +13,8 @@ import textwrap
 import threading
 import time
 import unittest
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 import numpy
@@ -98,6 +100,42 @@ class Commands(unittest.TestCase):
                 words("points", value, None)
         with self.assertRaises(ValueError):
             axiscomp.example(dims=1, output="x.csv\0.txt")
+
+    def test_only_texts_numbers_and_paths_are_values(self):
+        words = axiscomp._call._words
+        for value, text in (
+            ("mm", "mm"),
+            (5, "5"),
+            (0.1, "0.1"),
+            (2.0, "2"),
+            (Decimal("0.10"), "0.10"),
+            (numpy.float64(0.1), "0.1"),
+            (numpy.int8(3), "3"),
+            (Path("a/b"), "a/b"),
+        ):
+            self.assertEqual(words("target", value, None), ["--target=" + text])
+            self.assertEqual(words("target", [value], None), ["--target=" + text])
+            self.assertEqual(words("set_in", {"key": value}, None), ["--set-in=key=" + text])
+        no_values = (object(), {"#1"}, range(2), Fraction(1, 3), 1j, b"x", numpy.ma.masked, numpy.datetime64("2024-01-01"))
+        for value in (*no_values, (name for name in ["#1"])):
+            with self.assertRaises(TypeError, msg=repr(value)):
+                words("target", value, None)
+        for value in (None, True, *no_values):
+            for given in ([value], {"key": value}):
+                with self.assertRaises(TypeError, msg=repr(given)):
+                    words("target", given, None)
+
+    def test_what_states_nothing_decides_nothing(self):
+        table = axiscomp.Table([0, 0.05, 0.02, -0.04, 0], [(0, 25, "mm", "X")], name="e", unit="mm")
+        for target in ([None], (name for name in ["#1"])):
+            with self.assertRaises(TypeError):
+                axiscomp.read(table, target=target, to_sign="command")
+
+    def test_none_among_files_is_no_file(self):
+        with self.assertRaises(TypeError):
+            axiscomp.judge(RUNS, None)
+        with self.assertRaises(TypeError):
+            axiscomp.read_measurement([RUNS, None])
 
     def test_true_and_false_are_for_options_without_a_value(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import functools
 import math
 import os
+import sys
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Callable
@@ -91,15 +92,25 @@ def option_name(parameter: str) -> str:
 
 def _plain(value: Any) -> Any:
     """A number, a text or a truth value of numpy as that of Python."""
-    return value.item() if hasattr(value, "dtype") and getattr(value, "ndim", 1) == 0 else value
+    if not hasattr(value, "dtype") or getattr(value, "ndim", 1) != 0:
+        return value
+    if getattr(value, "mask", False):
+        raise TypeError("a masked value is no value")
+    return value.item()
+
+
+def _is_decimal(value: Any) -> bool:
+    decimal = sys.modules.get("decimal")  # where nobody has loaded it there is none
+    return decimal is not None and isinstance(value, decimal.Decimal)
 
 
 def _text(value: Any) -> str:
     value = _plain(value)
     if isinstance(value, bool):
         raise TypeError("True and False are for options without a value")
-    if isinstance(value, (bytes, bytearray, list, tuple, dict, set)) or hasattr(value, "shape"):
-        raise TypeError(f"a {type(value).__name__} is no single value")
+    if not isinstance(value, (str, int, float, os.PathLike)) and not _is_decimal(value):
+        # Its text would be a word of the command line, and decide something.
+        raise TypeError(f"a {type(value).__name__} is no single value: give a text, a number or a path")
     if isinstance(value, float):
         # repr() of a float is the shortest text that reads back to the same number; nan and inf are refused in words.
         return str(int(value)) if math.isfinite(value) and value == int(value) else repr(value)
@@ -147,8 +158,6 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
 def _positional(place: Any, files: _Files) -> str:
     if hasattr(place, "as_file"):
         return place.as_file(files)
-    if not isinstance(place, (str, int, float, os.PathLike)) and not hasattr(place, "dtype"):
-        raise TypeError(f"a {type(place).__name__} stands for no file")
     text = _text(place)
     is_file_like_an_option = isinstance(place, (str, os.PathLike)) and text.startswith("-") and text != "-"
     return "./" + text if is_file_like_an_option else text
@@ -240,7 +249,10 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
 
 def flat(values: Any) -> list[Any]:
     """Things, and lists of them, one after the other."""
-    return [element for value in values for element in (value if isinstance(value, (list, tuple)) else [value])]
+    things = [element for value in values for element in (value if isinstance(value, (list, tuple)) else [value])]
+    if any(thing is None for thing in things):
+        raise TypeError("None is no file and no position")
+    return things
 
 
 def one(values: list[Any], what: str) -> Any:
