@@ -28,9 +28,9 @@ double largestRounding(const std::vector<double>& before, const std::string& uni
     return largest;
 }
 
-/// Formats that arrange the points anew are left out: the conversion's difference tells.
-void noteRounding(
-    const NeutralTable& prepared, const NeutralTable& held, TableConversion& conversion)
+/// Of the positions; nothing for formats that arrange the points anew: the conversion's difference
+/// tells.
+std::optional<double> positionRounding(const NeutralTable& prepared, const NeutralTable& held)
 {
     double positions = 0.0;
     for (std::size_t n = 0; n < held.axes.size(); ++n) {
@@ -41,13 +41,25 @@ void noteRounding(
         const bool isSameGrid =
             from.knots.size() == to.knots.size() && rounding <= std::max(to.step, 1e-9 * span);
         if (!isSameGrid)
-            return;
+            return {};
         positions = std::max(positions, rounding);
     }
-    conversion.positionRounding = positions;
+    return positions;
+}
+
+/// What can be said point by point. No file says which values were made up.
+void notePoints(const NeutralTable& prepared, NeutralTable& held, TableConversion& conversion)
+{
+    for (CompensationColumn& column : held.columns)
+        column.filled.clear();
+    const auto positions = positionRounding(prepared, held);
+    if (!positions)
+        return;
+    conversion.positionRounding = *positions;
     for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
         const CompensationColumn& from = prepared.columns[n];
-        const CompensationColumn& to = held.columns[n];
+        CompensationColumn& to = held.columns[n];
+        to.filled = from.filled;
         conversion.valueRounding = std::max(
             conversion.valueRounding, largestRounding(from.values, from.unit, to.values, to.unit));
     }
@@ -337,7 +349,7 @@ Result<void> Converter::finish(const NeutralTable& asked, const NeutralTable& pr
             m_request.to->facts.behaviour));
     conversion.difference = std::move(difference);
     remarkOnEnds(conversion);
-    noteRounding(prepared, held, conversion);
+    notePoints(prepared, held, conversion);
     conversion.result = std::move(held);
     return {};
 }

@@ -4,7 +4,9 @@
 
 #include "core/neutral/table_motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -94,6 +96,9 @@ private:
     [[nodiscard]] Result<void> mergePair(const Group& group);
     [[nodiscard]] Result<void> takeSingle(const Group& group);
     [[nodiscard]] TextPattern missing(bool hasPositive) const;
+    /// The points whose merged values were made up, at least in part.
+    [[nodiscard]] std::vector<std::uint32_t> filledOf(
+        const CompensationColumn& positive, const CompensationColumn& negative) const;
 
     const NeutralTable& m_table;
     DirectionChoice m_choice;
@@ -140,6 +145,16 @@ Result<void> Merger::takeSingle(const Group& group)
     return {};
 }
 
+std::vector<std::uint32_t> Merger::filledOf(
+    const CompensationColumn& positive, const CompensationColumn& negative) const
+{
+    if (m_choice != DirectionChoice::Mean)
+        return m_choice == DirectionChoice::Positive ? positive.filled : negative.filled;
+    std::vector<std::uint32_t> filled;
+    std::ranges::set_union(positive.filled, negative.filled, std::back_inserter(filled));
+    return filled;
+}
+
 Result<void> Merger::mergePair(const Group& group)
 {
     const Text what =
@@ -166,6 +181,7 @@ Result<void> Merger::mergePair(const Group& group)
                 position.begin() + static_cast<std::ptrdiff_t>(m_table.axes.size()));
         }
     }
+    column.filled = filledOf(*group.positive, *group.negative);
     m_result.losses.push_back(std::move(loss));
     m_result.table.columns.push_back(std::move(column));
     return {};

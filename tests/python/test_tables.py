@@ -166,6 +166,49 @@ class Tables(unittest.TestCase):
         with self.assertRaises(axiscomp.Error):
             axiscomp.resample(table, points=5, distance=2)
 
+    def test_all_tables_are_read_whatever_is_changed(self):
+        file = self.folder / "two.csv"
+        file.write_text("// lookup: set\nX [mm],X error [um],Y error [um]\n0,0,0\n10,1,100\n20,2,200\n")
+        for options in (
+            {"points": 5},
+            {"distance": 5},
+            {"within": 1},
+            {"offset": 1},
+            {"zero": 10},
+            {"scale": 2},
+            {"target": ["#1", "Y"]},
+            {"sign": "command", "target": ["#1", "Y"]},
+        ):
+            tables = axiscomp.read_all(file, dims=1, **options)
+            self.assertEqual([table.name for table in tables], ["X error", "Y error"], options)
+            with self.assertRaisesRegex(axiscomp.RequestError, "there are 2 tables", msg=repr(options)):
+                axiscomp.read(file, dims=1, **options)
+        with self.assertRaisesRegex(axiscomp.RequestError, "there are 2 tables"):
+            axiscomp.resample(axiscomp.read_all(file, dims=1), points=5)
+        second = axiscomp.read(file, dims=1, scale=2, table="Y error")
+        numpy.testing.assert_allclose(second.values, [0, 200, 400])
+
+    def test_all_tables_of_a_file_of_another_controller_are_read(self):
+        axes = [(0, 10, "mm", "X"), (0, 10, "mm", "Y")]
+        tables = [
+            axiscomp.Table([[0, size], [size, 0]], axes, name=f"{axis} error", unit="mm", target=axis)
+            for axis, size in (("X", 0.001), ("Y", 0.002), ("Z", 0.003))
+        ]
+        file = self.folder / "x.kgeo"
+        axiscomp.write(tables, file, to="kmotion-geo")
+        read = axiscomp.read_all(file, from_="kmotion-geo")
+        self.assertEqual([(table.name, table.unit) for table in read], [(axis, "inch") for axis in "XYZ"])
+        numpy.testing.assert_allclose(25.4 * read[2].values, tables[2].values, atol=1e-6)
+
+    def test_what_was_filled_is_known_while_the_points_stay(self):
+        file = self.folder / "gaps.csv"
+        file.write_text("X [mm],a [um],b [um]\n0,1,1\n10,,2\n20,3,\n30,4,4\n")
+        for options in ({}, {"scale": 2}, {"points": 4}, {"target": "#1"}):
+            tables = axiscomp.read_all(file, dims=1, fill="nearest", **options)
+            self.assertEqual([table.filled for table in tables], [[1], [2]], options)
+        tables = axiscomp.read_all(file, dims=1, fill="nearest", points=7)
+        self.assertEqual([table.filled for table in tables], [[], []])
+
     def test_missing_points_are_filled_only_on_demand(self):
         file = self.folder / "gap.csv"
         file.write_text("X [mm],E [mm]\n0,0.001\n10,\n20,0.003\n")

@@ -214,7 +214,10 @@ Json conversionJson(const TableConversion& table, std::optional<double> speed)
     Json columns = Json::array();
     for (const ColumnDifference& difference : table.difference.columns)
         columns.push_back({{"largestDifference", difference.largest}, {"where", difference.where},
-            {"largestInside", difference.largestInside}});
+            {"largestInside", difference.largestInside},
+            {"filled",
+                filledJson(
+                    table.result.columns[difference.columnB].filled, knotCounts(table.result))}});
     Json densities = Json::array();
     if (table.resampling)
         for (const ColumnDeviation& column : table.resampling->columns)

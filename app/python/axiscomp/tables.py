@@ -32,7 +32,9 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     """
     document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
     tables = _axiscomp.tables_of_csv(output, document["dimensions"])
-    return [_with_filled(*pair) for pair in zip(tables, document["tables"])]
+    # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
+    said = [column for group in document["tables"] for column in group.get("columns", [group])]
+    return list(map(_with_filled, tables, said)) if len(said) == len(tables) else tables
 
 
 def _with_filled(table: Table, said: dict[str, Any]) -> Table:

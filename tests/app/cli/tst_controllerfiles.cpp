@@ -6,6 +6,7 @@
 
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTest>
 
 namespace tst_controllerfiles {
@@ -177,6 +178,24 @@ private Q_SLOTS:
             hasDeviation = hasDeviation || line.toString().contains("rms");
         QVERIFY2(hasDeviation, run.out.constData());
         VERIFY_CODE(box.run({"inspect", "even.csv", "--dims", "1"}), 0);
+    }
+
+    void whatWasFilledIsSaidWhileThePointsStay()
+    {
+        const Sandbox box;
+        box.file("gaps.csv", "X [mm],a [um],b [um]\n0,1,1\n10,,2\n20,3,\n30,4,4\n");
+        const auto filledWith = [&](const QStringList& options) {
+            const ProgramRun run = box.run(
+                QStringList{"convert", "gaps.csv", "o.csv", "--dims", "1", "--fill", "nearest"}
+                + options + QStringList{"--json"});
+            QJsonArray filled;
+            for (const QJsonValue& column :
+                run.json().value("tables").toArray().at(0).toObject().value("columns").toArray())
+                filled.append(column.toObject().value("filled"));
+            return QJsonDocument(filled).toJson(QJsonDocument::Compact);
+        };
+        QCOMPARE(filledWith({"--scale", "2"}), QByteArray("[[[1]],[[2]]]"));
+        QCOMPARE(filledWith({"--points", "7"}), QByteArray("[[],[]]"));
     }
 
     void pointsAndDistancesAreAskedFor_data()

@@ -467,6 +467,28 @@ private Q_SLOTS:
             ErrorCode::FormatCannotHold);
     }
 
+    /// No file says it, and a drive's table has other points after a resampling.
+    void whatWasFilledIsKnownWhileThePointsStay()
+    {
+        NeutralTable table =
+            test::tableOf(SignConvention::Feedback, {test::evenAxis("1", "mm", 0, 10, 5)},
+                {test::columnOf("1", "mm", {0, 0.001, 0.002, 0.001, 0})});
+        table.columns[0].filled = {1, 3};
+        const std::vector tables{table};
+        const auto filledBy = [&](const ConversionRequest& request) {
+            const auto conversion = convertTables(tables, request);
+            return conversion ? conversion->tables[0].result.columns[0].filled
+                              : std::vector<std::uint32_t>{99};
+        };
+        for (const TableFormat* to : {&calibration_csv::format(), &isg_ssfk::format()})
+            QCOMPARE(filledBy(requestFor(calibration_csv::format(), *to)),
+                (std::vector<std::uint32_t>{1, 3}));
+        ConversionRequest denser = requestFor(calibration_csv::format(), calibration_csv::format());
+        denser.resampling =
+            ResamplingRequest{.axes = {{.points = 9, .distance = 0.0, .start = {}, .end = {}}}};
+        QVERIFY(filledBy(denser).empty());
+    }
+
     void positionsThatAreRoundedAndEndsThatAreHeldAreSaid()
     {
         NeutralTable table = test::tableOf(SignConvention::Feedback,

@@ -73,6 +73,20 @@ private Q_SLOTS:
         QCOMPARE(merged->losses[0].position, (Values{20}));
     }
 
+    void whatWasFilledInOneDirectionIsFilledInTheMean()
+    {
+        NeutralTable table = backlashTable();
+        table.columns[0].filled = {0, 1};
+        table.columns[2].filled = {1, 2};
+        const auto filledBy = [&](DirectionChoice choice) {
+            const auto merged = mergeDirections(table, choice);
+            return merged ? merged->table.columns[0].filled : std::vector<std::uint32_t>{99};
+        };
+        QCOMPARE(filledBy(DirectionChoice::Positive), (std::vector<std::uint32_t>{0, 1}));
+        QCOMPARE(filledBy(DirectionChoice::Negative), (std::vector<std::uint32_t>{1, 2}));
+        QCOMPARE(filledBy(DirectionChoice::Mean), (std::vector<std::uint32_t>{0, 1, 2}));
+    }
+
     void equalDirectionsLoseNothing()
     {
         NeutralTable table;
