@@ -82,8 +82,8 @@ EmbeddedEnd runEmbedded(const std::vector<std::string>& arguments, Interrupt& in
         outcome = line.chosen()(environment);
     static_cast<void>(console.flush()); // to a taker, which cannot fail
     if (outcome)
-        return {*outcome, {}, environment.diagnostics()};
-    return {exitCode(outcome.error().code), outcome.error(), environment.diagnostics()};
+        return {*outcome, {}, environment.told(), environment.diagnostics()};
+    return {exitCode(outcome.error().code), outcome.error(), {}, environment.diagnostics()};
 }
 
 int runProgram(int argc, char** argv)

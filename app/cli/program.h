@@ -26,6 +26,7 @@ struct EmbeddedTakers {
 struct EmbeddedEnd {
     ExitCode code = ExitCode::Done;
     std::optional<Error> error;
+    std::optional<Error> told; ///< the first of those beside which there is a document
     Json diagnostics = Json::array(); ///< the places in files that are wrong
 };
 

@@ -139,7 +139,10 @@ std::string_view exitCodeName(ExitCode code)
     return "OtherFailure";
 }
 
-void raiseError(const Error& error, const Json& diagnostics, const std::vector<std::string>& notes)
+namespace {
+
+py::object errorObject(
+    const Error& error, const Json& diagnostics, const std::vector<std::string>& notes)
 {
     const Json json = toJson(error, diagnostics.is_null() ? Json::array() : diagnostics);
     py::dict context;
@@ -149,9 +152,16 @@ void raiseError(const Error& error, const Json& diagnostics, const std::vector<s
     }
     const py::module_ errors = py::module_::import("axiscomp.errors");
     const py::object type = errors.attr(std::string(className(errorClass(error.code))).c_str());
-    const py::object exception = type(pythonObject(json["code"]), pythonObject(json["message"]),
-        context, pythonObject(json["diagnostics"]), pythonTexts(notes));
-    PyErr_SetObject(type.ptr(), exception.ptr());
+    return type(pythonObject(json["code"]), pythonObject(json["message"]), context,
+        pythonObject(json["diagnostics"]), pythonTexts(notes));
+}
+
+} // namespace
+
+void raiseError(const Error& error, const Json& diagnostics, const std::vector<std::string>& notes)
+{
+    const py::object exception = errorObject(error, diagnostics, notes);
+    PyErr_SetObject(py::type::of(exception).ptr(), exception.ptr());
     throw py::error_already_set();
 }
 
@@ -262,8 +272,10 @@ py::tuple CommandRun::end(const py::object& echo)
     }
     raiseFailure();
     const py::object document = m_document ? pythonObject(*m_document) : py::none();
-    return py::make_tuple(
-        pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output), pythonTexts(m_notes));
+    const py::object told =
+        m_end->told ? errorObject(*m_end->told, m_end->diagnostics, m_notes) : py::none();
+    return py::make_tuple(pythonText(exitCodeName(m_end->code)), document, py::bytes(m_output),
+        pythonTexts(m_notes), told);
 }
 
 py::object CommandRun::nextReading()

@@ -30,7 +30,8 @@ public:
 
     /// Until the command has ended. echo: is called with each line of notes and each piece of text;
     /// may be None. Ctrl-C stops the command as on the command line, where what was changed is put
-    /// back first, and is raised afterwards. Returns (exit code's name, document, output, notes).
+    /// back first, and is raised afterwards. Returns (exit code's name, document, output, notes,
+    /// error or None); the error is one beside which there is a document.
     [[nodiscard]] pybind11::tuple end(const pybind11::object& echo);
 
     /// The next reading, or None when the command has ended. Raises its error.

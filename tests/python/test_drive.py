@@ -13,6 +13,7 @@ from unittest import mock
 import numpy
 
 import axiscomp
+from axiscomp import commands
 from virtual_drive import VirtualDrive
 
 SOURCE = "Axes[0]/Signals/PathPlanner/Position"
@@ -103,6 +104,41 @@ class Drives(unittest.TestCase):
             with self.assertRaises(KeyboardInterrupt):
                 self.drive.plan(table(), axis="X", source1=SOURCE)
         self.assertEqual(run.call_args.args[0][:2], ["write", "--dry-run"])
+
+    def test_what_is_not_written_to_a_machine_is_an_error_with_the_document(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        serial = self.drive.axes()["drives"][0]["serialNumber"]
+        axiscomp.write(table(), f"{folder.name}/x.csv")
+
+        def machine(more=""):
+            file = f"{folder.name}/machine.toml"
+            with open(file, "w", encoding="utf-8") as stream:
+                stream.write(
+                    f'version = 1\n[[drive]]\nendpoint = "{self.drive.endpoint}"\nserial = {serial}\n'
+                    f'[[drive.axis]]\naxis = "X"\nfile = "x.csv"\nsources = ["{SOURCE}"]\n{more}'
+                )
+            return file
+
+        gone = '[[drive]]\nendpoint = "http://127.0.0.1:9"\nserial = 5\n[[drive.axis]]\naxis = 0\nfile = "x.csv"\n'
+        file = machine(gone + f'sources = ["{SOURCE}"]\n')
+        for act in (commands.apply, commands.plan):
+            with self.assertRaises(axiscomp.NotConnectedError) as raised:
+                act(file)
+            error = pickle.loads(pickle.dumps(raised.exception))
+            self.assertTrue(any("serial number 5" in note for note in error.notes), error.notes)
+            self.assertEqual((error.document.outcome, error.document.ok), ("NoConnection", False))
+            self.assertEqual([drive["problem"] is None for drive in error.document["drives"]], [True, False])
+        self.assertIsNone(self.drive.status("X")["table"])
+
+        self.assertEqual(commands.plan(file, allow_missing=True).outcome, "Differs")
+        self.assertTrue(commands.apply(machine()).ok)
+        self.assertTrue(commands.plan(machine()).ok)
+
+    def test_a_drive_that_does_not_answer_among_others_is_an_error_with_the_document(self):
+        with self.assertRaises(axiscomp.NotConnectedError) as raised:
+            commands.axes(drive=[self.drive.endpoint, "http://127.0.0.1:9"])
+        self.assertEqual(["error" in drive for drive in raised.exception.document["drives"]], [False, True])
 
     def test_a_large_correction_needs_a_word(self):
         with self.assertRaises(axiscomp.RequestError) as raised:

@@ -107,10 +107,8 @@ Result<ExitCode> listAxes(Environment& environment, const DriveOptions& options,
     for (const AxesOfDrive& answer : answers) {
         if (answer.axes)
             continue;
-        const Error& error = answer.axes.error();
-        environment.console().note(
-            "error: " + std::string(errorName(error.code)) + ": " + sentence(error));
-        code = code == ExitCode::Done ? exitCode(error.code) : code;
+        environment.tell(answer.axes.error());
+        code = exitCode(environment.told()->code);
     }
     return environment.interrupt().stopped() ? ExitCode::Stopped : code;
 }

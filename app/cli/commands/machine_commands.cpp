@@ -33,18 +33,15 @@ class Problems {
 public:
     explicit Problems(Environment& environment) : m_environment(environment) { }
 
-    void add(const std::string& place, const Error& error)
+    void add(const std::string& place, const Error& error) { m_environment.tell(error, place); }
+    [[nodiscard]] ExitCode code() const
     {
-        m_environment.console().note("error: " + std::string(errorName(error.code)) + ": "
-            + withoutPasswords(singleLine(place + ": " + sentence(error))));
-        if (m_code == ExitCode::Done)
-            m_code = exitCode(error.code);
+        const auto& first = m_environment.told();
+        return first ? exitCode(first->code) : ExitCode::Done;
     }
-    [[nodiscard]] ExitCode code() const { return m_code; }
 
 private:
     Environment& m_environment;
-    ExitCode m_code = ExitCode::Done;
 };
 
 /// What differs, drive by drive, and all axes in one table.

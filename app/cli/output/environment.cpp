@@ -76,6 +76,15 @@ void Environment::diagnose(const std::string& file, std::size_t line, std::size_
         {{"code", code}, {"line", line}, {"column", column}, {"message", what}, {"file", file}});
 }
 
+void Environment::tell(const Error& error, const std::string& place)
+{
+    const std::string said = place.empty() ? sentence(error) : place + ": " + sentence(error);
+    m_console.note(
+        "error: " + std::string(errorName(error.code)) + ": " + withoutPasswords(singleLine(said)));
+    if (!m_told)
+        m_told = error;
+}
+
 void Environment::warn(const std::string& sentence)
 {
     m_console.note("warning: " + sentence);

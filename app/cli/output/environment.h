@@ -4,10 +4,12 @@
 #include "app/cli/output/json.h"
 #include "app/common/console.h"
 #include "app/common/interrupt.h"
+#include "core/base/error.h"
 #include "core/text/diagnostic.h"
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +51,12 @@ public:
         const std::string& code, const std::string& what);
     [[nodiscard]] const Json& diagnostics() const { return m_diagnostics; }
 
+    /// "error: CODE: ..." on standard error, of a command that goes on, and whose document says
+    /// what became of the rest. place: in front of the sentence, or empty.
+    void tell(const Error& error, const std::string& place = {});
+    /// The first one: its code is that of the program.
+    [[nodiscard]] const std::optional<Error>& told() const { return m_told; }
+
     /// "warning: ..." on standard error.
     void warn(const std::string& sentence);
 
@@ -60,6 +68,7 @@ private:
     Taker m_readings;
     Names m_names;
     Json m_diagnostics = Json::array();
+    std::optional<Error> m_told;
 };
 
 } // namespace axiscomp::app

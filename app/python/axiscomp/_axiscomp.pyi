@@ -4,6 +4,7 @@ from typing import Any, Callable, Mapping, Sequence
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
+from .errors import Error
 from .tables import Axis
 
 __version__: str
@@ -11,7 +12,7 @@ __version__: str
 def commands() -> list[dict[str, Any]]: ...
 def run(
     arguments: Sequence[str], echo: Callable[[str], None] | None = None, names: Mapping[str, str] = {}
-) -> tuple[str, Any, bytes, list[str]]: ...
+) -> tuple[str, Any, bytes, list[str], Error | None]: ...
 
 class Readings:
     def __init__(self, arguments: Sequence[str]) -> None: ...

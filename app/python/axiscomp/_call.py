@@ -207,6 +207,10 @@ def _with_files(positionals: list[Any], options: dict[str, Any]) -> tuple[list[A
     return positionals, options
 
 
+def _named(error: Error, files: _Files) -> Error:
+    return type(error)(*map(files.named, error.args))
+
+
 def call(
     command: str,
     positionals: list[Any],
@@ -222,13 +226,17 @@ def call(
             words += _words(parameter, value, files)
         words += [_positional(place, files) for place in positionals if place is not None]
         try:
-            outcome, document, output, notes = _axiscomp.run(words, echo, files.names)
+            outcome, document, output, notes, told = _axiscomp.run(words, echo, files.names)
         except Error as error:
-            raise type(error)(*map(files.named, error.args)).with_traceback(error.__traceback__) from None
+            raise _named(error, files).with_traceback(error.__traceback__) from None
         document, notes = files.named(document), files.named(notes)
         if not raw:
             output = files.named(output.decode("utf-8", "replace"))
     result = Document(document, outcome, "" if raw else output, notes)
+    if told is not None:
+        error = _named(told, files)
+        error.document = result
+        raise error
     return (result, output) if raw else result
 
 

@@ -13,7 +13,8 @@ class Error(Exception):
     message      the sentence, in English
     context      what the sentence names, by its keys: {"file": ...}; counts are int, all else is str
     diagnostics  the places in files that are wrong: {"file", "code", "line", "column", "message"}
-    notes        warnings and notes that came before it
+    notes        warnings and notes that came before it, and other errors of the same command
+    document     the Document of a command that went on after it: apply, plan, axes; else None
     """
 
     def __init__(
@@ -31,6 +32,7 @@ class Error(Exception):
         self.context = context or {}
         self.diagnostics = diagnostics or []
         self.notes = notes or []
+        self.document: Any = None
 
     def __str__(self) -> str:
         lines = [f"{self.code}: {self.message}"]
