@@ -8,6 +8,7 @@
 #include "core/compensator/known_tables.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/formats/measurement_format.h"
+#include "core/text/number_text.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <pybind11/numpy.h>
@@ -44,6 +45,28 @@ void addRuns(Measurement& measurement, Approach direction, const Numbers& values
                     .run = static_cast<int>(run) + 1,
                     .deviation = deviation});
         }
+}
+
+/// What has no value is not in the file: the numbers of targets and runs would be others than those
+/// of the arrays.
+void checkIsMeasured(const Measurement& measurement, const Numbers& up, const Numbers& down)
+{
+    if (measurement.values.empty())
+        throw py::value_error("the measurement has no value");
+    std::vector<bool> isMeasured(measurement.targets.size(), false);
+    for (const RunValue& value : measurement.values)
+        isMeasured[value.target] = true;
+    for (std::size_t n = 0; n < isMeasured.size(); ++n)
+        if (!isMeasured[n])
+            throw py::value_error("no run has a value at the target "
+                + toText(measurement.targets[n]) + ": leave the target out");
+    const auto check = [&](Approach direction, const Numbers& runs, const char* name) {
+        if (measurement.lastRun(direction) != runs.shape(0))
+            throw py::value_error(
+                std::string("the last run of ") + name + " has no value: leave the run out");
+    };
+    check(Approach::Up, up, "up");
+    check(Approach::Down, down, "down");
 }
 
 void takeTargets(Measurement& measurement, const Numbers& targets)
@@ -93,9 +116,8 @@ py::bytes csvOfRuns(const Numbers& targets, const Numbers& up, const Numbers& do
     takeTargets(measurement, targets);
     addRuns(measurement, Approach::Up, up);
     addRuns(measurement, Approach::Down, down);
+    checkIsMeasured(measurement, up, down);
     takeStatements(measurement.header, statements);
-    if (measurement.values.empty())
-        throw py::value_error("the measurement has no value");
     return py::bytes(writeRunsCsv(measurement));
 }
 

@@ -44,6 +44,23 @@ class Measurements(unittest.TestCase):
         with self.assertRaises(ValueError):
             axiscomp.Measurement(numpy.ma.masked_equal([0, 10, 999], 999), up=[[0, 1, 2]])
 
+    def test_a_target_or_a_last_run_without_a_value_is_named(self):
+        nan = numpy.nan
+        for targets, arguments, said in (
+            ([0, 10, 20.5, 30], {"up": [[0, 1, nan, 3]] * 2, "down": [[0, 1, nan, 3]]}, "target 20.5"),
+            ([0, 10], {"up": [[0, 1], [nan, nan]]}, "last run of up"),
+            ([0, 10], {"up": [[0, 1]], "down": [[nan, nan]]}, "last run of down"),
+        ):
+            with self.assertRaisesRegex(ValueError, said):
+                axiscomp.Measurement(targets, **arguments)
+        for exclude, said in (("target:4", "target"), ("run:up:5", "last run of up")):
+            left = axiscomp.read_measurement(RUNS, exclude=exclude)
+            with self.assertRaisesRegex(ValueError, said):
+                axiscomp.Measurement(left.targets, left.up, left.down)
+        # Here every number stays.
+        kept = axiscomp.Measurement([0, 10], up=[[nan, nan], [0, nan]], down=[[nan, 1]])
+        self.assertEqual((kept.targets.size, kept.up.shape, kept.down.shape), (2, (2, 2), (1, 2)))
+
     def test_a_statement_is_one_line(self):
         for axis in ("X\n// compensation: on", "X\r", "X\0"):
             with self.assertRaises(ValueError):
