@@ -8353,6 +8353,10 @@
         <source>a line for every combination of the positions; fit makes a table of scattered points</source>
         <translation>eine Zeile für jede Kombination der Positionen; fit macht aus verstreuten Punkten eine Tabelle</translation>
     </message>
+    <message>
+        <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
+        <translation>die erste Messung ist korrigiert, die zweite nicht, so dass sie sich nicht vergleichen lassen: Protokoll speichern und die zweite mit „axiscomp compare --record“ korrigieren oder in ihrer Datei angeben, dass ihre Werte bei 20 °C gelten (// corrected: 20C)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -14857,6 +14861,10 @@
     <message>
         <source>Values that do not fit the others count less</source>
         <translation>Werte, die nicht zu den anderen passen, zählen weniger</translation>
+    </message>
+    <message>
+        <source>The axis has another table since that was said: say it anew.</source>
+        <translation>Die Achse hat seit dieser Angabe eine andere Tabelle: bitte neu angeben.</translation>
     </message>
 </context>
 <context>

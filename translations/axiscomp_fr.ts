@@ -8353,6 +8353,10 @@
         <source>a line for every combination of the positions; fit makes a table of scattered points</source>
         <translation>une ligne pour chaque combinaison des positions&#xa0;; fit fait une table de points dispersés</translation>
     </message>
+    <message>
+        <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
+        <translation>la première mesure est corrigée et la seconde ne l&apos;est pas, elles ne peuvent donc pas être comparées&#xa0;: enregistrez la fiche et corrigez la seconde avec « axiscomp compare --record », ou indiquez dans son fichier que ses valeurs sont à 20 °C (// corrected: 20C)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -14857,6 +14861,10 @@
     <message>
         <source>Values that do not fit the others count less</source>
         <translation>Les valeurs qui ne concordent pas avec les autres comptent moins</translation>
+    </message>
+    <message>
+        <source>The axis has another table since that was said: say it anew.</source>
+        <translation>L&apos;axe a une autre table depuis cette indication&#xa0;: indiquez-le à nouveau.</translation>
     </message>
 </context>
 <context>

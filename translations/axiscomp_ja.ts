@@ -8312,6 +8312,10 @@
         <source>a line for every combination of the positions; fit makes a table of scattered points</source>
         <translation>位置のすべての組合せに対する行。散在する点からは fit でテーブルを作成できます</translation>
     </message>
+    <message>
+        <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
+        <translation>1 回目の測定は補正されていますが、2 回目は補正されていないため比較できません。記録を保存して `axiscomp compare --record` で 2 回目を補正するか、値が 20 °C のものであることをファイルに記載してください (// corrected: 20C)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -14806,6 +14810,10 @@
     <message>
         <source>Values that do not fit the others count less</source>
         <translation>ほかの値と合わない値の重みを下げます</translation>
+    </message>
+    <message>
+        <source>The axis has another table since that was said: say it anew.</source>
+        <translation>指定した後に軸のテーブルが変わりました。もう一度指定してください。</translation>
     </message>
 </context>
 <context>

@@ -8312,6 +8312,10 @@
         <source>a line for every combination of the positions; fit makes a table of scattered points</source>
         <translation>每种位置组合各一行；散点可用 fit 生成表</translation>
     </message>
+    <message>
+        <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
+        <translation>第一次测量已修正而第二次未修正，因此不能比较：请保存档案并用 `axiscomp compare --record` 修正第二次测量，或在其文件中注明其值为 20 °C 时的值 (// corrected: 20C)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -14806,6 +14810,10 @@
     <message>
         <source>Values that do not fit the others count less</source>
         <translation>与其余的值不符的值权重较低</translation>
+    </message>
+    <message>
+        <source>The axis has another table since that was said: say it anew.</source>
+        <translation>指定之后该轴的表已改变：请重新指定。</translation>
     </message>
 </context>
 <context>
