@@ -151,6 +151,11 @@ bool areDifferentAxes(std::string_view one, std::string_view other)
     return isAxisLetter(a) && isAxisLetter(b) && !sameLetters(a.substr(0, 1), b.substr(0, 1));
 }
 
+bool correctsAnotherAxis(std::string_view target, std::string_view positions)
+{
+    return target == otherAxis || areDifferentAxes(axisInHeader(target), axisInHeader(positions));
+}
+
 bool namesAnotherAxis(
     std::string_view name, std::string_view meant, std::span<const std::string> others)
 {

@@ -25,6 +25,10 @@ inline constexpr std::string_view otherAxis = "other";
 /// names may be anything.
 [[nodiscard]] bool areDifferentAxes(std::string_view one, std::string_view other);
 
+/// Whether values over positions of one axis certainly correct another one: it is stated to be
+/// none of the sources, or both are named and differ.
+[[nodiscard]] bool correctsAnotherAxis(std::string_view target, std::string_view positions);
+
 /// Whether a name is that of another axis of a drive, in letters of either case, and not that of
 /// the axis that is meant: X2 where X1 is meant and the drive has both. A name that no axis has is
 /// none.

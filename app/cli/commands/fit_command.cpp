@@ -270,9 +270,9 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     settings.tolerances = limits.tolerances;
     settings.uncertainty = limits.uncertainty;
     AXISCOMP_TRY(const auto state,
-        findState({measurement.header.compensation, sources.stated, hasRawReadings(measurement),
-            sources.onto ? &*sources.onto : nullptr, sources.others, statedAxis(options),
-            measurement.header.compensationOfSome}));
+        findState({measurement.header.compensation, sources.stated,
+            hasRawValues(measurement, statedAxis(options)), sources.onto ? &*sources.onto : nullptr,
+            sources.others, statedAxis(options), measurement.header.compensationOfSome}));
     AXISCOMP_TRY(
         auto report, fitMeasurement(measurement, settings, state, environment.stopToken()));
     AXISCOMP_CHECK(stateTargets(options.file.conversion.targets, report.tables));

@@ -93,10 +93,25 @@ Result<const CompensationTable*> findActiveTable(const FitInput& input)
 AxisNames axisNames(const FitInput& input, const CompensationTable* old)
 {
     const std::string& axis = input.measurement.header.axis;
+    const std::string& stated = input.state.axis;
+    const std::string open = old ? old->grid.axes.front().name : std::string();
+    const std::string positions = !axis.empty() ? axis : open.empty() ? "Position" : open;
+    if (correctsAnotherAxis(stated, axis)) {
+        const std::string_view letter = axisInHeader(stated);
+        const bool isNamed = stated != otherAxis && !letter.empty();
+        return {positions, isNamed ? "d" + std::string(letter) : "Error", stated};
+    }
     if (!axis.empty())
         return {axis, "d" + axis, axis};
-    const std::string open = old ? old->grid.axes.front().name : std::string();
-    return {open.empty() ? "Position" : open, "Error", old ? old->target : std::string()};
+    return {positions, "Error", old ? old->target : std::string()};
+}
+
+bool correctsAnother(const FitInput& input)
+{
+    if (input.state.kind == FoundState::Kind::Irrelevant)
+        return false;
+    const AxisNames names = axisNames(input, findActiveTable(input).value_or(nullptr));
+    return correctsAnotherAxis(names.target, names.positions);
 }
 
 } // namespace axiscomp

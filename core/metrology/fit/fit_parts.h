@@ -30,7 +30,8 @@ struct FitInput {
 [[nodiscard]] Result<FitReport> fitRunsByTemperature(const FitInput& input);
 
 /// The values of runs that are in use, and the index of each in the measurement. With raw positions
-/// reference - encoder at the place where the axis stood, as if no compensation had been active.
+/// reference - encoder at the place where the axis stood, as if no compensation had been active. Of
+/// another axis the deviations, and raw positions tell the places only.
 struct FitValues {
     std::vector<MeasuredValue> values;
     std::vector<std::size_t> indices;
@@ -58,6 +59,9 @@ struct AxisNames {
     std::string target; ///< may be empty
 };
 [[nodiscard]] AxisNames axisNames(const FitInput& input, const CompensationTable* old);
+/// Whether the values of runs are certainly those of another axis than the one that moved, as of a
+/// straightness.
+[[nodiscard]] bool correctsAnother(const FitInput& input);
 /// What is asked of a table of runs. Errors: InvalidArgument for what the settings leave open.
 [[nodiscard]] Result<TableFitRequest> requestOfRuns(const FitInput& input);
 /// What the drive will add where, at the knot where the table has its largest value.
@@ -65,6 +69,18 @@ struct AxisNames {
     const FitInput& input, const TableFit& fit, const CompensationTable& table);
 /// Tracks, and points of two or three axes.
 [[nodiscard]] Result<FitReport> fitScattered(const FitInput& input);
+
+/// The same of the values of an axis beside its own encoder, at a position of others.
+struct SignBeside {
+    std::vector<Text> position; ///< of each axis
+    double measured = 0.0;
+    std::string table;
+    double removed = 0.0;
+    double added = 0.0;
+    bool isBodyRemoved = false; ///< part of what was removed is how the artefact lay
+};
+[[nodiscard]] Text positionAlong(const std::string& axis, double position, bool isAngular);
+[[nodiscard]] Text signBeside(SignBeside sign, bool isAngular);
 
 /// The values as a drive has them. rounding: the largest change by that.
 [[nodiscard]] FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,

@@ -52,7 +52,7 @@ struct KnownTables {
 struct StateRequest {
     MeasuredState onFile; ///< as the measurement says it
     std::optional<MeasuredState> stated = {}; ///< as a person says it, where the file does not
-    bool hasRawReadings = false; ///< of every value in use
+    bool hasRawReadings = false; ///< hasRawValues of the measurement
     const KnownTables* onto = nullptr; ///< what the residuals are merged onto; null: nothing
     /// Other tables that may have been active: a file, the backups of the drive.
     std::span<const KnownTables> others = {};

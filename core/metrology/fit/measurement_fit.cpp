@@ -2,6 +2,7 @@
 #include "core/metrology/fit/measurement_fit.h"
 
 #include "core/metrology/fit/fit_parts.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -93,6 +94,13 @@ bool hasRawReadings(const Measurement& measurement)
     return measurement.hasTargets() && std::ranges::any_of(measurement.values, &RunValue::isUsed)
         && std::ranges::all_of(measurement.values,
             [](const RunValue& value) { return !value.isUsed || value.encoder.has_value(); });
+}
+
+bool hasRawValues(const Measurement& measurement, std::string_view axis)
+{
+    const bool isOfAnother =
+        measurement.hasTargets() && correctsAnotherAxis(axis, measurement.header.axis);
+    return hasRawReadings(measurement) && !isOfAnother;
 }
 
 FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name, std::string target,

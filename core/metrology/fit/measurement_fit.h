@@ -169,5 +169,9 @@ struct FitReport {
 
 /// Whether the raw position of every value in use is known, as it always is of a track.
 [[nodiscard]] bool hasRawReadings(const Measurement& measurement);
+/// Whether the values are reference - encoder whatever was active (StateRequest): the raw position
+/// of every value is known, and it is one of the axis that is corrected. axis: the stated one, as
+/// of the request.
+[[nodiscard]] bool hasRawValues(const Measurement& measurement, std::string_view axis);
 
 } // namespace axiscomp

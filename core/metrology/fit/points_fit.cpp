@@ -614,27 +614,11 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
     std::vector<Text> position;
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
         position.push_back(
-            AXISCOMP_TEXT("Measurement", "{axis} {position}")
-                .with("axis", scatter.axes[axis])
-                .with("position", placeOf(scatter.positions[axis][largest], isAngular)));
-    const double removed = column.body[largest] + made.removedConstant;
-    const TextPattern pattern = removed == 0.0
-        ? AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; the drive "
-            "will add {added}")
-        : input.settings.remove == BodyRemoval::None
-        ? AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
-            "was taken out for the zero of the table, so the drive will add {added}")
-        : AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
-            "was taken out for how the artefact lay and for the zero of the table, so the drive "
-            "will add {added}");
-    return pattern.with("position", std::move(position))
-        .with("measured", fineQuantity(column.read[largest], isAngular))
-        .with("table", made.table.name)
-        .with("removed", fineQuantity(removed, isAngular))
-        .with("added", fineQuantity(lookup.at(place(largest)), isAngular));
+            positionAlong(scatter.axes[axis], scatter.positions[axis][largest], isAngular));
+    return signBeside({std::move(position), column.read[largest], made.table.name,
+                          column.body[largest] + made.removedConstant, lookup.at(place(largest)),
+                          input.settings.remove != BodyRemoval::None},
+        isAngular);
 }
 
 struct ScatterFit {
@@ -717,6 +701,34 @@ Result<ScatterFit> fitPlaces(const FitInput& input, Scatter scatter)
 }
 
 } // namespace
+
+Text positionAlong(const std::string& axis, double position, bool isAngular)
+{
+    return AXISCOMP_TEXT("Measurement", "{axis} {position}")
+        .with("axis", axis)
+        .with("position", placeOf(position, isAngular));
+}
+
+Text signBeside(SignBeside sign, bool isAngular)
+{
+    const TextPattern pattern = sign.removed == 0.0
+        ? AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; the drive "
+            "will add {added}")
+        : !sign.isBodyRemoved
+        ? AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
+            "was taken out for the zero of the table, so the drive will add {added}")
+        : AXISCOMP_TEXT("Measurement",
+            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
+            "was taken out for how the artefact lay and for the zero of the table, so the drive "
+            "will add {added}");
+    return pattern.with("position", std::move(sign.position))
+        .with("measured", fineQuantity(sign.measured, isAngular))
+        .with("table", std::move(sign.table))
+        .with("removed", fineQuantity(sign.removed, isAngular))
+        .with("added", fineQuantity(sign.added, isAngular));
+}
 
 Result<FitReport> fitScattered(const FitInput& input)
 {

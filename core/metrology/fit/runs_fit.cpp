@@ -55,11 +55,19 @@ private:
     FitDirection m_direction;
 };
 
+/// Whether the raw positions of an axis tell where the values of another one belong.
+bool isPlacedByReadings(const FitInput& input)
+{
+    return input.lookupAt == LookupAt::Encoder && correctsAnother(input)
+        && hasRawReadings(input.measurement);
+}
+
 } // namespace
 
 FitValues fitValues(const Measurement& measurement, const FitInput& input)
 {
     const bool isRaw = input.state.kind == FoundState::Kind::Irrelevant;
+    const bool hasRawPlaces = isRaw || isPlacedByReadings(input);
     const RawPlaces places(measurement, input.settings.direction);
     FitValues result;
     for (std::size_t i = 0; i < measurement.values.size(); ++i) {
@@ -71,10 +79,10 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
         fitted.run = static_cast<std::size_t>(value.run);
         fitted.target = measurement.targets[value.target];
         fitted.deviation = value.deviation;
-        if (isRaw) {
+        if (isRaw)
             fitted.deviation += fitted.target - *value.encoder;
+        if (hasRawPlaces)
             fitted.target = places.at(value.target);
-        }
         result.values.push_back(fitted);
         result.indices.push_back(i);
     }
@@ -311,6 +319,7 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
     request.turn = settings.turn;
     request.slope = settings.slope;
     request.lookupAt = input.lookupAt;
+    request.correctsAnother = correctsAnother(input);
     request.gain = settings.gain;
     request.within = settings.within;
     request.mostPoints = settings.mostPoints;
@@ -323,8 +332,10 @@ Result<TableFitRequest> requestOfRuns(const FitInput& input)
     else if (old)
         request.onto = {old, 1.0, input.outside()};
     // Harmonics go on between the knots of their curve, which are the ends of the turn.
-    const bool areKnotsTargets = input.lookupAt == LookupAt::Encoder
-        && input.state.kind == FoundState::Kind::Off && settings.method != FitMethod::Harmonic;
+    const bool standsOnTargets =
+        request.correctsAnother ? !isPlacedByReadings(input) : input.lookupAt == LookupAt::Encoder;
+    const bool areKnotsTargets = standsOnTargets && input.state.kind == FoundState::Kind::Off
+        && settings.method != FitMethod::Harmonic;
     if (settings.turn) {
         AXISCOMP_TRY(request.grid, gridOfTurn(input, old));
         request.holdsEnds = request.holdsEnds || !areKnotsTargets;
@@ -516,6 +527,7 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
     AXISCOMP_CHECK(checkTableOfAxis(Text(Verbatim{table.name}), table, input));
     TableFitRequest request;
     request.lookupAt = lookupAt;
+    request.correctsAnother = correctsAnother(input);
     request.turn = turn;
     if (state.kind == FoundState::Kind::On) {
         AXISCOMP_TRY(const CompensationTable* const active, findActiveTable(input));
@@ -541,6 +553,8 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
     for (const FitKnot& knot : fit.knots)
         if (std::abs(lookup.at(knot.position)) > std::abs(lookup.at(largest->position)))
             largest = &knot;
+    const double added = lookup.at(largest->position);
+    const double removed = fit.removed.constant + fit.removed.slope * largest->position;
     const bool isEncoder = input.lookupAt == LookupAt::Encoder;
     // With gain 1 the value of a knot leads from the raw position to the reference.
     double whole = largest->value;
@@ -553,9 +567,12 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
         if (isAtTarget)
             reading -= before;
     }
+    if (correctsAnother(input))
+        return signBeside(
+            {{positionAlong(table.grid.axes.front().name, largest->position, isAngular)}, whole,
+                table.name, removed, added},
+            isAngular);
     const double reference = reading + whole;
-    const double added = lookup.at(largest->position);
-    const double removed = fit.removed.constant + fit.removed.slope * largest->position;
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;

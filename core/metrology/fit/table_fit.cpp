@@ -100,7 +100,14 @@ Result<std::vector<FitKnot>> meansOf(
 
 Result<LookupFrame> frameOf(const TableFitRequest& request)
 {
-    return LookupFrame::make(request.lookupAt, {request.active}, request.active);
+    const ActiveTable mover = request.correctsAnother ? ActiveTable{} : request.active;
+    return LookupFrame::make(request.lookupAt, {mover}, request.active);
+}
+
+/// At the set position an axis stands beside its targets by its own deviations.
+bool standsBesideTargets(const TableFitRequest& request)
+{
+    return request.lookupAt == LookupAt::Set && !request.correctsAnother;
 }
 
 /// Where the means belong. Knots are those of gain 1; what they are merged onto counts in full.
@@ -111,9 +118,10 @@ Result<void> placeKnots(
     AXISCOMP_TRY(const LookupFrame frame, frameOf(request));
     const auto onto = linesOf(request.onto);
     for (FitKnot& knot : knots) {
-        AXISCOMP_TRY(const auto point, frame.atTarget(knot.target, knot.value));
+        const double moved = request.correctsAnother ? 0.0 : knot.value;
+        AXISCOMP_TRY(const auto point, frame.atTarget({&knot.target, 1}, knot.value, {&moved, 1}));
         knot.position = point.knot[0];
-        if (request.lookupAt == LookupAt::Set)
+        if (standsBesideTargets(request))
             knot.position =
                 (knot.position - removed.constant - request.laterConstant) / (1.0 + removed.slope);
         const double residual = onto ? point.value - onto->at(knot.position) : knot.value;
@@ -241,7 +249,7 @@ Result<RemovedLine> lineOutOfPositions(
 {
     const bool isNothingTaken =
         request.zero == ZeroRule::Keep && request.slope == SlopeRemoval::Keep;
-    if (request.removed || request.lookupAt != LookupAt::Set || isNothingTaken)
+    if (request.removed || !standsBesideTargets(request) || isNothingTaken)
         return request.removed.value_or(RemovedLine{});
     TableFitRequest whole = request;
     whole.gain = 1.0;
@@ -436,6 +444,19 @@ private:
     std::map<double, double> m_points;
 };
 
+/// Of an axis that the targets are not along: where these lie what it has is replaced.
+std::vector<MeasuredValue> predictedOfAnother(
+    std::span<const MeasuredValue> values, const ActiveTable& made, const TableFitRequest& request)
+{
+    const auto before = linesOf(request.active);
+    const Lookup after(*made.table, made.outside);
+    std::vector<MeasuredValue> predicted(values.begin(), values.end());
+    for (MeasuredValue& value : predicted)
+        value.deviation +=
+            (before ? before->at(value.target) : 0.0) - made.factor * after.at(value.target);
+    return predicted;
+}
+
 } // namespace
 
 std::optional<CubicCurve> linesOf(const ActiveTable& table)
@@ -498,6 +519,8 @@ Result<std::vector<MeasuredValue>> predictRuns(std::span<const MeasuredValue> va
 {
     AXISCOMP_TRY(const LookupFrame before, frameOf(request));
     const ActiveTable made{&table, 1.0, request.turn ? Outside::Wrap : Outside::Hold};
+    if (request.correctsAnother)
+        return predictedOfAnother(values, made, request);
     AXISCOMP_TRY(const LookupFrame after, LookupFrame::make(request.lookupAt, {made}, made));
     std::map<std::pair<bool, std::size_t>, RunError> runs;
     for (const MeasuredValue& value : values) {

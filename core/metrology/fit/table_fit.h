@@ -69,6 +69,9 @@ struct TableFitRequest {
     /// What is taken out of this table and others later, by a zero that they have together.
     double laterConstant = 0.0;
     LookupAt lookupAt = LookupAt::Encoder;
+    /// The values are of another axis than the one that moved along the targets: whatever is added
+    /// to it, a target stays where it is.
+    bool correctsAnother = false;
     /// During the measurement. The new table is this one, everywhere, and the curve through the
     /// residuals.
     ActiveTable active = {};
@@ -125,7 +128,8 @@ struct TableFit {
     std::span<const MeasuredValue> values, const TableFitRequest& request);
 
 /// The same runs with the table active as the drive applies it: each run's error, linear between
-/// its targets, less what the drive adds where the axis then stands. lookupAt: of the new table;
+/// its targets, less what the drive adds where the axis then stands; of another axis what the new
+/// table adds more than the old one at the target. lookupAt: of the new table;
 /// active: the one that was active during the measurement. Errors: as LookupFrame.
 [[nodiscard]] Result<std::vector<MeasuredValue>> predictRuns(std::span<const MeasuredValue> values,
     const CompensationTable& table, const TableFitRequest& request);

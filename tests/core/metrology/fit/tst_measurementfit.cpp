@@ -134,6 +134,38 @@ KnownTables toothed()
     return old;
 }
 
+/// What X has a table of its own for.
+double ownOfX(double target)
+{
+    return 0.02 * std::sin(2.0 * pi * target / 300.0);
+}
+
+double straightness(double target)
+{
+    return 0.003 * std::sin(2.0 * pi * target / 500.0);
+}
+
+/// Out of square, with a wave.
+double outOfSquare(double target)
+{
+    return 0.004 + 3e-4 * target + 0.005 * std::sin(2.0 * pi * target / 80.0);
+}
+
+/// Runs along X, whose values are those of Y.
+template <typename Deviation> Measurement runsAlongX(Deviation deviation)
+{
+    Measurement runs = runsOver(0.0, 10.0, 51, deviation);
+    runs.header.axis = "X";
+    return runs;
+}
+
+FoundState offForY()
+{
+    FoundState state;
+    state.axis = "Y";
+    return state;
+}
+
 /// 5 by 4 points of an artefact that lies turned and shifted.
 Measurement shiftedPlane()
 {
@@ -326,6 +358,107 @@ private Q_SLOTS:
         runs.header.axis = "X";
         VERIFY_RESULT(
             fitMeasurement(runs, keeping(), {FoundState::Kind::On, &old, {}, {}, 1, "other"}));
+    }
+
+    /// X stands on its targets by its own table, so that its encoder is up to 20 um beside them:
+    /// that is no deviation of Y.
+    void theEncoderOfTheAxisThatMovesTellsThePlaceOnly()
+    {
+        Measurement runs = runsAlongX(straightness);
+        for (RunValue& value : runs.values)
+            value.encoder = runs.targets[value.target] - ownOfX(runs.targets[value.target]);
+        QVERIFY(hasRawValues(runs, {}) && hasRawValues(runs, "X"));
+        QVERIFY(!hasRawValues(runs, "Y") && !hasRawValues(runs, "other"));
+        FitSettings settings = keeping();
+        settings.method = FitMethod::Spline;
+        for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set}) {
+            settings.lookupAt = lookupAt;
+            const auto report = fitMeasurement(runs, settings, offForY());
+            VERIFY_RESULT(report);
+            const CompensationTable& table = report->tables.front().table;
+            QCOMPARE(table.grid.axes.front().size, 51U);
+            for (std::uint32_t i = 0; i <= 50; ++i) {
+                const double place = table.grid.axes.front().position(i);
+                double target = place;
+                for (int round = 0; lookupAt == LookupAt::Encoder && round < 100; ++round)
+                    target = place + ownOfX(target);
+                const double rounding = i == 0 || i == 50 ? 1e-6 : 1e-8; // the ends are held
+                QVERIFY(std::abs(static_cast<double>(table.values[i]) - straightness(target))
+                    < rounding);
+            }
+            QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 1e-6);
+        }
+    }
+
+    void theTableOfAnotherAxisMovesNoPlace_data()
+    {
+        QTest::addColumn<LookupAt>("lookupAt");
+        QTest::addColumn<FitZero>("zero");
+        QTest::addColumn<bool>("isOn");
+        QTest::addColumn<bool>("isFine");
+        for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set})
+            for (const FitZero zero : {FitZero::First, FitZero::Keep})
+                for (const bool isOn : {false, true})
+                    for (const bool isFine : {false, true})
+                        QTest::addRow("%s, zero %s, %s, %s",
+                            lookupAt == LookupAt::Encoder ? "encoder" : "set",
+                            zero == FitZero::First ? "first" : "kept", isOn ? "on" : "off",
+                            isFine ? "spline" : "lines")
+                            << lookupAt << zero << isOn << isFine;
+    }
+    /// What is left is what the table lacks where the axis was sent to, and of both the zero.
+    void theTableOfAnotherAxisMovesNoPlace()
+    {
+        QFETCH(const LookupAt, lookupAt);
+        QFETCH(const FitZero, zero);
+        QFETCH(const bool, isOn);
+        QFETCH(const bool, isFine);
+        KnownTables old = toothed();
+        old.tables.front().target = "Y";
+        const Lookup active(old.tables.front());
+        const auto left = [&](double target) {
+            return outOfSquare(target) - (isOn ? active.at(target) : 0.0);
+        };
+        const Measurement runs = runsAlongX(left);
+        FitSettings settings = keeping(lookupAt);
+        settings.zero = zero;
+        if (isFine) {
+            settings.method = FitMethod::Spline;
+            settings.grid = {{.points = 501}};
+        }
+        FoundState state = offForY();
+        if (isOn) {
+            state.kind = FoundState::Kind::On;
+            state.active = &old;
+        }
+        const auto report = fitMeasurement(runs, settings, state);
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        const double atZero = zero == FitZero::First ? outOfSquare(0.0) : 0.0;
+        const Lookup made(table);
+        for (const double target : runs.targets)
+            QVERIFY(std::abs(made.at(target) - (outOfSquare(target) - atZero)) < 5e-8);
+        QVERIFY(*(*report->predicted)[Iso230Figure::M].value < 5e-8);
+    }
+
+    void theTableOfAnotherAxisIsCalledAfterThat()
+    {
+        const Measurement runs = runsAlongX(outOfSquare);
+        const auto report = fitMeasurement(runs, keeping(), offForY());
+        VERIFY_RESULT(report);
+        const CompensationTable& table = report->tables.front().table;
+        QCOMPARE(table.grid.axes.front().name, std::string("X"));
+        QCOMPARE(table.name, std::string("dY"));
+        QCOMPARE(table.target, std::string("Y"));
+        QCOMPARE(report->sign.english(),
+            std::string("at X 500 mm the reference was 159.000 um beside the encoder in dY; the "
+                        "drive will add 159.000 um"));
+        FoundState other;
+        other.axis = "other";
+        const auto ofAny = fitMeasurement(runs, keeping(), other);
+        VERIFY_RESULT(ofAny);
+        QCOMPARE(ofAny->tables.front().table.name, std::string("Error"));
+        QCOMPARE(ofAny->tables.front().table.target, std::string("other"));
     }
 
     void whatTheMeasurementDoesNotNameIsCalledAsInTheTableThatWasActive()
