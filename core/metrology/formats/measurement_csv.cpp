@@ -440,6 +440,18 @@ void MeasurementCsv::settleValues(std::optional<bool> isReference, bool haveSign
 {
     m_settledReference = isReference;
     m_isSignSettled = haveSign;
+    m_areAllReference = !haveSign;
+    if (m_areAllReference && m_comments.holdsCorrections)
+        refuseSignOfReference(m_statements.at("sign").line);
+}
+
+void MeasurementCsv::refuseSignOfReference(std::size_t line)
+{
+    m_diagnostics.error(DiagnosticCode::Contradiction, line, 0,
+        AXISCOMP_TEXT("Error", "sign: correction, and positions of the reference"),
+        AXISCOMP_TEXT("Error",
+            "no sign with positions of the reference, which are what they are; or deviations with "
+            "their sign"));
 }
 
 bool MeasurementCsv::takeIfComment(std::string_view line, std::size_t lineNumber)
@@ -561,6 +573,8 @@ void MeasurementCsv::takeSign(const std::string& value, std::size_t line)
             AXISCOMP_TEXT("Error",
                 "sign: deviation (reference minus target), or sign: correction (its "
                 "opposite)"));
+    else if (m_areAllReference && isCorrection)
+        refuseSignOfReference(line);
     else if (m_isSignSettled && m_comments.holdsCorrections != isCorrection)
         refuseLate(line, "sign: " + value);
     else

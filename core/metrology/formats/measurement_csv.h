@@ -99,7 +99,8 @@ public:
     void error(DiagnosticCode code, std::size_t column, Text found, Text expected);
     /// After this a comment that says otherwise is refused: it would hold for some of the lines
     /// only, or for none. isReference: as "values" was understood; nothing where it does not
-    /// decide. haveSign: whether "sign" decides.
+    /// decide. haveSign: whether "sign" decides; otherwise all values are positions of the
+    /// reference, with which a sign that turns them is a contradiction.
     void settleValues(std::optional<bool> isReference, bool haveSign);
     [[nodiscard]] const MeasurementComments& comments() const { return m_comments; }
 
@@ -121,6 +122,7 @@ private:
     void takeValues(const std::string& value, std::size_t line);
     void takeSign(const std::string& value, std::size_t line);
     void refuseLate(std::size_t line, std::string_view statement);
+    void refuseSignOfReference(std::size_t line);
     void refuse(std::size_t line, std::string_view value, const TextPattern& expected);
     [[nodiscard]] std::optional<double> inBase(
         std::size_t column, std::span<const ScaleOfUnit> units, const TextPattern& expected);
@@ -149,6 +151,7 @@ private:
     bool m_isAxisRefused = false;
     std::optional<bool> m_settledReference;
     bool m_isSignSettled = false;
+    bool m_areAllReference = false;
     std::map<std::string, Statement> m_statements; ///< the first of each key
     std::size_t m_headerLine = 0;
     std::size_t m_line = 0;

@@ -356,12 +356,12 @@ private Q_SLOTS:
             "// values: deviation\n");
         row("positions by the name of the column", "runs",
             "target [mm],direction,reference [mm]\n0,+,0.001\n10,+,10.002\n"
-            "// values: reference\n// sign: correction\n");
+            "// values: reference\n// sign: deviation\n");
         row("columns of runs", "wide",
             "// values: reference\ntarget [mm],up1 [mm]\n0,0.001\n10,10.002\n"
-            "// values: reference\n// sign: correction\n");
+            "// values: reference\n// sign: deviation\n");
         row("points of the reference", "points",
-            "X [mm],Y [mm],Xr [mm]\n0,0,0.001\n10,0,10.002\n// sign: correction\n"
+            "X [mm],Y [mm],Xr [mm]\n0,0,0.001\n10,0,10.002\n// sign: deviation\n"
             "// values: reference\n");
         row("notes and temperatures", "runs",
             "target [mm],direction,deviation [um]\n0,+,1\n// a truck went by\n10,+,2\n"

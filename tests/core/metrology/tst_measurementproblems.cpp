@@ -111,6 +111,18 @@ private Q_SLOTS:
         row("a sign behind points", "points",
             "X [mm],Y [mm],dX [um]\n0,0,1\n1,0,1\n// sign: correction\n",
             {"4:0 Syntax sign: correction|this statement before the header"});
+        row("a sign of positions", "runs",
+            "// sign: correction\ntarget [mm],direction,reference [mm]\n0,+,0.001\n9,+,9.002\n",
+            {"1:0 Contradiction sign: correction, and positions of the reference|no sign with"});
+        row("a sign behind positions", "runs",
+            "target [mm],direction,reference [mm]\n0,+,0.001\n9,+,9.002\n// sign: correction\n",
+            {"4:0 Contradiction sign: correction, and positions of the reference|no sign with"});
+        row("a sign of columns of positions", "wide",
+            "// values: reference\n// sign: correction\ntarget [mm],up1 [mm]\n0,0.001\n9,9.002\n",
+            {"2:0 Contradiction sign: correction, and positions of the reference|no sign with"});
+        row("a sign of points of the reference", "points",
+            "// sign: correction\nX [mm],Y [mm],Xr [mm]\n0,0,0.001\n9,0,9.002\n",
+            {"1:0 Contradiction sign: correction, and positions of the reference|no sign with"});
         row("positions, which is said behind them", "runs",
             "target [mm],direction,value [mm]\n0,+,0\n10,+,10\n// values: reference\n",
             {"4:0 Syntax values: reference|this statement before the header"});
