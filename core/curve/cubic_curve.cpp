@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -48,6 +49,47 @@ double CubicCurve::at(double position, std::size_t& piece) const
     const double end = width * slopes[i + 1];
     return values[i]
         + t * (begin + t * (3.0 * rise - 2.0 * begin - end + t * (begin + end - 2.0 * rise)));
+}
+
+double CubicCurve::slopeAt(double position, std::size_t& piece) const
+{
+    if (position >= knots.back())
+        return slopes.back();
+    const std::size_t i = pieceOf(knots, position, piece);
+    piece = i;
+    const double width = knots[i + 1] - knots[i];
+    const double t = (position - knots[i]) / width;
+    const double rise = (values[i + 1] - values[i]) / width;
+    return slopes[i]
+        + t
+        * (6.0 * rise - 4.0 * slopes[i] - 2.0 * slopes[i + 1]
+            + 3.0 * t * (slopes[i] + slopes[i + 1] - 2.0 * rise));
+}
+
+CubicCurve meanOf(const CubicCurve& one, const CubicCurve& other)
+{
+    const double from = std::max(one.knots.front(), other.knots.front());
+    const double to = std::min(one.knots.back(), other.knots.back());
+    CubicCurve mean;
+    std::ranges::set_union(one.knots, other.knots, std::back_inserter(mean.knots));
+    std::size_t piece = 0;
+    std::size_t otherPiece = 0;
+    for (const double knot : mean.knots) {
+        if (knot >= from && knot <= to) {
+            mean.values.push_back(0.5 * (one.at(knot, piece) + other.at(knot, otherPiece)));
+            mean.slopes.push_back(
+                0.5 * (one.slopeAt(knot, piece) + other.slopeAt(knot, otherPiece)));
+            continue;
+        }
+        const bool isOne = knot >= one.knots.front() && knot <= one.knots.back();
+        const CubicCurve& goesOn = isOne ? one : other;
+        const CubicCurve& ended = isOne ? other : one;
+        const double end = std::clamp(knot, from, to);
+        std::size_t& place = isOne ? piece : otherPiece;
+        mean.values.push_back(goesOn.at(knot, place) + 0.5 * (ended.at(end) - goesOn.at(end)));
+        mean.slopes.push_back(goesOn.slopeAt(knot, place));
+    }
+    return mean;
 }
 
 void closeIfWrapped(CubicCurve& curve)

@@ -27,7 +27,13 @@ struct CubicCurve {
     /// The same, faster where positions follow one another. piece: where the last one was found, 0
     /// for the first.
     [[nodiscard]] double at(double position, std::size_t& piece) const;
+    /// Of a curve with slopes that is no turn, between its knots and at them.
+    [[nodiscard]] double slopeAt(double position, std::size_t& piece) const;
 };
+
+/// The mean of two curves with slopes, none of a turn, that have more than a position in common.
+/// Where one has ended the other goes on, and half of what was between them at that end stays.
+[[nodiscard]] CubicCurve meanOf(const CubicCurve& one, const CubicCurve& other);
 
 /// Repeats the first knot at the end of a curve with a period.
 void closeIfWrapped(CubicCurve& curve);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace axiscomp {
@@ -35,10 +36,15 @@ struct Scatter {
         double removed = 0.0;
     };
     std::vector<Column> columns;
-    ScatteredNumbers weights = {};
+    std::vector<Approach> directions = {}; ///< of each sample of a track
 
     [[nodiscard]] std::size_t dimensions() const { return axes.size(); }
     [[nodiscard]] std::size_t size() const { return positions.front().size(); }
+    [[nodiscard]] bool hasBothDirections() const
+    {
+        return std::ranges::count(directions, Approach::Up) > 0
+            && std::ranges::count(directions, Approach::Down) > 0;
+    }
 };
 
 bool isWanted(const TrackSample& sample, FitDirection direction)
@@ -47,7 +53,6 @@ bool isWanted(const TrackSample& sample, FitDirection direction)
         || (sample.direction == Approach::Up) == (direction == FitDirection::Positive);
 }
 
-/// Both directions count the same, however many samples they have.
 Scatter scatterOfTrack(const FitInput& input, const AxisNames& names)
 {
     const Measurement& measurement = input.measurement;
@@ -55,24 +60,37 @@ Scatter scatterOfTrack(const FitInput& input, const AxisNames& names)
     scatter.axes = {names.positions};
     scatter.positions.resize(1);
     Scatter::Column column{names.values, names.target, 0, {}};
-    const auto ups = static_cast<double>(
-        std::ranges::count(measurement.track, Approach::Up, &TrackSample::direction));
-    const double downs = static_cast<double>(measurement.track.size()) - ups;
-    const bool isBalanced =
-        input.settings.direction == FitDirection::Mean && ups > 0.0 && downs > 0.0;
     for (const TrackSample& sample : measurement.track) {
         if (!isWanted(sample, input.settings.direction))
             continue;
         scatter.positions[0].push_back(sample.encoder);
         column.values.push_back(sample.reference - sample.encoder);
-        if (isBalanced)
-            scatter.weights.push_back(
-                0.5 * (ups + downs) / (sample.direction == Approach::Up ? ups : downs));
+        scatter.directions.push_back(sample.direction);
     }
     column.read = column.values;
     column.body.assign(column.values.size(), 0.0);
     scatter.columns.push_back(std::move(column));
     return scatter;
+}
+
+/// The samples of a track that has its places, in one direction.
+Scatter inDirection(const Scatter& track, Approach direction)
+{
+    const Scatter::Column& all = track.columns.front();
+    Scatter some;
+    some.axes = track.axes;
+    some.positions.resize(1);
+    Scatter::Column column;
+    column.places.resize(1);
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        if (track.directions[i] != direction)
+            continue;
+        some.positions[0].push_back(track.positions[0][i]);
+        column.values.push_back(all.values[i]);
+        column.places[0].push_back(all.places[0][i]);
+    }
+    some.columns.push_back(std::move(column));
+    return some;
 }
 
 Scatter scatterOfPoints(const FitInput& input)
@@ -462,22 +480,150 @@ void describeCurve(const SmoothedCurve& smoothed, const GridAxis& axis, FittedTa
     made.density = curveGrid(smoothed.curve, axis.start, axis.last(), axis.size);
 }
 
+Result<SmoothedCurve> splineThrough(
+    const FitInput& input, const Scatter& scatter, const ActiveTable& onto)
+{
+    const Scatter::Column& column = scatter.columns.front();
+    const ScatteredNumbers residuals = withoutOnto(onto, column);
+    const CurveSamples samples{
+        column.places.front(), residuals, {}, std::string(positionUnit(input.measurement))};
+    return smoothingSpline(
+        samples, {.smoothness = input.settings.smoothness, .periods = input.settings.periods});
+}
+
+/// Errors: InvalidArgument.
+auto nothingInCommon()
+{
+    return badFit(AXISCOMP_TEXT("Error",
+        "the two directions of the track have no part of the way in common: make the table of one "
+        "of them (--direction positive or negative)"));
+}
+
+Result<SmoothedCurve> meanOfSplines(const SmoothedCurve& up, const SmoothedCurve& down)
+{
+    const CubicCurve& one = up.curve.base;
+    const CubicCurve& other = down.curve.base;
+    if (std::max(one.knots.front(), other.knots.front())
+        >= std::min(one.knots.back(), other.knots.back()))
+        return nothingInCommon();
+    SmoothedCurve mean = up;
+    mean.curve.base = meanOf(one, other);
+    for (std::size_t i = 0; i < mean.curve.terms.size(); ++i) {
+        PeriodicTerm& term = mean.curve.terms[i];
+        const PeriodicTerm& ofDown = down.curve.terms[i];
+        term.cosine = 0.5 * (term.cosine + ofDown.cosine);
+        term.sine = 0.5 * (term.sine + ofDown.sine);
+        term.standardError = 0.5 * std::hypot(term.standardError, ofDown.standardError);
+    }
+    mean.smoothness = std::max(up.smoothness, down.smoothness);
+    return mean;
+}
+
 /// The smoothing spline through a track, where one is asked for; through what the table lacks that
-/// it is merged onto, and with that table.
+/// it is merged onto, and with that table. Of both directions the mean of theirs: however they
+/// share the samples, the reversal is no part of it.
 Result<std::optional<SmoothedCurve>> curveOf(
     const FitInput& input, const Scatter& scatter, const ActiveTable& onto)
 {
     if (isFittedOnGrid(input.measurement, input.settings))
         return std::nullopt;
-    const Scatter::Column& column = scatter.columns.front();
+    const auto smoothed = [&]() -> Result<SmoothedCurve> {
+        if (!scatter.hasBothDirections())
+            return splineThrough(input, scatter, onto);
+        AXISCOMP_TRY(const auto up, splineThrough(input, inDirection(scatter, Approach::Up), onto));
+        AXISCOMP_TRY(
+            const auto down, splineThrough(input, inDirection(scatter, Approach::Down), onto));
+        return meanOfSplines(up, down);
+    };
+    AXISCOMP_TRY(auto curve, smoothed());
+    curve.curve.onto = linesOf(onto);
+    return std::optional(std::move(curve));
+}
+
+Result<GridFit> fitOntoGrid(const Scatter& scatter, const Scatter::Column& column,
+    const ActiveTable& onto, const GridFitRequest& request)
+{
     const ScatteredNumbers residuals = withoutOnto(onto, column);
-    const CurveSamples samples{column.places.front(), residuals, scatter.weights,
-        std::string(positionUnit(input.measurement))};
-    AXISCOMP_TRY(auto smoothed,
-        smoothingSpline(
-            samples, {.smoothness = input.settings.smoothness, .periods = input.settings.periods}));
-    smoothed.curve.onto = linesOf(onto);
-    return std::optional(std::move(smoothed));
+    const auto places = heldPlaces(scatter, column, request.grid);
+    ScatteredValues values;
+    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
+        values.coordinates[axis] = places[axis];
+    values.values = residuals;
+    return fitGrid(values, request);
+}
+
+/// nodes: ascending, not empty.
+std::size_t nearestOf(const std::vector<std::size_t>& nodes, std::size_t node)
+{
+    const auto next = std::ranges::lower_bound(nodes, node);
+    if (next == nodes.end())
+        return nodes.back();
+    const bool isBefore = next != nodes.begin() && node - *std::prev(next) < *next - node;
+    return isBefore ? *std::prev(next) : *next;
+}
+
+/// What is between the fits of two directions at each node; where one was not measured that of the
+/// nearest node beside which both were. Errors: those of nothingInCommon.
+Result<ScatteredNumbers> betweenDirections(const GridFit& up, const GridFit& down)
+{
+    std::vector<std::size_t> common;
+    for (std::size_t node = 0; node < up.values.size(); ++node) {
+        const auto number = static_cast<std::uint32_t>(node);
+        if (!std::ranges::binary_search(up.filled, number)
+            && !std::ranges::binary_search(down.filled, number))
+            common.push_back(node);
+    }
+    if (common.empty())
+        return nothingInCommon();
+    ScatteredNumbers between;
+    for (std::size_t node = 0; node < up.values.size(); ++node) {
+        const std::size_t nearest = nearestOf(common, node);
+        between.push_back(down.values[nearest] - up.values[nearest]);
+    }
+    return between;
+}
+
+/// A track in both directions: the mean of the fits of each.
+Result<GridFit> fitBothOntoGrid(
+    const Scatter& scatter, const ActiveTable& onto, GridFitRequest request)
+{
+    GridFitRequest ofOne = request;
+    ofOne.farPoints = FarPoints::Smooth; // what both leave open is seen below
+    std::array<GridFit, 2> fits;
+    constexpr std::array directions{Approach::Up, Approach::Down};
+    for (std::size_t n = 0; n < fits.size(); ++n) {
+        const Scatter some = inDirection(scatter, directions[n]);
+        AXISCOMP_TRY(fits[n], fitOntoGrid(some, some.columns.front(), onto, ofOne));
+    }
+    AXISCOMP_TRY(const auto between, betweenDirections(fits[0], fits[1]));
+    double squares = 0.0;
+    for (std::size_t node = 0; node < between.size(); ++node) {
+        const bool isUpKnown =
+            !std::ranges::binary_search(fits[0].filled, static_cast<std::uint32_t>(node));
+        request.nodes.push_back(isUpKnown ? fits[0].values[node] + 0.5 * between[node]
+                                          : fits[1].values[node] - 0.5 * between[node]);
+        squares += 0.25 * between[node] * between[node] / static_cast<double>(between.size());
+    }
+    request.smoothness.reset();
+    request.isRobust = false;
+    AXISCOMP_TRY(GridFit fit, fitOntoGrid(scatter, scatter.columns.front(), onto, request));
+    fit.smoothness = std::max(fits[0].smoothness, fits[1].smoothness);
+    if (fits[0].crossValidation && fits[1].crossValidation) // what is left out is of one direction
+        fit.crossValidation = std::sqrt(squares
+            + 0.5
+                * (std::pow(*fits[0].crossValidation, 2) + std::pow(*fits[1].crossValidation, 2)));
+    for (std::size_t n = 0; n < fits.size(); ++n) {
+        std::vector<std::size_t> samples;
+        for (std::size_t i = 0; i < scatter.size(); ++i)
+            if (scatter.directions[i] == directions[n])
+                samples.push_back(i);
+        for (DoubtfulPoint point : fits[n].doubtful) {
+            point.index = samples[point.index];
+            fit.doubtful.push_back(point);
+        }
+    }
+    std::ranges::sort(fit.doubtful, {}, &DoubtfulPoint::index);
+    return fit;
 }
 
 /// smoothed: the curve that the grid takes its values from; null: they are fitted on it.
@@ -488,13 +634,6 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     // than the points keeps what it has between them. The curve has it already.
     AXISCOMP_TRY(const ActiveTable merged, ontoOf(input, column, scatter.axes));
     const ActiveTable onto = smoothed ? ActiveTable{} : merged;
-    const ScatteredNumbers residuals = withoutOnto(onto, column);
-    ScatteredValues values;
-    const auto places = heldPlaces(scatter, column, grid);
-    for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
-        values.coordinates[axis] = places[axis];
-    values.values = residuals;
-    values.weights = scatter.weights;
     GridFitRequest request;
     request.grid = grid;
     if (smoothed) {
@@ -507,7 +646,9 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     request.isRobust = input.settings.isRobust;
     request.farPoints = input.settings.farPoints;
     request.stop = input.stop;
-    AXISCOMP_TRY(fit, fitGrid(values, request));
+    AXISCOMP_TRY(fit,
+        !smoothed && scatter.hasBothDirections() ? fitBothOntoGrid(scatter, onto, request)
+                                                 : fitOntoGrid(scatter, column, onto, request));
     if (onto.table) {
         const Lookup before(*onto.table, onto.outside);
         for (std::size_t i = 0; i < fit.values.size(); ++i)

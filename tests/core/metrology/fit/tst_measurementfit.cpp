@@ -1321,6 +1321,74 @@ private Q_SLOTS:
         QVERIFY(isRefused(fitMeasurement(track, settings, state), "--method smooth"));
     }
 
+    void bothDirectionsOfATrackCountTheSame_data()
+    {
+        QTest::addColumn<FitMethod>("method");
+        QTest::addColumn<bool>("isRobust");
+        QTest::addColumn<double>("from"); // what was measured downwards
+        QTest::addColumn<double>("to");
+        QTest::newRow("spline") << FitMethod::Smooth << false << -5.0 << 205.0;
+        QTest::newRow("spline, half of the way back")
+            << FitMethod::Smooth << false << 52.5 << 157.5;
+        QTest::newRow("grid") << FitMethod::Linear << false << -5.0 << 205.0;
+        QTest::newRow("grid, robust") << FitMethod::Linear << true << -5.0 << 205.0;
+        QTest::newRow("grid, half of the way back") << FitMethod::Linear << false << 52.5 << 157.5;
+    }
+    /// The grid itself is up to 0.073 um off the curve, and natural ends a hundredth of one.
+    void bothDirectionsOfATrackCountTheSame()
+    {
+        QFETCH(const FitMethod, method);
+        QFETCH(const bool, isRobust);
+        QFETCH(const double, from);
+        QFETCH(const double, to);
+        const auto error = [](double place) {
+            return 0.01 * std::sin(2.0 * pi * place / 130.0 + 1.0) + 4e-5 * place;
+        };
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        for (int i = 0; i < 900; ++i) {
+            const double place = -5.0 + 210.0 * i / 899.0;
+            track.track.push_back({place, place + error(place) + 0.002, Approach::Up});
+        }
+        for (int i = 0; i < 100; ++i) {
+            const double place = to - (to - from) * i / 99.0;
+            track.track.push_back({place, place + error(place) - 0.002, Approach::Down});
+        }
+        FitSettings settings = keeping();
+        settings.method = method;
+        settings.isRobust = isRobust;
+        settings.grid = {{.points = 43}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        const auto report = fitMeasurement(track, settings, state);
+        VERIFY_RESULT(report);
+        const FittedTable& made = report->tables.front();
+        const GridAxis& axis = made.table.grid.axes.front();
+        const double tolerance = method == FitMethod::Smooth ? 2e-5 : 1e-4;
+        for (std::uint32_t i = 0; i < axis.size; ++i)
+            QVERIFY(std::abs(static_cast<double>(made.table.values[i]) - error(axis.position(i)))
+                < tolerance);
+        QVERIFY(std::abs(made.residualRms - 0.002) < 1e-4); // half of the reversal
+    }
+
+    void aTrackWhoseDirectionsHaveNothingInCommonHasNoMean()
+    {
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        for (int i = 0; i < 100; ++i) {
+            track.track.push_back({0.5 * i, 0.5 * i + 0.002, Approach::Up});
+            track.track.push_back({100.0 + 0.5 * i, 100.0 + 0.5 * i - 0.002, Approach::Down});
+        }
+        FitSettings settings = keeping();
+        settings.grid = {{.points = 16}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        for (const FitMethod method : {FitMethod::Linear, FitMethod::Smooth}) {
+            settings.method = method;
+            QVERIFY(isRefused(fitMeasurement(track, settings, state), "--direction positive"));
+        }
+    }
+
     /// Samples leave a gap: what the spline has there was not measured.
     void aGapOfATrackIsNotBridgedUnasked()
     {
