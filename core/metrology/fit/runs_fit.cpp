@@ -287,9 +287,9 @@ Result<AxisRequest> gridBesideTargets(const FitInput& input, const CompensationT
         return wanted;
     }
     if (wanted.distance != 0.0) {
-        if (settings.holdsEnds)
-            return wanted;
-        const double steps = std::floor((to - from) / wanted.distance * (1.0 + 1e-12));
+        const double range = (to - from) / wanted.distance;
+        const double steps = settings.holdsEnds ? std::ceil(range * (1.0 - 1e-12))
+                                                : std::floor(range * (1.0 + 1e-12));
         if (steps < 1.0)
             return wanted;
         return AxisRequest{.points = static_cast<std::size_t>(steps) + 1,

@@ -938,6 +938,32 @@ private Q_SLOTS:
         }
     }
 
+    /// At the set position the knots are beside the targets by the deviations, and the grid is not.
+    void aHeldGridBeginsAtTheFirstTarget_data()
+    {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<std::uint32_t>("points");
+        QTest::newRow("that divides the range") << 40.0 << 11U;
+        QTest::newRow("that does not") << 70.0 << 7U;
+        QTest::newRow("longer than the range") << 500.0 << 2U;
+    }
+    void aHeldGridBeginsAtTheFirstTarget()
+    {
+        QFETCH(const double, distance);
+        QFETCH(const std::uint32_t, points);
+        const auto deviation = [](double target) { return 0.005 + 1e-5 * target; };
+        const Measurement runs = runsOver(0.0, 10.0, 41, deviation);
+        FitSettings settings = keeping(LookupAt::Set);
+        settings.grid = {{.distance = distance}};
+        settings.holdsEnds = true;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        const GridAxis& axis = report->tables.front().table.grid.axes.front();
+        QCOMPARE(axis.start, 0.0);
+        QCOMPARE(axis.distance, distance);
+        QCOMPARE(axis.size, points);
+    }
+
     void aTurnWhoseStepsMissItsTargetsNeedsAGrid()
     {
         Measurement runs = runsOver(15.0, 30.0, 12, [](double) { return 0.001; });
