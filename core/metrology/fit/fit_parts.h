@@ -93,8 +93,16 @@ struct SignBeside {
 void addRemark(FitReport& report, std::string_view name, Text text, bool isWarning = false);
 /// What is to be said of any table, whatever it was made of.
 void addTableRemarks(const FitInput& input, FitReport& report);
-/// What is to be said of a table of runs; judgement: of the measurement.
+/// What is to be said of a table of runs. outliers: values that do not fit the others; fit: that
+/// with the largest reversal.
 void addRunsRemarks(
-    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report);
+    const FitInput& input, std::size_t outliers, const TableFit& fit, FitReport& report);
+/// What judging the runs warns of, all or those of one thermal state, and what is to be said of the
+/// table along the axis that serves them.
+void addStateRemarks(const FitInput& input, const Judgement& judgement,
+    std::span<const CompensationTable> tables, FitReport& report);
+[[nodiscard]] std::size_t outlierCount(const Judgement& judgement);
+/// What is foretold of the targets, or that nothing can be. Errors: Cancelled.
+[[nodiscard]] Result<void> addHeldOut(Result<HeldOut> heldOut, FitReport& report);
 
 } // namespace axiscomp

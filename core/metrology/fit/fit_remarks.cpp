@@ -289,10 +289,8 @@ void remarkOfPeriods(const FitInput& input, Remarks& remarks)
                 .with("period", remarks.place(period)));
 }
 
-void remarkOfOutliers(const Judgement& judgement, Remarks& remarks)
+void remarkOfOutliers(std::size_t count, Remarks& remarks)
 {
-    const std::size_t count =
-        judgement.outliers.up.flagged.size() + judgement.outliers.down.flagged.size();
     if (count > 0)
         remarks.warn("OutliersLeftIn",
             AXISCOMP_COUNTED("Measurement",
@@ -410,25 +408,53 @@ void addTableRemarks(const FitInput& input, FitReport& report)
 }
 
 void addRunsRemarks(
-    const FitInput& input, const Judgement& judgement, const TableFit& fit, FitReport& report)
+    const FitInput& input, std::size_t outliers, const TableFit& fit, FitReport& report)
 {
     Remarks remarks(input, report);
     remarkOfHeldOut(report, remarks);
     remarkOfImprovement(report, remarks);
     remarkOfReversal(input, fit, remarks);
-    for (const JudgeWarning& warning : judgement.warnings)
-        remarks.warn(warning.name, warning.text);
-    remarkOfOutliers(judgement, remarks);
+    remarkOfOutliers(outliers, remarks);
     if (input.settings.turn)
         remarkOfCount(input, report.tables.front().table.grid.axes.front(), remarks);
     else
         remarkOfTargetsOutside(input, report.tables.front().table, remarks);
-    for (const FittedTable& made : report.tables) {
-        remarkOfHome(input, made.table, remarks);
-        remarkOfTurn(input, made.table, remarks);
+    for (const FittedTable& made : report.tables)
         remarkOfDensity(input, made, remarks);
-    }
     remarkOfPeriods(input, remarks);
+}
+
+void addStateRemarks(const FitInput& input, const Judgement& judgement,
+    std::span<const CompensationTable> tables, FitReport& report)
+{
+    Remarks remarks(input, report);
+    for (const JudgeWarning& warning : judgement.warnings)
+        remarks.warn(warning.name, warning.text);
+    for (const CompensationTable& table : tables) {
+        remarkOfHome(input, table, remarks);
+        remarkOfTurn(input, table, remarks);
+    }
+}
+
+std::size_t outlierCount(const Judgement& judgement)
+{
+    return judgement.outliers.up.flagged.size() + judgement.outliers.down.flagged.size();
+}
+
+Result<void> addHeldOut(Result<HeldOut> heldOut, FitReport& report)
+{
+    if (heldOut) {
+        report.heldOut = *std::move(heldOut);
+        return {};
+    }
+    if (heldOut.error().code == ErrorCode::Cancelled)
+        return fail(heldOut.error());
+    addRemark(report, "HeldOutUnknown",
+        AXISCOMP_TEXT("Measurement",
+            "how well the error between the targets is known cannot be told: {reason}")
+            .with("reason", textOf(heldOut.error())),
+        true);
+    return {};
 }
 
 } // namespace axiscomp

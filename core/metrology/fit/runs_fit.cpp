@@ -482,25 +482,6 @@ Result<HeldOut> heldOutOf(const std::vector<RunsTable>& tables, const std::stop_
     return found.size() == 1 ? std::move(found.front()) : together(found[0], found[1]);
 }
 
-/// Where the values go up and down by the residuals that no target shows. Errors: Cancelled.
-Result<void> predictBetween(
-    const std::vector<RunsTable>& tables, const std::stop_token& stop, FitReport& report)
-{
-    auto heldOut = heldOutOf(tables, stop);
-    if (heldOut) {
-        report.heldOut = *std::move(heldOut);
-        return {};
-    }
-    if (heldOut.error().code == ErrorCode::Cancelled)
-        return fail(heldOut.error());
-    addRemark(report, "HeldOutUnknown",
-        AXISCOMP_TEXT("Measurement",
-            "how well the error between the targets is known cannot be told: {reason}")
-            .with("reason", textOf(heldOut.error())),
-        true);
-    return {};
-}
-
 } // namespace
 
 Result<Measurement> predictMeasurement(const Measurement& measurement,
@@ -670,9 +651,13 @@ Result<FitReport> fitRuns(const FitInput& input)
     AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, tables, report.tables));
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    AXISCOMP_CHECK(predictBetween(tables, input.stop, report));
+    AXISCOMP_CHECK(addHeldOut(heldOutOf(tables, input.stop), report));
     report.sign = signOfTables(input, tables, report);
-    addRunsRemarks(input, judgement, tables.front().fit, report);
+    addRunsRemarks(input, outlierCount(judgement), tables.front().fit, report);
+    std::vector<CompensationTable> made;
+    for (const FittedTable& one : report.tables)
+        made.push_back(one.table);
+    addStateRemarks(input, judgement, made, report);
     return report;
 }
 

@@ -33,6 +33,7 @@ Quantity degrees(double temperature)
 struct ThermalState {
     double temperature = 0.0; ///< mean of its values
     double squares = 0.0; ///< of the differences from it
+    std::set<std::pair<Approach, int>> runs;
     Measurement measurement; ///< with the values of the other runs left out
     double weight = 0.0; ///< number of its values
 
@@ -75,6 +76,7 @@ std::vector<std::pair<double, RunNumber>> temperaturesOfRuns(const Measurement& 
 ThermalState stateOf(const Measurement& measurement, const std::set<RunNumber>& runs)
 {
     ThermalState state;
+    state.runs = runs;
     state.measurement = measurement;
     double sum = 0.0;
     for (RunValue& value : state.measurement.values) {
@@ -463,8 +465,8 @@ Result<HeldOut> heldOutOf(
     for (std::size_t n = 0; n < curves.states.size(); ++n) {
         const Measurement& measurement = curves.states[n].measurement;
         const FitInput ofState{measurement, settings, input.state, input.lookupAt, input.stop};
-        AXISCOMP_TRY(
-            auto one, predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n]));
+        AXISCOMP_TRY(auto one,
+            predictHeldOut(fitValues(measurement, ofState).values, curves.requests[n], input.stop));
         const LeftByTable left(input, curves, n, table);
         if (one.ends.empty() && curves.states.size() > 2) // a line through two leaves nothing there
             one.ends = {{curves.states[n].firstTarget()}, {curves.states[n].lastTarget()}};
@@ -518,6 +520,46 @@ void addTemperatureRemarks(const FitInput& input, const StateCurves& curves, Fit
         true);
 }
 
+Text atTemperature(double temperature, Text sentence)
+{
+    return AXISCOMP_TEXT("Measurement", "at {temperature}: {sentence}")
+        .with("temperature", degrees(temperature))
+        .with("sentence", std::move(sentence));
+}
+
+/// The runs of a state alone, with what was excluded of them. What the file says of results is of
+/// all runs.
+Measurement runsOfState(const Measurement& measurement, const ThermalState& state)
+{
+    Measurement runs = measurement;
+    std::erase_if(runs.values, [&state](const RunValue& value) {
+        return !state.runs.contains({value.direction, value.run});
+    });
+    runs.published.clear();
+    return runs;
+}
+
+/// What is said of a table of runs, where each state is a measurement of its own.
+void addRemarksOfStates(const FitInput& input, const StateCurves& curves, FitReport& report)
+{
+    JudgeOptions judging;
+    judging.outlierRule = input.settings.outlierRule;
+    std::size_t outliers = 0;
+    for (const ThermalState& state : curves.states) {
+        const Judgement judgement = judge(runsOfState(input.measurement, state), judging);
+        outliers += outlierCount(judgement);
+        const CompensationTable slice = sliceOf(report.tables.front().table, state.temperature);
+        FitReport ofState;
+        addStateRemarks(input, judgement, {&slice, 1}, ofState);
+        for (FitRemark& remark : ofState.remarks)
+            addRemark(report, remark.name, atTemperature(state.temperature, std::move(remark.text)),
+                remark.isWarning);
+    }
+    const auto mostReversal = std::ranges::max_element(
+        curves.fits, {}, [](const TableFit& fit) { return fit.remainingReversal.value_or(-1.0); });
+    addRunsRemarks(input, outliers, *mostReversal, report);
+}
+
 } // namespace
 
 Result<FitReport> fitRunsByTemperature(const FitInput& input)
@@ -535,19 +577,17 @@ Result<FitReport> fitRunsByTemperature(const FitInput& input)
     AXISCOMP_TRY(const auto predicted, predictedRuns(input, curves, table));
     report.predicted = figuresOfStates(predicted, curves.states);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
-    if (auto heldOut = heldOutOf(input, curves, table))
-        report.heldOut = *std::move(heldOut);
+    AXISCOMP_CHECK(addHeldOut(heldOutOf(input, curves, table), report));
     const ThermalState& reference = curves.states[curves.reference];
     const FitSettings ofState = settingsOfState(settings, settings.zero);
     const FitInput referenceInput{
         reference.measurement, ofState, input.state, input.lookupAt, input.stop};
     TableFit fit = curves.fits[curves.reference];
     fit.removed.constant += curves.removedConstant;
-    report.sign = AXISCOMP_TEXT("Measurement", "at {temperature}: {sentence}")
-                      .with("temperature", degrees(reference.temperature))
-                      .with("sentence",
-                          signOfRuns(referenceInput, fit, sliceOf(table, reference.temperature)));
+    report.sign = atTemperature(reference.temperature,
+        signOfRuns(referenceInput, fit, sliceOf(table, reference.temperature)));
     addTemperatureRemarks(input, curves, report);
+    addRemarksOfStates(input, curves, report);
     return report;
 }
 

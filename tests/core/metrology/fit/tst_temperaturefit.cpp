@@ -63,6 +63,13 @@ void verifyRefused(const Result<FitReport>& report, std::string_view words)
     QVERIFY2(text.find(words) != std::string::npos, text.c_str());
 }
 
+bool isSaid(const FitReport& report, std::string_view name, std::string_view words)
+{
+    return std::ranges::any_of(report.remarks, [&](const FitRemark& remark) {
+        return remark.name == name && remark.text.english().find(words) != std::string::npos;
+    });
+}
+
 } // namespace
 
 /// AN140 1.1 names the temperature as an input of a table. The machine here has a closed form.
@@ -71,6 +78,51 @@ class TestTemperatureFit : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
+
+    /// Up and down by 10 um from target to target, and 60 um of reversal when it is warm.
+    void aTableOverTemperatureSaysWhatATableOfRunsSays()
+    {
+        Measurement runs = measured({20.0, 26.0}, [](double position, double) {
+            return std::fmod(position, 100.0) == 0.0 ? 0.005 : -0.005;
+        });
+        for (RunValue& value : runs.values)
+            if (*value.temperature > 25.0)
+                value.deviation += value.direction == Approach::Up ? 0.03 : -0.03;
+        FitSettings settings = byTemperature();
+        settings.home = 250.0;
+        const auto report = fitted(runs, settings);
+        VERIFY_RESULT(report);
+        QVERIFY(isSaid(*report, "BetweenTargets", "measure at more targets"));
+        QVERIFY(isSaid(*report, "MostlyReversal", "up to 30.000 um remains in each direction"));
+        QVERIFY(isSaid(*report, "LittleImprovement", "less than a fifth"));
+        QVERIFY(isSaid(*report, "ValueAtHome", "at 20 degC: dX adds"));
+        QVERIFY(isSaid(*report, "ValueAtHome", "at 26 degC: dX adds"));
+        QVERIFY(!isSaid(*report, "ValuesExcluded", ""));
+        runs.values.front().isUsed = false;
+        const auto without = fitted(runs, settings);
+        QVERIFY(!without); // the first target has no value of one direction
+    }
+
+    /// A run that starts 30 um beside the four others of its state, of which each has its own
+    /// place.
+    void eachThermalStateIsJudgedByItself()
+    {
+        Measurement runs =
+            measured({20.0, 20.01, 20.02, 20.03, 20.04, 26.0, 26.01, 26.02, 26.03, 26.04},
+                [](double position, double temperature) {
+                    return errorAt(position, temperature)
+                        + (temperature > 25.0 ? 1.0 : 0.0) * 1e-3 * (temperature - 26.0);
+                });
+        const auto drifting = fitted(runs, byTemperature());
+        VERIFY_RESULT(drifting);
+        QVERIFY(!isSaid(*drifting, "OutliersLeftIn", ""));
+        for (RunValue& value : runs.values)
+            if (value.target == 5 && value.run == 3)
+                value.deviation += 0.03;
+        const auto report = fitted(runs, byTemperature());
+        VERIFY_RESULT(report);
+        QVERIFY(isSaid(*report, "OutliersLeftIn", "2 values"));
+    }
 
     void aLineJoinsUpToFourStates()
     {
