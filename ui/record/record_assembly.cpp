@@ -147,7 +147,7 @@ Result<void> judgeAnew(CalibrationRecord& made)
     AXISCOMP_TRY(const auto measurement, usedMeasurement(*last));
     if (measurement.hasTargets())
         made.verdict->figures = verdicts(
-            iso230Figures(measurement), made.judging->tolerances, made.judging->uncertainty);
+            figuresBy(made, measurement), made.judging->tolerances, made.judging->uncertainty);
     return {};
 }
 

@@ -42,10 +42,10 @@ Result<void> checkLanguage(const std::string& language)
     return wrongUsage("--language: a report is written in " + known, commandName("report"));
 }
 
-Json figuresOrNull(const std::optional<ReportMeasurement>& measured)
+Json figuresOrNull(const ReportContent& content, const std::optional<ReportMeasurement>& measured)
 {
     return measured && measured->measurement.hasTargets()
-        ? axisFiguresJson(iso230Figures(measured->measurement))
+        ? axisFiguresJson(figuresBy(content, measured->measurement))
         : Json(nullptr);
 }
 
@@ -76,13 +76,15 @@ Json reportJson(const ReportCommandOptions& options, const ReportContent& conten
     const auto& last = content.after ? content.after : content.before;
     Json verdict = Json::array();
     if (last && last->measurement.hasTargets())
-        verdict = verdictsJson(
-            verdicts(iso230Figures(last->measurement), content.tolerances, content.uncertainty));
+        verdict = verdictsJson(verdicts(
+            figuresBy(content, last->measurement), content.tolerances, content.uncertainty));
     return {{"record", options.record}, {"output", options.output}, {"language", options.language},
-        {"unit", content.isAngular ? "deg" : "mm"}, {"before", figuresOrNull(content.before)},
+        {"unit", content.isAngular ? "deg" : "mm"},
+        {"before", figuresOrNull(content, content.before)},
         {"predicted", predictedJson(content.prediction)},
-        {"heldOut", heldOutJson(content.prediction)}, {"after", figuresOrNull(content.after)},
-        {"verdict", std::move(verdict)}, {"source", std::move(sources)}};
+        {"heldOut", heldOutJson(content.prediction)},
+        {"after", figuresOrNull(content, content.after)}, {"verdict", std::move(verdict)},
+        {"source", std::move(sources)}};
 }
 
 Result<ExitCode> runReport(Environment& environment, const ReportCommandOptions& options)

@@ -5,6 +5,7 @@
 #include "app/cli/output/judgement_output.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/metrology/fit/measurement_fit.h"
 
 #include <algorithm>
 #include <iterator>
@@ -31,7 +32,10 @@ std::string sideBySide(bool isAngular, const Comparison& comparison)
             comparison.predicted ? fine((*comparison.predicted)[figure]) : "-", fine(after),
             fine(changeOf(before, after))});
     }
-    return "Figures, in " + fine.unit() + "\n" + table.text();
+    const std::string rule = comparison.isByTemperature
+        ? "  " + figuresByTemperatureText().english() + "\n"
+        : std::string();
+    return "Figures, in " + fine.unit() + "\n" + table.text() + rule;
 }
 
 std::string promiseText(bool isAngular, const Comparison& comparison)

@@ -148,6 +148,12 @@ struct FitReport {
 [[nodiscard]] Result<FitReport> fitMeasurement(const Measurement& measurement,
     const FitSettings& settings, const FoundState& state, std::stop_token stop = {});
 
+/// The figures of runs as a fit by temperature gives them: each is the largest of a thermal state
+/// and of all runs together, since the axis is at one temperature at a time. Those of the runs
+/// where not every value has a temperature, or all are of one state.
+[[nodiscard]] Iso230Figures figuresByTemperature(const Measurement& measurement);
+[[nodiscard]] Text figuresByTemperatureText();
+
 /// The same runs with a table active as the drive applies it, in place of what was active: only the
 /// deviations of the values in use are of it, and raw positions and outputs are left out. table: of
 /// one dimension, in the unit of the measurement. The state must have been found for the

@@ -509,10 +509,7 @@ void addTemperatureRemarks(const FitInput& input, const StateCurves& curves, Fit
                 .with("largest",
                     fineQuantity(
                         report.tables.front().residualLargest, input.measurement.isAngular)));
-    addRemark(report, "FiguresOfStates",
-        AXISCOMP_TEXT("Measurement",
-            "each figure, before and foretold, is the largest of a thermal state and of all runs "
-            "together"));
+    addRemark(report, "FiguresOfStates", figuresByTemperatureText());
     addRemark(report, "InstrumentZeroKept",
         AXISCOMP_TEXT("Measurement",
             "the table has the movement of the zero from one thermal state to the other, as the "
@@ -561,6 +558,23 @@ void addRemarksOfStates(const FitInput& input, const StateCurves& curves, FitRep
 }
 
 } // namespace
+
+Iso230Figures figuresByTemperature(const Measurement& measurement)
+{
+    const auto isUsed = [](const RunValue& value) { return value.isUsed; };
+    const bool hasTemperatures = std::ranges::any_of(measurement.values, isUsed)
+        && std::ranges::all_of(measurement.values,
+            [](const RunValue& value) { return !value.isUsed || value.temperature; });
+    return hasTemperatures ? figuresOfStates(measurement, statesOf(measurement))
+                           : iso230Figures(measurement);
+}
+
+Text figuresByTemperatureText()
+{
+    return AXISCOMP_TEXT("Measurement",
+        "each figure, before and foretold, is the largest of a thermal state and of all runs "
+        "together");
+}
 
 Result<FitReport> fitRunsByTemperature(const FitInput& input)
 {

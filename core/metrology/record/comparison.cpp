@@ -2,6 +2,7 @@
 #include "core/metrology/record/comparison.h"
 
 #include "core/curve/smoothing_spline.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
@@ -241,6 +242,12 @@ std::optional<double> changeOf(
     return before && after ? std::optional(*after - *before) : std::nullopt;
 }
 
+Iso230Figures figuresBy(const CalibrationRecord& record, const Measurement& measurement)
+{
+    const bool isByTemperature = record.fit && record.fit->settings.isByTemperature;
+    return isByTemperature ? figuresByTemperature(measurement) : iso230Figures(measurement);
+}
+
 bool needsStatement(const Measurement& after, const ComparisonRequest& request)
 {
     return request.tableCrc && stateSaidOf(after).kind != MeasuredState::Kind::Off
@@ -279,6 +286,7 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
     if (record.write)
         request.tableCrc = record.write->crc;
     RecordedJudging judging = judgingOf(record);
+    request.isByTemperature = record.fit && record.fit->settings.isByTemperature;
     request.tolerances = std::move(judging.tolerances);
     request.uncertainty = judging.uncertainty;
     return request;
@@ -307,8 +315,10 @@ Result<Comparison> compareMeasurements(
                     .with("before", before.header.axis)
                     .with("after", after.header.axis)}});
     AXISCOMP_CHECK(checkStateAfter(after, request));
+    const auto figuresOf = request.isByTemperature ? &figuresByTemperature : &iso230Figures;
     Comparison comparison{
-        iso230Figures(before), request.predicted, request.heldOut, iso230Figures(after), {}, {}};
+        figuresOf(before), request.predicted, request.heldOut, figuresOf(after), {}, {}};
+    comparison.isByTemperature = request.isByTemperature;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     judgePrediction(comparison, request);

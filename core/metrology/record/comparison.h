@@ -24,10 +24,16 @@ struct ComparisonRequest {
     /// Whether prediction, tolerances and uncertainty are in deg; nothing: they are in the unit of
     /// the measurements, whichever that is.
     std::optional<bool> isAngular = {};
+    /// The table is one over temperature, and the figures are those of a fit by temperature.
+    bool isByTemperature = false;
 };
 /// What a record says: its prediction, its table, and the tolerances that hold (judgingOf), in the
 /// unit of its measurement.
 [[nodiscard]] ComparisonRequest comparisonRequest(const CalibrationRecord& record);
+
+/// The figures of a measurement by the rule that those of the fit are made by.
+[[nodiscard]] Iso230Figures figuresBy(
+    const CalibrationRecord& record, const Measurement& measurement);
 
 /// Whether a person has to say that the table was active, since the measurement leaves it open.
 [[nodiscard]] bool needsStatement(const Measurement& after, const ComparisonRequest& request);
@@ -76,6 +82,7 @@ struct Comparison {
     std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
+    bool isByTemperature = false; ///< as in the request
 
     [[nodiscard]] bool isWithinTolerances() const;
 };

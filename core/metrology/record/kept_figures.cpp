@@ -2,6 +2,7 @@
 #include "core/metrology/record/kept_figures.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/record/comparison.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ FigureValues figuresBefore(const CalibrationRecord& record)
     if (!record.before)
         return {};
     const auto used = usedMeasurement(*record.before);
-    return used && used->hasTargets() ? figureValues(iso230Figures(*used)) : FigureValues{};
+    return used && used->hasTargets() ? figureValues(figuresBy(record, *used)) : FigureValues{};
 }
 
 /// The verdict is that of the last measurement of the record, whichever table was active in it.

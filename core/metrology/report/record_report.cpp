@@ -4,6 +4,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
+#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -44,11 +45,8 @@ void addInputs(std::vector<ReportInput>& inputs, const RecordedMeasurement& reco
 }
 
 /// measurement: that the table was made of; null: not on record.
-Text methodText(const CalibrationRecord& record, const Measurement* measurement)
+Text methodAlongAxis(const FitSettings& settings, const Measurement* measurement)
 {
-    if (!record.fit)
-        return {};
-    const FitSettings& settings = record.fit->settings;
     if (measurement && isFittedOnGrid(*measurement, settings))
         return AXISCOMP_TEXT("Report", "smooth grid of scattered points");
     const std::string method(fitMethodName(settings.method));
@@ -63,6 +61,17 @@ Text methodText(const CalibrationRecord& record, const Measurement* measurement)
     }
     return AXISCOMP_TEXT("Report", "{method}, from the mean of both directions")
         .with("method", method);
+}
+
+Text methodText(const CalibrationRecord& record, const Measurement* measurement)
+{
+    if (!record.fit)
+        return {};
+    Text method = methodAlongAxis(record.fit->settings, measurement);
+    if (!record.fit->settings.isByTemperature)
+        return method;
+    return AXISCOMP_TEXT("Report", "{method}, over position and temperature")
+        .with("method", std::move(method));
 }
 
 Text proofText(const RecordedWrite& write)
@@ -103,6 +112,7 @@ bool isTarget(const Measurement& measurement, double position)
 bool wasSaid(const CalibrationRecord& record, const Measurement* measurement, double position)
 {
     return measurement && record.fit && record.before
+        && !correctsAnotherAxis(record.tables.front().table.target, measurement->header.axis)
         && isAsMeasured(*record.fit, record.before->corrections)
         && isTarget(*measurement, position);
 }
@@ -209,6 +219,7 @@ Result<ReportContent> reportContent(
             content.prediction->heldOutM = heldOut->range;
         }
     }
+    content.isByTemperature = record.fit && record.fit->settings.isByTemperature;
     addTable(content, record);
     addTolerances(content, record);
     for (const std::string& note : record.notes)

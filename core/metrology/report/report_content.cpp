@@ -2,6 +2,7 @@
 #include "core/metrology/report/report_content.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/report/deviation_plot.h"
 #include "core/metrology/report/report_text.h"
 #include "core/text/number_text.h"
@@ -28,14 +29,14 @@ struct Judged {
     DeviationCurves curves;
 };
 
-Judged judged(const std::optional<ReportMeasurement>& reported)
+Judged judged(const ReportContent& content, const std::optional<ReportMeasurement>& reported)
 {
     Judged result;
     if (!reported)
         return result;
     result.reported = &*reported;
     if (reported->measurement.hasTargets()) {
-        result.figures = iso230Figures(reported->measurement);
+        result.figures = figuresBy(content, reported->measurement);
         result.curves = deviationCurves(reported->measurement, result.figures);
     }
     return result;
@@ -46,8 +47,8 @@ public:
     ReportWriter(const ReportContent& content, const ReportOptions& options)
         : m_content(content)
         , m_options(options)
-        , m_before(judged(content.before))
-        , m_after(judged(content.after))
+        , m_before(judged(content, content.before))
+        , m_after(judged(content, content.after))
     {
     }
 
@@ -335,6 +336,9 @@ private:
                 predictedCell(unit, figure), heldOutCell(unit, figure), measured(m_after)});
         }
         m_document.blocks.emplace_back(std::move(table));
+        if (m_content.isByTemperature)
+            paragraph(AXISCOMP_TEXT("Report",
+                "Each figure is the largest of a thermal state and of all runs together."));
         if (const auto& prediction = m_content.prediction; prediction && prediction->heldOutM)
             paragraph(AXISCOMP_TEXT("Report",
                 "Held out: what is left at targets that the table was made without: M {range}, rms "
@@ -543,6 +547,11 @@ private:
 };
 
 } // namespace
+
+Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement)
+{
+    return content.isByTemperature ? figuresByTemperature(measurement) : iso230Figures(measurement);
+}
 
 ReportDocument reportDocument(const ReportContent& content, const ReportOptions& options)
 {

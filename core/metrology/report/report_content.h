@@ -51,6 +51,7 @@ struct ReportedTable {
 
 struct ReportContent {
     bool isAngular = false; ///< lengths are degrees
+    bool isByTemperature = false; ///< the figures are those of a fit by temperature
     std::string machine;
     std::string axis;
     std::string serial; ///< as the measurement's file says it
@@ -73,6 +74,9 @@ struct ReportOptions {
     /// A second page with every target, every value that is left out, all notes and all files.
     bool wantsLists = false;
 };
+
+/// The figures of one of its measurements by the rule that those of the prediction are made by.
+[[nodiscard]] Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement);
 
 /// The page: one of A4 without lists, however much is on record.
 [[nodiscard]] ReportDocument reportDocument(

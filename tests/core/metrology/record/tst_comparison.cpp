@@ -53,6 +53,40 @@ class TestComparison : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// What is above in one thermal state and below in the other cancels in the mean over all.
+    void withARecordByTemperatureTheFiguresAreThoseOfTheWorstState()
+    {
+        const auto inTwoStates = [](double amplitude) {
+            Measurement runs = measured([](double) { return 0.0; });
+            for (RunValue& value : runs.values) {
+                value.temperature = value.run == 1 ? 16.0 : 26.0;
+                value.deviation = (value.run == 1 ? amplitude : -amplitude)
+                    * std::sin(wave * runs.targets[value.target]);
+            }
+            return runs;
+        };
+        CalibrationRecord record;
+        record.fit.emplace();
+        const Measurement before = inTwoStates(0.01);
+        const Measurement after = inTwoStates(0.001);
+        const auto together = compareMeasurements(before, after, comparisonRequest(record));
+        VERIFY_RESULT(together);
+        QVERIFY(*together->before[Iso230Figure::M].value < 1e-9);
+        record.fit->settings.isByTemperature = true;
+        const auto byState = compareMeasurements(before, after, comparisonRequest(record));
+        VERIFY_RESULT(byState);
+        const double range = 2.0 * std::sin(wave * 40.0); // the targets nearest to the tops
+        QVERIFY(std::abs(*byState->before[Iso230Figure::M].value - 0.01 * range) < 1e-9);
+        QVERIFY(std::abs(*byState->after[Iso230Figure::M].value - 0.001 * range) < 1e-9);
+        QVERIFY(figuresBy(record, before)[Iso230Figure::M].value
+            == byState->before[Iso230Figure::M].value);
+        // Without states the second measurement has the figures of its runs.
+        const auto cold =
+            compareMeasurements(before, measured(&errorBefore), comparisonRequest(record));
+        VERIFY_RESULT(cold);
+        QVERIFY(std::abs(*cold->after[Iso230Figure::M].value - 0.01 * range) < 1e-9);
+    }
+
     void figuresAndTheStandardErrorOfWhatIsLeft()
     {
         // +-d in two runs: s = sqrt(2) d in each direction, that of the mean of both is d / sqrt(2)

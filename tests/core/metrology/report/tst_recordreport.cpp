@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <cmath>
 #include <functional>
 
 namespace tst_recordreport {
@@ -43,6 +44,22 @@ class TestRecordReport : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    void aFitByTemperatureSaysSoAndItsFiguresAreOfTheWorstState()
+    {
+        CalibrationRecord record = plainRecord();
+        record.fit->settings.isByTemperature = true;
+        Measurement& measurement = record.before->files[0].measurement;
+        for (RunValue& value : measurement.values) {
+            value.temperature = value.run == 1 ? 16.0 : 26.0;
+            value.deviation = (value.run == 1 ? 4e-4 : -1e-4) * static_cast<double>(value.target);
+        }
+        const auto content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QVERIFY(content->table.method.english().ends_with("over position and temperature"));
+        // 1 run of 5: the mean of all is 0 at each target.
+        QVERIFY(std::abs(*figuresBy(*content, measurement)[Iso230Figure::M].value - 16e-4) < 1e-9);
+    }
+
     void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable_data()
     {
         using Change = std::function<void(CalibrationRecord&)>;
@@ -52,6 +69,10 @@ private Q_SLOTS:
             QTest::newRow(name) << std::move(change) << isQuoted;
         };
         row("as measured", true, [](CalibrationRecord&) {});
+        row("of another axis", false, [](CalibrationRecord& r) {
+            r.before->files[0].measurement.header.axis = "X";
+            r.tables[0].table.target = "Y";
+        });
         row("gain", false, [](CalibrationRecord& r) { r.fit->settings.gain = 0.5; });
         row("merged", false, [](CalibrationRecord& r) { r.fit->active = {r.tables[0].table}; });
         row("zero", false, [](CalibrationRecord& r) { r.fit->settings.zero = FitZero::First; });
