@@ -307,6 +307,7 @@ Result<FoundState> findState(const StateRequest& request)
             "that table active")
                               .with("name", request.onto->name));
     FoundState found;
+    found.axis = request.axis;
     found.text = AXISCOMP_TEXT("Measurement", "measured with the compensation off");
     return found;
 }

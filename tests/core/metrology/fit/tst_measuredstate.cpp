@@ -232,6 +232,26 @@ private Q_SLOTS:
         VERIFY_RESULT(findState(request));
     }
 
+    void theAxisThatIsStatedGoesWithTheState()
+    {
+        KnownTables onto = known("the table of axis 0", first);
+        StateRequest request;
+        request.axis = "Y";
+        request.onFile.kind = Kind::Off;
+        const auto off = findState(request);
+        VERIFY_RESULT(off);
+        QCOMPARE(off->axis, std::string("Y"));
+        request.onFile.kind = Kind::On;
+        request.onto = &onto;
+        const auto on = findState(request);
+        VERIFY_RESULT(on);
+        QCOMPARE(on->axis, std::string("Y"));
+        request.hasRawReadings = true;
+        const auto irrelevant = findState(request);
+        VERIFY_RESULT(irrelevant);
+        QCOMPARE(irrelevant->axis, std::string("Y"));
+    }
+
     void rawReadingsMakeTheStateIrrelevant()
     {
         StateRequest request;

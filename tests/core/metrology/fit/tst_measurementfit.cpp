@@ -161,9 +161,10 @@ template <typename Deviation> Measurement runsAlongX(Deviation deviation)
 
 FoundState offForY()
 {
-    FoundState state;
-    state.axis = "Y";
-    return state;
+    StateRequest request;
+    request.onFile.kind = MeasuredState::Kind::Off;
+    request.axis = "Y";
+    return findState(request).value_or(FoundState{});
 }
 
 /// 5 by 4 points of an artefact that lies turned and shifted.
