@@ -10,9 +10,11 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/table/lookup.h"
+#include "core/table/position_unit.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace axiscomp::app {
@@ -54,12 +56,20 @@ TableEvaluation driveEvaluation(const CompensationTable& table, Outside outside)
         }};
 }
 
-/// A table as the controller of another format applies it.
-TableEvaluation controllerEvaluation(const NeutralTable& table, const TableBehaviour& behaviour)
+/// A table as the controller of another format applies it. positionUnits: of the positions that
+/// are asked for, which are those of the file.
+TableEvaluation controllerEvaluation(const NeutralTable& table, const TableBehaviour& behaviour,
+    const std::vector<std::string>& positionUnits)
 {
+    std::vector<double> factors;
+    for (std::size_t n = 0; n < table.axes.size(); ++n)
+        factors.push_back(unitFactor(positionUnits[n], table.axes[n].unit).value_or(1.0));
     return {table.axes.size(),
-        [applied = ControllerLookup(table, 0, behaviour)](const std::vector<double>& position)
-            -> Result<double> { return applied.at(position); }};
+        [factors = std::move(factors), applied = ControllerLookup(table, 0, behaviour)](
+            std::vector<double> position) -> Result<double> {
+            std::ranges::transform(position, factors, position.begin(), std::multiplies<>());
+            return applied.at(position);
+        }};
 }
 
 Result<std::vector<double>> positionOf(const LookupOptions& options, std::size_t dimensions)
@@ -119,6 +129,9 @@ Result<ExitCode> lookUpForController(
     const std::vector<NeutralTable> columns = neutralColumns(input);
     AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
     NeutralTable table = columns[index];
+    std::vector<std::string> positionUnits;
+    for (const SourceAxis& axis : table.axes)
+        positionUnits.push_back(axis.unit);
     if (as != input.format || options.conversion.isAnything()) {
         AXISCOMP_TRY(auto request,
             conversionRequest(options.conversion, *input.format, *as, table.axes.size()));
@@ -141,11 +154,12 @@ Result<ExitCode> lookUpForController(
         return wrongUsage("the table has a value for each direction of motion: choose one with "
                           "--direction positive or negative, or mean",
             options.input.command);
-    return answer(environment, options, controllerEvaluation(table, as->facts.behaviour),
+    return answer(environment, options,
+        controllerEvaluation(table, as->facts.behaviour, positionUnits),
         {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},
             {"signEvidence", evidenceName(as->facts.signEvidence)},
             {"column", columnText(table, table.columns.front()).english()},
-            {"unit", table.columns.front().unit}});
+            {"unit", table.columns.front().unit}, {"positionUnits", positionUnits}});
 }
 
 Result<ExitCode> runLookup(Environment& environment, const LookupOptions& options)

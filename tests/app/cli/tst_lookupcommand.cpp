@@ -82,6 +82,21 @@ private Q_SLOTS:
         }
     }
 
+    /// The controller of the other format has its positions in mm.
+    void aPositionIsInTheUnitOfTheFileForAnotherControllerToo()
+    {
+        const Sandbox box;
+        box.file("t.csv", "X [inch],X error [um]\n0,0\n1,25.4\n2,50.8\n3,-25.4\n");
+        box.file("points.txt", "2\n2.5\n");
+        const QStringList asked{"lookup", "t.csv", "--dims", "1", "--as", "siemens-eec"};
+        const ProgramRun one = box.run(asked + QStringList{"2"});
+        VERIFY_CODE(one, 0);
+        QCOMPARE(one.out, QByteArray("0.0508\n"));
+        const ProgramRun list = box.run(asked + QStringList{"--points", "points.txt"});
+        VERIFY_CODE(list, 0);
+        QCOMPARE(list.out, QByteArray("0.0508\n0.0127\n"));
+    }
+
     void outsideFollowsTheRule_data()
     {
         QTest::addColumn<QString>("rule");
