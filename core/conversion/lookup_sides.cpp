@@ -131,7 +131,10 @@ std::vector<std::string> notesOfResult(const NeutralTable& table, const Conversi
     const auto lookupAt = lookupOfResult(table, request);
     const bool isKept =
         isOfDrive(*request.from, request.sourceSign) && isOfDrive(*request.to, request.targetSign);
-    return lookupAt || !isKept ? withLookupNote(table.notes, lookupAt) : table.notes;
+    std::vector<std::string> notes =
+        lookupAt || !isKept ? withLookupNote(table.notes, lookupAt) : table.notes;
+    const bool isForeign = !isTriamec(*request.from) && isTriamec(*request.to);
+    return isForeign ? withoutStatements(std::move(notes)) : notes;
 }
 
 std::optional<Text> lookupRemark(

@@ -252,6 +252,8 @@ void Import::convert(const std::vector<NeutralTable>& tables)
         data.tables.push_back(*std::move(one));
     }
     data.grid = data.tables.front().grid;
+    if (!isTriamec(*m_result.format))
+        data.notes = withoutStatements(std::move(data.notes));
     if (!isOfDrive(*m_result.format, m_request.choices.sign))
         data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));

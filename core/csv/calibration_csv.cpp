@@ -86,19 +86,24 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
     data.notes.erase(note);
 }
 
-/// A statement that files of measurements know: here it changes nothing.
-void warnOfSign(const CalibrationData& data, DiagnosticList& diagnostics)
+/// A statement that files of measurements know.
+bool isOfSign(std::string_view note)
 {
     constexpr std::string_view key = "sign:";
-    for (const std::string& note : data.notes) {
-        const std::string_view text = trimmedToken({note, 0, 1}).text;
-        if (sameLetters(text.substr(0, key.size()), key)
-            && sameLetters(trimmedToken({text.substr(key.size()), 0, 1}).text, "correction"))
+    return sameLetters(trimmed(note).substr(0, key.size()), key);
+}
+
+/// Here it changes nothing.
+void warnOfSign(const CalibrationData& data, DiagnosticList& diagnostics)
+{
+    for (const std::string& note : data.notes)
+        if (isOfSign(note)
+            && sameLetters(
+                trimmed(std::string_view(note).substr(note.find(':') + 1)), "correction"))
             diagnostics.warning(DiagnosticCode::Assumption, 0, 0, Verbatim{note},
                 AXISCOMP_TEXT("Error",
                     "nothing: the values of a calibration file are reference minus encoder, "
                     "whatever its comments say; turn them with --scale -1 if they are not"));
-    }
 }
 
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,
@@ -205,6 +210,19 @@ bool CsvReading::hasErrors() const
     return suppressed > 0 || std::ranges::any_of(diagnostics, [](const Diagnostic& d) {
         return d.severity == Severity::Error;
     });
+}
+
+std::string mereNote(std::string_view note)
+{
+    return "note: " + std::string(note);
+}
+
+std::vector<std::string> withoutStatements(std::vector<std::string> notes)
+{
+    for (std::string& note : notes)
+        if (isOfSign(note) || targetInComment(trimmed(note)))
+            note = mereNote(note);
+    return notes;
 }
 
 CsvReading parseCalibrationCsv(std::string_view text, const CsvOptions& options)

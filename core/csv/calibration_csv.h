@@ -81,6 +81,12 @@ struct CsvReading {
 /// form). threads: as shareWork has them; the text does not depend on it.
 [[nodiscard]] std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads = 0);
 
+/// The notes of a file that is none of this kind: what states something in a calibration file,
+/// target: or sign:, becomes mere text.
+[[nodiscard]] std::vector<std::string> withoutStatements(std::vector<std::string> notes);
+/// "note: target: Z": a comment that states nothing.
+[[nodiscard]] std::string mereNote(std::string_view note);
+
 /// The example file of AN140 2.3 for 1, 2 or 3 dimensions; parses back without a warning.
 [[nodiscard]] std::string exampleCalibrationCsv(int dimensions, int tables = 2);
 

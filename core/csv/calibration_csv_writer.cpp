@@ -72,23 +72,28 @@ std::string headerLine(const CalibrationData& data)
     return line + '\n';
 }
 
-std::string notes(const CalibrationData& data)
+std::vector<std::string> noteLines(const CalibrationData& data)
 {
-    std::string text;
+    std::vector<std::string> result;
     for (const std::string& note : data.notes) {
         std::string lines = note;
         std::ranges::replace(lines, '\r', '\n');
         for (std::size_t begin = 0; begin <= lines.size();) {
             const std::size_t end = std::min(lines.find('\n', begin), lines.size());
-            text += "// " + oneLine(lines.substr(begin, end - begin)) + '\n';
+            result.push_back(oneLine(lines.substr(begin, end - begin)));
             begin = end + 1;
         }
     }
-    return text;
+    return result;
 }
 
-/// The targets, where the names of the columns do not say them.
-std::string targetLine(const CalibrationData& data)
+bool statesTarget(const std::string& note)
+{
+    return targetInComment(trimmed(note)).has_value();
+}
+
+/// The targets, where the names of the columns do not say them, or notes would say others.
+std::string targetLine(const CalibrationData& data, bool hasOtherStatement)
 {
     std::vector<std::string> headers;
     for (const GridAxis& axis : data.grid.axes)
@@ -96,8 +101,10 @@ std::string targetLine(const CalibrationData& data)
     std::vector<std::string> targets;
     bool isNeeded = false;
     for (const CompensationTable& table : data.tables) {
-        targets.push_back(portableTarget(table.target, headers));
-        isNeeded = isNeeded || targets.back() != targetInHeader(oneLine(table.name), headers);
+        const std::string target = portableTarget(table.target, headers);
+        isNeeded = isNeeded || target != targetInHeader(oneLine(table.name), headers)
+            || (hasOtherStatement && !target.empty());
+        targets.push_back(target);
     }
     if (!isNeeded)
         return {};
@@ -107,6 +114,17 @@ std::string targetLine(const CalibrationData& data)
     for (std::size_t n = 1; n < targets.size() && !isOne; ++n)
         line += ", " + targets[n];
     return line + '\n';
+}
+
+/// The notes and the targets, which no note contradicts.
+std::string comments(const CalibrationData& data)
+{
+    const std::vector<std::string> notes = noteLines(data);
+    const std::string targets = targetLine(data, std::ranges::any_of(notes, statesTarget));
+    std::string text;
+    for (const std::string& note : notes)
+        text += "// " + (!targets.empty() && statesTarget(note) ? mereNote(note) : note) + '\n';
+    return text + targets;
 }
 
 /// A position and the separator behind it, with room, so that it is copied without asking how long
@@ -214,7 +232,7 @@ std::string writeCalibrationCsv(const CalibrationData& data, std::size_t threads
     for (std::unique_ptr<char[]>& room : rooms)
         room =
             std::make_unique_for_overwrite<char[]>(writer.roomFor(std::min(points, pointsAtOnce)));
-    std::string text = notes(data) + targetLine(data) + headerLine(data);
+    std::string text = comments(data) + headerLine(data);
     OrderedPieces pieces(text, pieceCount);
     shareWork(pieceCount, threads, [&](std::size_t n) {
         pieces.append(n,

@@ -332,6 +332,30 @@ private Q_SLOTS:
                     QVERIFY(
                         std::abs(returned.axes[n].knots[i] - tables[0].axes[n].knots[i]) < 1e-9);
     }
+
+    /// A comment of another controller's file may look like a statement of a calibration file.
+    void aCommentOfAnotherControllersFileStatesNoTarget_data()
+    {
+        QTest::addColumn<std::string>("target");
+        for (const char* target : {"", "X"})
+            QTest::addRow("\"%s\"", target) << std::string(target);
+    }
+    void aCommentOfAnotherControllersFileStatesNoTarget()
+    {
+        QFETCH(const std::string, target);
+        NeutralTable table = waves({"X"}, target);
+        table.name = "values";
+        table.columns.front().name = "values";
+        table.notes = {"Target: 2 um", "sign: correction"};
+        const NeutralTable tables[] = {table};
+        const TableFormat& csv = calibration_csv::format();
+        const auto conversion = convertTables(tables, requestFor(siemens_eec::format(), csv));
+        VERIFY_RESULT(conversion);
+        const auto reading = csv.read(conversion->written.bytes, readOptions(csv.facts, 1));
+        VERIFY_RESULT(reading);
+        QVERIFY(reading->diagnostics.empty());
+        QCOMPARE(reading->tables.at(0).columns.at(0).target, target);
+    }
 };
 
 AXISCOMP_TEST(TestTargets)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/table/target_axis.h"
 #include "tests/core/csv/csv_reading.h"
 #include "tests/support/test_registry.h"
 
@@ -54,6 +55,46 @@ private Q_SLOTS:
         QVERIFY(reading.data->grid == data.grid);
         for (std::size_t n = 0; n < data.tables.size(); ++n)
             QVERIFY(reading.data->tables[n].values == data.tables[n].values);
+    }
+
+    void notesThatStateATargetDoNotOverruleThatOfTheTable_data()
+    {
+        QTest::addColumn<std::string>("target");
+        QTest::addColumn<std::string>("name");
+        QTest::addColumn<std::string>("note");
+        const std::string index = "#1";
+        const std::string header = "X";
+        const std::string named = "X error";
+        const std::string plain = "T";
+        const std::string cable = "Target: 2 um";
+        const std::string hidden = "first line\n target: Y";
+        QTest::newRow("stated") << index << plain << cable;
+        QTest::newRow("by the header") << header << named << cable;
+        QTest::newRow("in a second line") << header << named << hidden;
+    }
+    void notesThatStateATargetDoNotOverruleThatOfTheTable()
+    {
+        QFETCH(const std::string, target);
+        QFETCH(const std::string, name);
+        QFETCH(const std::string, note);
+        CalibrationData data{{{{"X", "mm", 0, 1, 2}}}, {}, {note}};
+        data.tables.push_back({name, "mm", data.grid, {1.0F, 2.0F}, target});
+        const CsvReading reading = reparse(data);
+        QVERIFY2(reading.data, describe(reading).join('\n').constData());
+        QCOMPARE(targetOf(reading.data->tables[0]), targetOf(data.tables[0]));
+        QCOMPARE(reading.data->notes.back(),
+            "note: " + note.substr(note.find('\n') + 1)); // it is kept as a mere text
+    }
+
+    /// A statement that is not understood is said again when the file is read again.
+    void aTargetThatIsNotKnownStaysANote()
+    {
+        const std::string note = "target: X2, Y, Z";
+        CalibrationData data{{{{"Dim 1", "mm", 0, 1, 2}}}, {}, {note}};
+        data.tables.push_back({"T", "mm", data.grid, {1.0F, 2.0F}});
+        const CsvReading reading = reparse(data);
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->notes, std::vector<std::string>{note});
     }
 
     void everyWayToWriteAGridGivesTheSameTable()
