@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view prefix = "$AA_ENC_COMP";
 constexpr std::string_view otherPrefix = "$AN_CEC";
+constexpr std::string_view encoderWords = ", encoder "; ///< in the name of a table
 
 constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
 constexpr std::array settings{siemens::rotaryAxes,
@@ -23,9 +24,9 @@ constexpr std::array settings{siemens::rotaryAxes,
         .forWriting = true},
     FormatSetting{.key = "encoder",
         .kind = FormatSetting::Kind::Choice,
-        .meaning = AXISCOMP_TEXT("Error", "measuring system of the axis"),
+        .meaning = AXISCOMP_TEXT("Error",
+            "measuring system of the axis, instead of that of the program that was read, or 0"),
         .choices = "0, 1",
-        .standard = "0",
         .forWriting = true}};
 
 constexpr std::array<std::string_view, 7> rules{
@@ -162,7 +163,8 @@ std::vector<NeutralTable> parse(TextReading& reading)
             continue;
         NeutralTable table;
         table.sign = SignConvention::Feedback;
-        table.name = entry.owner.axis + ", encoder " + std::to_string(entry.owner.encoder);
+        table.name =
+            entry.owner.axis + std::string(encoderWords) + std::to_string(entry.owner.encoder);
         SourceAxis& axis = table.axes.emplace_back(std::move(sampled->axis));
         axis.name = entry.owner.axis;
         axis.unit = siemens::unitOf(reading.settings, axis.name, axis.wrap.has_value());
@@ -185,6 +187,14 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
 Recognition recognise(std::string_view text)
 {
     return siemens::recogniseProgram(text, prefix, otherPrefix);
+}
+
+/// The measuring system that a table was read for, which its name says.
+std::string encoderOf(const NeutralTable& table, const SettingValues& given)
+{
+    if (given.has("encoder"))
+        return given.text("encoder");
+    return table.name.ends_with(std::string(encoderWords) + '1') ? "1" : "0";
 }
 
 /// The lines of one table; axis: its name in the program.
@@ -224,17 +234,17 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     written.bytes = "CHANDATA(1)\n";
-    std::set<std::string> axes;
+    std::set<std::string> owners;
     std::string rotary;
     for (const NeutralTable& table : tables) {
         AXISCOMP_TRY(const auto axis,
             siemens::axisName(format.facts, given, "axis", table.axes.front().name));
-        if (!axes.insert(axis).second)
+        const std::string encoder = encoderOf(table, given);
+        if (!owners.insert(encoder + ',' + axis).second)
             return cannotHold(format.facts,
                 AXISCOMP_TEXT("Error", "there are two tables for axis {axis}").with("axis", axis),
                 AXISCOMP_TEXT("Error", "choose one of them"));
-        AXISCOMP_TRY(
-            auto text, tableLines(table, axis, given.text("encoder"), written.remarks, rotary));
+        AXISCOMP_TRY(auto text, tableLines(table, axis, encoder, written.remarks, rotary));
         written.bytes += text;
     }
     written.bytes += "M17\n";

@@ -215,7 +215,13 @@ private Q_SLOTS:
         VERIFY_RESULT(reading);
         QCOMPARE(reading->tables.size(), std::size_t(2));
         QCOMPARE(reading->tables[1].name, std::string("X1, encoder 1"));
-        VERIFY_ERROR(format.write(reading->tables, {}), ErrorCode::FormatCannotHold);
+        const auto written = format.write(reading->tables, {});
+        VERIFY_RESULT(written);
+        QCOMPARE(written->held.at(0).name, std::string("X1, encoder 0"));
+        QCOMPARE(written->held.at(1).name, std::string("X1, encoder 1"));
+        TableWriteOptions byEncoder;
+        byEncoder.settings = {{"encoder", "1"}};
+        VERIFY_ERROR(format.write(reading->tables, byEncoder), ErrorCode::FormatCannotHold);
     }
 
     void aProgramWithoutIsModuloHasNone()
