@@ -60,6 +60,8 @@ public:
     [[nodiscard]] Result<void> prepare(const NeutralTable& table, std::vector<Text>& remarks);
     [[nodiscard]] Result<std::string> text() const;
     [[nodiscard]] const std::string& axis() const { return m_axis; }
+    /// The columns of the file in the order of the table; the file has them in that of the letters.
+    void orderColumns(NeutralTable& held) const;
 
 private:
     [[nodiscard]] Result<void> takeLetters(const NeutralTable& table);
@@ -274,6 +276,15 @@ Result<std::string> FileWriter::text() const
     return text + "[END]\n";
 }
 
+void FileWriter::orderColumns(NeutralTable& held) const
+{
+    const auto place = [this](const CompensationColumn& column) {
+        const auto found = m_columns.find(column.target);
+        return found == m_columns.end() ? m_columns.size() : found->second;
+    };
+    std::ranges::stable_sort(held.columns, {}, place);
+}
+
 } // namespace
 
 Result<WrittenTables> writeFile(const TableFormat& format, Layout layout, const NeutralTable& table,
@@ -285,6 +296,7 @@ Result<WrittenTables> writeFile(const TableFormat& format, Layout layout, const 
     AXISCOMP_CHECK(writer.prepare(table, written.remarks));
     AXISCOMP_TRY(written.bytes, writer.text());
     AXISCOMP_TRY(auto held, readBack(format, written.bytes, {}, &written.remarks));
+    writer.orderColumns(held.front());
     written.held = std::move(held);
     written.remarks.push_back(AXISCOMP_TEXT("Error",
         "no text says the sign of a .COM table; it is written as the error, actual - commanded "

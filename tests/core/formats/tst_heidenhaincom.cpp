@@ -69,6 +69,10 @@ void describeWriting(test::FormatSample& sample)
                 })})
         .containing({"+0.0000\n1    -85.0000                                  +0.0000\n"})
         .within(5e-5, 5e-5);
+    // The file has its columns in the order of the letters.
+    sample.writes("columns in another order", {changed(exampleTable("X", "Z"), [](NeutralTable& t) {
+        t.columns.push_back(test::columnOf("X", "mm", {0.1, 0.2, 0.3}));
+    })});
     sample
         .writes("micrometres",
             {changed(exampleTable(),
