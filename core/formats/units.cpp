@@ -250,6 +250,14 @@ Result<void> checkUnitOfAxis(const NeutralTable& table)
     for (const SourceAxis& axis : table.axes)
         positions.push_back(axis.unit);
     for (const CompensationColumn& column : table.columns) {
+        if (!column.unit.empty() && !canBeInCorrectedUnit(table, column))
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "a .TAMtbl has no units, and a drive takes its values in the unit of the "
+                        "axis that they correct. These are in {unit}, which the positions are "
+                        "not: convert to a .csv file first, and that one with --value-unit {unit}")
+                        .with("unit", column.unit)}});
         if (!isUnitOfAxisCertain(positions, targetOf(table, column)))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
@@ -276,7 +284,7 @@ Result<NeutralTable> inPositionUnits(const NeutralTable& table, std::vector<Text
                     "positions"));
             continue;
         }
-        if (isSameUnit(column.unit, unit))
+        if (isSameUnit(column.unit, unit) || !canBeInCorrectedUnit(converted, column))
             continue;
         const std::string before = column.unit;
         AXISCOMP_CHECK(convertColumn(column, unit));

@@ -35,13 +35,14 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
     const NeutralTable& table, const SettingValues& settings, std::vector<Text>& remarks);
 
 /// Before the values are put down without their unit, in that of the axis that they correct.
-/// Errors: InvalidArgument where positions have several units, and none is that of the axis for
-/// certain.
+/// Errors: InvalidArgument where positions have several units, or another one than the values, so
+/// that none is that of the axis for certain.
 [[nodiscard]] Result<void> checkUnitOfAxis(const NeutralTable& table);
 
 /// The values in the unit of the positions that they correct, as a drive takes them: of the own
-/// axis, or of the first one. What is changed, and units that nobody says, are added to remarks.
-/// Errors: InvalidArgument for values that are no positions.
+/// axis, or of the first one; lengths over angles, and angles over lengths, stay. What is changed,
+/// and units that nobody says, are added to remarks. Errors: InvalidArgument for values that are no
+/// positions.
 [[nodiscard]] Result<NeutralTable> inPositionUnits(
     const NeutralTable& table, std::vector<Text>& remarks);
 

@@ -356,6 +356,22 @@ private Q_SLOTS:
         QVERIFY(reading->diagnostics.empty());
         QCOMPARE(reading->tables.at(0).columns.at(0).target, target);
     }
+
+    /// A drive takes them in the unit of the axis that they correct, which a .TAMtbl cannot say.
+    void lengthsOverAnAngleKeepTheirUnit()
+    {
+        NeutralTable table = waves({"C"}, "X");
+        table.axes.front().unit = "deg";
+        const NeutralTable tables[] = {table};
+        const TableFormat& csv = calibration_csv::format();
+        const auto conversion = convertTables(tables, requestFor(siemens_cec::format(), csv));
+        VERIFY_RESULT(conversion);
+        QCOMPARE(conversion->written.held.at(0).columns.at(0).unit, std::string("mm"));
+        const auto refused =
+            convertTables(tables, requestFor(siemens_cec::format(), tam_table::format()));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error()).find("--value-unit mm") != std::string::npos);
+    }
 };
 
 AXISCOMP_TEST(TestTargets)
