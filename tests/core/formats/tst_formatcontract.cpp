@@ -246,7 +246,7 @@ std::vector<NeutralTable> withTargetsOf(
         for (std::size_t c = 0; c < std::min(read[t].columns.size(), held[t].columns.size()); ++c)
             if (sample().format == &softmc::format())
                 read[t].columns[c].target = held[t].columns[c].target;
-    if (sample().format != &kmotion_geo::format())
+    if (sample().format != &kmotion_geo::format() && sample().format != &heidenhain_com::format())
         return read;
     for (std::size_t t = 0; t < std::min(read.size(), held.size()); ++t)
         std::ranges::sort(read[t].columns, {}, [&](const CompensationColumn& column) {
