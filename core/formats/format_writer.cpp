@@ -207,6 +207,18 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment)
                                                                : Encoding::Windows1252));
 }
 
+void takeWrittenUnits(std::span<NeutralTable> held, std::span<const NeutralTable> written)
+{
+    for (std::size_t t = 0; t < std::min(held.size(), written.size()); ++t) {
+        const NeutralTable& from = written[t];
+        NeutralTable& to = held[t];
+        for (std::size_t n = 0; n < std::min(to.axes.size(), from.axes.size()); ++n)
+            to.axes[n].unit = from.axes[n].unit;
+        for (std::size_t n = 0; n < std::min(to.columns.size(), from.columns.size()); ++n)
+            to.columns[n].unit = from.columns[n].unit;
+    }
+}
+
 Result<std::vector<NeutralTable>> readBack(const TableFormat& format, std::string_view bytes,
     FormatSettings settings, std::vector<Text>* warnings)
 {

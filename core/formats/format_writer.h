@@ -68,4 +68,8 @@ void keepNote(std::vector<std::string>& notes, std::string_view comment);
 [[nodiscard]] Result<std::vector<NeutralTable>> readBack(const TableFormat& format,
     std::string_view bytes, FormatSettings settings, std::vector<Text>* warnings = nullptr);
 
+/// Tables of a format that says no units, and is read with one for all positions and one for all
+/// values, get those in which each axis and column was written. Both in the same order.
+void takeWrittenUnits(std::span<NeutralTable> held, std::span<const NeutralTable> written);
+
 } // namespace axiscomp

@@ -153,6 +153,8 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     }
     AXISCOMP_TRY(
         auto held, readBack(format, written.bytes, aerotech::readingSettings(prepared, given)));
+    if (given.text("units") == "primary")
+        takeWrittenUnits(held, prepared);
     written.held = std::move(held);
     return written;
 }

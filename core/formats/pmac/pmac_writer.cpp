@@ -199,6 +199,7 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     if (!table.columns[0].unit.empty())
         reading["value-unit"] = table.columns[0].unit;
     AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));
+    takeWrittenUnits(held, {&table, 1});
     written.held = std::move(held);
     written.remarks.emplace_back(AXISCOMP_TEXT(
         "Error", "switch the table on with I51=1; outside of its span it rolls over"));

@@ -130,6 +130,15 @@ private Q_SLOTS:
                 QVERIFY(std::abs(applied(format, again, {x, y}) - applied(format, table, {x, y}))
                     <= 0.5 / 16000 + 1e-9);
     }
+
+    void eachSourceKeepsItsUnit()
+    {
+        NeutralTable table = plane();
+        table.axes[1].unit = "inch";
+        WRITE_TABLE(written, format, table, thousand);
+        QCOMPARE(written->held.at(0).axes.at(0).unit, std::string("mm"));
+        QCOMPARE(written->held.at(0).axes.at(1).unit, std::string("inch"));
+    }
 };
 
 AXISCOMP_TEST(TestPmac2d)
