@@ -37,6 +37,14 @@ void addOthers(const Measurement& measurement, const Exclusion& exclusion,
     }
 }
 
+/// The files that are added next are those of another measurement.
+void forgetTheMeasurement(Record& record)
+{
+    record.swapsDirections = false;
+    record.fit.onto = FitChoices::Onto::Nothing;
+    record.fit.ontoFile.clear();
+}
+
 /// Of other files it would be about other values, and nobody would see it.
 void forgetWhatIsOfTheFiles(Record& record)
 {
@@ -45,6 +53,8 @@ void forgetWhatIsOfTheFiles(Record& record)
     record.statedTable.reset();
     record.fit.measuredWith = FitChoices::MeasuredWith::NotSaid;
     record.fit.measuredWithFile.clear();
+    if (record.files.empty())
+        forgetTheMeasurement(record);
 }
 
 /// The air of each run, with directions exchanged.

@@ -226,6 +226,30 @@ private Q_SLOTS:
         QCOMPARE(model.record().exclusions.size(), std::size_t{1});
     }
 
+    void theNextMeasurementStartsAnew()
+    {
+        RecordModel model;
+        model.addFiles({publicMeasurement("ess_mcu1025")});
+        model.setDirectionsSwapped(true);
+        FitChoices fit = model.record().fit;
+        fit.onto = FitChoices::Onto::File;
+        fit.ontoFile = QStringLiteral("/old.csv");
+        model.setFit(fit, QStringLiteral("onto"));
+        model.addFiles({publicMeasurement("b02_x")});
+        model.removeFile(0);
+        QVERIFY(model.record().swapsDirections); // the measurement has a file yet
+        QCOMPARE(model.record().fit.ontoFile, QStringLiteral("/old.csv"));
+        model.removeFile(0);
+        model.addFiles({publicMeasurement("bifrost")});
+        QVERIFY(!model.record().swapsDirections);
+        QVERIFY(model.record().fit.onto == FitChoices::Onto::Nothing);
+        QVERIFY(model.record().fit.ontoFile.isEmpty());
+        model.undo();
+        model.undo();
+        QVERIFY(model.record().swapsDirections);
+        QCOMPARE(model.record().fit.ontoFile, QStringLiteral("/old.csv"));
+    }
+
     void aFileThatIsNoMeasurementSaysWhyAndLeavesNothingToJudge()
     {
         QTemporaryDir folder;
