@@ -58,7 +58,7 @@ void TableSelection::readAgain(const AxisPlace& place)
     if (m_file.file().isMade)
         return;
     const QString path = m_file.file().path;
-    ImportChoices choices = m_file.choicesFor(path);
+    ImportChoices choices = m_file.readWith();
     choices.place = place;
     m_file.open(path, m_setup.edited().dimensionality, choices);
 }

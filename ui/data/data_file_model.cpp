@@ -36,7 +36,7 @@ void DataFileModel::open(const QString& path, int dimensions, const ImportChoice
     m_file.readingPath = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     m_file.progress = 0.0;
     m_dimensions = dimensions;
-    m_choices[m_file.readingPath] = choices;
+    m_readingWith = choices;
     m_loader.load(m_file.readingPath, dimensions, choices);
     Q_EMIT changed();
 }
@@ -52,6 +52,7 @@ void DataFileModel::show(const MadeTables& made)
     m_file.isMade = true;
     m_file.lookupAt = made.lookupAt;
     m_tables = made.tables;
+    m_readWith = {};
     m_stamp = {};
     watch();
     Q_EMIT dataReplaced(before, false);
@@ -67,11 +68,13 @@ void DataFileModel::setDimensions(int dimensions)
     const bool knowsItsOwn = !m_file.isReading
         && (m_file.isMade || (m_file.format && m_file.format != &calibration_csv::format()));
     if (!path.isEmpty() && !knowsItsOwn)
-        open(path, dimensions, choicesFor(path));
+        open(path, dimensions, m_file.isReading ? m_readingWith : m_readWith);
 }
 
 ImportChoices DataFileModel::choicesFor(const QString& path) const
 {
+    if (m_file.isReading && path == m_file.readingPath)
+        return m_readingWith;
     const auto known = m_choices.find(path);
     return known == m_choices.end() ? ImportChoices{} : known->second;
 }
@@ -99,7 +102,7 @@ void DataFileModel::cancelReading()
 
 OpenedFile DataFileModel::opened() const
 {
-    return {m_file, m_tables, m_stamp, m_dimensions};
+    return {m_file, m_tables, m_readWith, m_readingWith, m_stamp, m_dimensions};
 }
 
 void DataFileModel::putBack(const OpenedFile& opened)
@@ -107,11 +110,14 @@ void DataFileModel::putBack(const OpenedFile& opened)
     m_loader.cancel();
     m_file = opened.file;
     m_tables = opened.tables;
+    m_readWith = opened.readWith;
+    if (!m_file.path.isEmpty() && !m_file.isMade)
+        m_choices[m_file.path] = m_readWith;
     m_stamp = opened.stamp;
     m_dimensions = opened.dimensions;
     watch();
     if (m_file.isReading)
-        return open(m_file.readingPath, m_dimensions, choicesFor(m_file.readingPath));
+        return open(m_file.readingPath, m_dimensions, opened.readingWith);
     lookAtDisk();
     Q_EMIT changed();
 }
@@ -125,6 +131,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     m_file.problems = loaded.problems;
     m_file.suppressedProblems = loaded.suppressedProblems;
     m_file.fullGrid = loaded.fullGrid;
+    m_choices[loaded.path] = loaded.choices;
     const auto before = m_file.data;
     if (loaded.data) {
         m_file.data = loaded.data;
@@ -134,6 +141,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     }
     if (loaded.data || !before) {
         m_file.path = loaded.path;
+        m_readWith = loaded.choices;
         m_file.isMade = false;
         m_file.lookupAt.reset();
         m_file.lookupProblem.reset();

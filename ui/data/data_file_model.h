@@ -15,6 +15,8 @@ namespace axiscomp::ui {
 struct OpenedFile {
     DataFile file;
     std::vector<LoadedTable> tables;
+    ImportChoices readWith;
+    ImportChoices readingWith; ///< of what was being read
     FileStamp stamp;
     int dimensions = 1;
 };
@@ -38,8 +40,10 @@ public:
     /// The open CSV file again, when its columns mean something else now; other files know their
     /// own dimensions.
     void setDimensions(int dimensions);
-    /// What the user has said about the file so far.
+    /// What the user has said about the file so far, also where it could not be read in that way.
     [[nodiscard]] ImportChoices choicesFor(const QString& path) const;
+    /// With which the open file was read: reading it again means the same by it.
+    [[nodiscard]] const ImportChoices& readWith() const { return m_readWith; }
     void close();
     void cancelReading();
     [[nodiscard]] OpenedFile opened() const;
@@ -64,6 +68,8 @@ private:
     std::vector<LoadedTable> m_tables; ///< of m_file.data
     FileStamp m_stamp;
     std::map<QString, ImportChoices> m_choices; ///< by file
+    ImportChoices m_readWith; ///< of m_file.path
+    ImportChoices m_readingWith; ///< of m_file.readingPath
     int m_dimensions = 1; ///< with which the data was read, or is being read
     DataFileLoader m_loader;
     QFileSystemWatcher m_watcher;

@@ -7,6 +7,7 @@
 #include "tests/support/verify.h"
 #include "tests/ui/support/controller_fixture.h"
 #include "ui/async/background_job.h"
+#include "ui/controller/setup_history.h"
 #include "ui/dialogs/file_filters.h"
 #include "ui/text/language.h"
 #include "ui/text/message_text.h"
@@ -140,6 +141,90 @@ private Q_SLOTS:
         bench->importData(path, forItsOwnAxis());
         QVERIFY(bench.fileRead());
         QVERIFY(bench->selectedTable()->values[1] > 0.0F);
+    }
+
+    void undoneAFileHasTheChoicesAgainWithWhichItWasRead()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        const QString path = bench.file(QStringLiteral("comp.txt"), softmc);
+        ImportChoices choices;
+        choices.sign = SignConvention::Feedback;
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        bench->openData(bench.file(QStringLiteral("other.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->selectedTable()->values[1] > 0.0F);
+        bench->history().undo();
+        bench->history().undo();
+        QCOMPARE(bench->dataFile().path, path);
+        QCOMPARE(bench->selectedTable()->values[1], -0.002F);
+        QVERIFY(bench->importChoices(path).sign == SignConvention::Feedback);
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[1], -0.002F);
+    }
+
+    void choicesAfterAChangeOfTheDimensionalityGoWithIt()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        const QString path =
+            bench.file(QStringLiteral("a.csv"), "X [mm],X error\n0,0.001\n10,0.002\n20,0.001\n");
+        bench->openData(path);
+        QVERIFY(bench.fileRead());
+        for (const int dimensions : {2, 1}) {
+            bench->setup().setDimensionality(dimensions);
+            QVERIFY(bench.fileRead());
+        }
+        ImportChoices choices;
+        choices.sign = SignConvention::Command;
+        bench->importData(path, choices);
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->selectedTable()->values[0] < 0.0F);
+        bench->history().undo();
+        bench->history().undo();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[0], 0.001F);
+        QVERIFY(!bench->importChoices(path).sign);
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[0], 0.001F);
+    }
+
+    void choicesThatGaveNoTableAreNotThoseOfTheData_data()
+    {
+        QTest::addColumn<bool>("isCancelled");
+        QTest::newRow("cancelled") << true;
+        QTest::newRow("failed") << false;
+    }
+    void choicesThatGaveNoTableAreNotThoseOfTheData()
+    {
+        QFETCH(bool, isCancelled);
+        ControllerFixture bench;
+        const QString path = bench.file(QStringLiteral("comp.txt"), softmc);
+        bench->importData(path, forItsOwnAxis());
+        QVERIFY(bench.fileRead());
+        const float before = bench->selectedTable()->values[1];
+        ImportChoices choices = forItsOwnAxis();
+        choices.sign = SignConvention::Feedback;
+        if (!isCancelled)
+            choices.format = &siemens_cec::format();
+        bench->importData(path, choices);
+        if (isCancelled)
+            bench->cancelReading();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values[1], before);
+        // What was said stays to be mended, but says nothing of the data.
+        QCOMPARE(bench->importChoices(path).sign.has_value(), !isCancelled);
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().problems.empty());
+        QCOMPARE(bench->selectedTable()->values[1], before);
     }
 
     void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
