@@ -241,4 +241,16 @@ Result<TableInUnits> inDriveUnits(
     return result;
 }
 
+Result<TableInUnits> inUnitsOfAxis(const CompensationTable& table, const TableUnits& units,
+    std::optional<std::size_t> ownDimension, UnstatedUnit unstated)
+{
+    if (targetOf(table) || !ownDimension)
+        return inDriveUnits(table, units, unstated);
+    CompensationTable asked = table;
+    asked.target = sourceTarget(*ownDimension);
+    AXISCOMP_TRY(auto converted, inDriveUnits(asked, units, unstated));
+    converted.table.target = table.target;
+    return converted;
+}
+
 } // namespace axiscomp

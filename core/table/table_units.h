@@ -70,5 +70,10 @@ void takeStatedUnits(CompensationTable& table, const StatedUnits& stated);
 /// not known; UnitMissing for values that can be in the unit of one position or of another.
 [[nodiscard]] Result<TableInUnits> inDriveUnits(const CompensationTable& table,
     const TableUnits& units, UnstatedUnit unstated = UnstatedUnit::OfPositions);
+/// The same for an axis whose own position is that dimension; nothing: none is. A table that does
+/// not say what it corrects corrects that axis, so that values without a unit have its unit.
+[[nodiscard]] Result<TableInUnits> inUnitsOfAxis(const CompensationTable& table,
+    const TableUnits& units, std::optional<std::size_t> ownDimension,
+    UnstatedUnit unstated = UnstatedUnit::OfPositions);
 
 } // namespace axiscomp

@@ -265,11 +265,8 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
     const CompensationSetup& after = m_write.plan.after;
     AXISCOMP_TRY(const auto units,
         unitsOf(std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality))));
-    CompensationTable asked = *request.table;
-    if (!targetOf(asked) && m_write.plan.ownDimension) // whose unit values without one have
-        asked.target = sourceTarget(*m_write.plan.ownDimension);
-    AXISCOMP_TRY(auto converted, inDriveUnits(asked, units, request.unstatedUnit));
-    converted.table.target = request.table->target;
+    AXISCOMP_TRY(auto converted,
+        inUnitsOfAxis(*request.table, units, m_write.plan.ownDimension, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
     m_write.plan.table = std::move(converted.table);

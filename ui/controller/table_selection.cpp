@@ -143,7 +143,7 @@ LoadedTable TableSelection::selected() const
         return ofFile;
     if (ofFile.table != m_source) {
         m_source = ofFile.table;
-        auto converted = inDriveUnits(*ofFile.table, m_units);
+        auto converted = inUnitsOfAxis(*ofFile.table, m_units, m_ownDimension);
         m_converted = ofFile;
         m_fitsUnits = converted.has_value();
         if (converted)
@@ -159,11 +159,18 @@ LoadedTable TableSelection::selectedOfFile() const
     return chosen ? m_file.table(*chosen) : LoadedTable{};
 }
 
-void TableSelection::setUnits(const TableUnits& units)
+bool TableSelection::isInDriveUnits() const
 {
-    if (units == m_units)
+    const bool isOfFile = selected().table && m_setup.edited().table.fileTable;
+    return !isOfFile || m_units.values.empty() || m_fitsUnits;
+}
+
+void TableSelection::setUnits(const TableUnits& units, std::optional<std::size_t> ownDimension)
+{
+    if (units == m_units && ownDimension == m_ownDimension)
         return;
     m_units = units;
+    m_ownDimension = ownDimension;
     m_source.reset();
     noteSelected();
 }
@@ -184,8 +191,7 @@ void TableSelection::compareWithDrive()
 {
     const std::optional<int> chosen = m_setup.edited().table.fileTable;
     const auto table = selected().table;
-    const bool fits = m_units.values.empty() || m_fitsUnits;
-    m_setup.setTableOnDrive(chosen && fits && isOnDrive(table) ? chosen : std::nullopt);
+    m_setup.setTableOnDrive(chosen && isInDriveUnits() && isOnDrive(table) ? chosen : std::nullopt);
 }
 
 /// The same numbers in units that are not the drive's are another table. Only tables of the same

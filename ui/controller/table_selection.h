@@ -48,12 +48,15 @@ public:
     /// In the units of the drive as far as they can be converted. None: the one on the drive, which
     /// has not been downloaded yet.
     [[nodiscard]] LoadedTable selected() const;
+    /// Whether selected() has the numbers that the drive takes: those of a file that cannot be
+    /// converted mean something else there.
+    [[nodiscard]] bool isInDriveUnits() const;
     /// As the file has it.
     [[nodiscard]] LoadedTable selectedOfFile() const;
     /// What the drive says about the table that the axis has; none: it has none.
     void setTableOnDrive(const std::optional<TableHeader>& table);
-    /// Of the axis and its sources.
-    void setUnits(const TableUnits& units);
+    /// Of the axis and its sources; the dimension whose source is its own position.
+    void setUnits(const TableUnits& units, std::optional<std::size_t> ownDimension);
     [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
 
 Q_SIGNALS:
@@ -78,6 +81,7 @@ private:
     Proposal m_proposal;
     bool m_isOpening = false; ///< somebody wants a table of the file that is being read
     TableUnits m_units;
+    std::optional<std::size_t> m_ownDimension;
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
     mutable bool m_fitsUnits = true; ///< m_source has units that the drive's can be made of

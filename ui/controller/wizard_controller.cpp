@@ -145,7 +145,7 @@ void WizardController::wireAxis()
 void WizardController::updateUnits()
 {
     if (!status())
-        return m_parts->tables.setUnits({});
+        return m_parts->tables.setUnits({}, std::nullopt);
     const auto current = static_cast<std::size_t>(currentAxis());
     const auto unitOf = [&](int axis) -> Result<std::string> {
         if (axis == status()->axis.index)
@@ -160,7 +160,8 @@ void WizardController::updateUnits()
     const auto sources =
         std::span(edited.sources).first(static_cast<std::size_t>(edited.dimensionality));
     m_parts->tables.setUnits(
-        driveUnits(m_parts->profile, sources, status()->axis.index, unitOf).value_or(TableUnits{}));
+        driveUnits(m_parts->profile, sources, status()->axis.index, unitOf).value_or(TableUnits{}),
+        ownDimension(m_parts->profile, status()->axis.index, sourcePaths(edited)));
 }
 
 void WizardController::wireTables()
@@ -523,6 +524,9 @@ QString WizardController::signSentence() const
 {
     const AxisInfo axis = status() ? status()->axis : AxisInfo{};
     const LoadedTable table = m_parts->tables.selected();
+    // Numbers without a unit would be read in that of the axis.
+    if (table.table && table.table->unit.empty() && !m_parts->tables.isInDriveUnits())
+        return {};
     const auto& sources = setup().edited().sources;
     std::vector<std::string> paths;
     std::ranges::transform(sources, std::back_inserter(paths), &DimSource::path);

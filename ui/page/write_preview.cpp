@@ -210,8 +210,7 @@ void WritePreview::showPlan()
     const QString label =
         axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : QString();
     const auto restored = m_controller.plannedRestoration();
-    m_restored =
-        restored && plan->table ? std::make_shared<const CompensationTable>(*plan->table) : nullptr;
+    m_planned = plan->table ? std::make_shared<const CompensationTable>(*plan->table) : nullptr;
     m_title->setText(restored ? tr("What will be restored on %1", "axis and drive").arg(label)
             : plan->deletedSlot.empty()
             ? tr("What will be written to %1", "axis and drive").arg(label)
@@ -243,9 +242,9 @@ void WritePreview::fillRows(const WritePlan& plan)
         return fillDeletion(plan);
     if (isNewTable) {
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
-            tableText(after.slot, newTable().get()));
+            tableText(after.slot, m_planned.get()));
         addRow(tr("Largest change"), {}, tr("computing …"));
-        askForChange(newTable(), m_controller.driveTable());
+        askForChange(m_planned, m_controller.driveTable());
     }
     if (before.dimensionality != after.dimensionality)
         addRow(tr("Dimensionality"), tr("%1D").arg(before.dimensionality),
@@ -285,11 +284,6 @@ void WritePreview::addRow(const QString& field, const QString& before, const QSt
     }
 }
 
-std::shared_ptr<const CompensationTable> WritePreview::newTable() const
-{
-    return m_controller.plannedRestoration() ? m_restored : m_controller.selectedTable();
-}
-
 void WritePreview::askForChange(const SharedTable& newTable, const SharedTable& oldTable)
 {
     if (!newTable && !oldTable)
@@ -322,9 +316,8 @@ void WritePreview::showChange(const Change& change)
     m_pictures->setVisible(true);
     if (!change.newTable.table)
         return;
-    const QString sign = m_controller.plannedRestoration()
-        ? signSentenceFor(change.newTable, status->axis, plan->ownDimension, plan->lookupAt)
-        : m_controller.signSentence();
+    const QString sign =
+        signSentenceFor(change.newTable, status->axis, plan->ownDimension, plan->lookupAt);
     m_sign->setText(sign);
     m_sign->setVisible(!sign.isEmpty());
     QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);

@@ -53,7 +53,6 @@ private:
     void fillRows(const WritePlan& plan);
     void fillDeletion(const WritePlan& plan);
     void addRow(const QString& field, const QString& before, const QString& after);
-    [[nodiscard]] SharedTable newTable() const;
     void askForChange(const SharedTable& newTable, const SharedTable& oldTable);
     void showChange(const Change& change);
     void showAcceptance();
@@ -78,7 +77,7 @@ private:
     QPushButton* m_write;
     QPushButton* m_back;
     int m_request = 0; ///< the newest question for the change
-    SharedTable m_restored; ///< of a plan that goes back
+    SharedTable m_planned; ///< the table of the plan, as the drive takes it
     SharedTable m_newTable; ///< that m_change is about; null: it is taken away
     SharedTable m_oldTable;
     std::optional<Change> m_change;

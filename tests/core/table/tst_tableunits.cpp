@@ -146,6 +146,23 @@ private Q_SLOTS:
         QCOMPARE(QString::fromStdString(other->table.unit), QStringLiteral("mm"));
     }
 
+    void overThePositionOfTheAxisItselfValuesHaveItsUnit()
+    {
+        CompensationTable plane = tableIn("", "um");
+        plane.grid.axes.push_back({"Y", "mm", 0.0, 1.0, 1});
+        const TableUnits drive{"Millimeter", {"Millimeter", "Millimeter"}};
+        const auto first = inUnitsOfAxis(plane, drive, 0);
+        VERIFY_RESULT(first);
+        QVERIFY(isWithinOneUlp(first->table.values[1], 1.25e-3));
+        QVERIFY(first->table.target.empty());
+        const auto second = inUnitsOfAxis(plane, drive, 1);
+        VERIFY_RESULT(second);
+        QCOMPARE(second->table.values[1], plane.values[1]);
+        VERIFY_ERROR(inUnitsOfAxis(plane, drive, std::nullopt), ErrorCode::UnitMissing);
+        plane.target = "other";
+        VERIFY_ERROR(inUnitsOfAxis(plane, drive, 0), ErrorCode::UnitMissing);
+    }
+
     /// Which of both is not guessed: the values would be a thousand times too large or too small.
     void valuesOfAnotherAxisNeedAUnitWherePositionsHaveSeveral()
     {

@@ -227,6 +227,27 @@ private Q_SLOTS:
         QCOMPARE(bench->selectedTable()->values[1], before);
     }
 
+    void valuesWithoutAUnitAreShownAsTheyAreWritten()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(2);
+        bench->openData(bench.file(QStringLiteral("plane.csv"),
+            "X [um],Y [mm],table\n0,0,1\n40000,0,5\n0,20,2\n40000,20,3\n"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        QCOMPARE(bench->signSentence(), QString()); // 5 um or 5 mm: that depends on the sources
+        bench.chooseMasterSources(2);
+        QVERIFY2(bench->signSentence().contains(QStringLiteral("will add +0.0050 mm")),
+            qPrintable(bench->signSentence()));
+        const auto shown = bench->selectedTable();
+        QVERIFY(shown);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QTRY_VERIFY(bench->driveTable());
+        QCOMPARE(bench->driveTable()->values, shown->values);
+    }
+
     void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
     {
         ControllerFixture bench;
