@@ -3,6 +3,7 @@
 
 #include "ui/style/contrast.h"
 #include "ui/style/symbols.h"
+#include "ui/text/typed_number.h"
 
 #include <QAction>
 #include <QLocale>
@@ -81,25 +82,17 @@ void NumberEdit::setWrong(bool isWrong)
 std::optional<std::vector<double>> NumberEdit::numbersOf(const QString& text) const
 {
     static const QRegularExpression between(QStringLiteral("[;\\s]+"));
-    // "1,000" is no thousand here, and no one either.
-    QLocale locale;
-    QLocale plain = QLocale::c();
-    locale.setNumberOptions(QLocale::RejectGroupSeparator);
-    plain.setNumberOptions(QLocale::RejectGroupSeparator);
     std::vector<double> numbers;
     for (const QString& part : text.split(between, Qt::SkipEmptyParts)) {
-        bool isNumber = false;
-        double number = locale.toDouble(part, &isNumber);
-        bool isThousand = false;
-        static_cast<void>(QLocale().toDouble(part, &isThousand));
-        if (!isNumber && !isThousand)
-            number = plain.toDouble(part, &isNumber);
-        const bool isLargeEnough = !m_rule.smallest || number > *m_rule.smallest
-            || (!m_rule.isMore && number == *m_rule.smallest);
-        const bool isWhole = !m_rule.areWhole || number == std::floor(number);
-        if (!isNumber || !std::isfinite(number) || !isLargeEnough || !isWhole)
+        const auto number = typedNumber(part);
+        if (!number)
             return std::nullopt;
-        numbers.push_back(number);
+        const bool isLargeEnough = !m_rule.smallest || *number > *m_rule.smallest
+            || (!m_rule.isMore && *number == *m_rule.smallest);
+        const bool isWhole = !m_rule.areWhole || *number == std::floor(*number);
+        if (!isLargeEnough || !isWhole)
+            return std::nullopt;
+        numbers.push_back(*number);
     }
     if (numbers.size() > m_rule.most)
         return std::nullopt;

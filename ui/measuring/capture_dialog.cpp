@@ -5,6 +5,7 @@
 #include "core/metrology/measuring_plan.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/dialogs/several_writes_dialog.h"
+#include "ui/fields/number_box.h"
 #include "ui/fields/source_combo.h"
 #include "ui/measuring/capture_feed.h"
 #include "ui/measuring/plan_text.h"
@@ -20,7 +21,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -79,10 +79,10 @@ CaptureDialog::CaptureDialog(WizardController& controller, CaptureFeed& feed,
     , m_request(new QLineEdit)
     , m_pattern(new QLineEdit)
     , m_unit(new QComboBox)
-    , m_zero(new QDoubleSpinBox)
+    , m_zero(new NumberBox)
     , m_invert(new QCheckBox)
-    , m_window(new QDoubleSpinBox)
-    , m_dwell(new QDoubleSpinBox)
+    , m_window(new NumberBox)
+    , m_dwell(new NumberBox)
     , m_average(new QSpinBox)
     , m_values(new QLineEdit)
     , m_chooseValues(new QPushButton)
@@ -487,6 +487,9 @@ void CaptureDialog::showState()
 
 void CaptureDialog::begin()
 {
+    // A key of the button leaves the field that is typed in.
+    for (NumberBox* box : {m_zero, m_window, m_dwell})
+        box->interpretText();
     if (!obstacle().isEmpty() || m_isBeginning || m_feed.isActive())
         return;
     const CaptureChoices chosen = choices();

@@ -12,7 +12,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -23,6 +22,7 @@ namespace axiscomp::ui {
 
 class BusyMark;
 class CaptureFeed;
+class NumberBox;
 class SourceCombo;
 class ToneLabel;
 class WizardController;
@@ -103,10 +103,10 @@ private:
     QLineEdit* m_request;
     QLineEdit* m_pattern;
     QComboBox* m_unit;
-    QDoubleSpinBox* m_zero;
+    NumberBox* m_zero;
     QCheckBox* m_invert;
-    QDoubleSpinBox* m_window;
-    QDoubleSpinBox* m_dwell;
+    NumberBox* m_window;
+    NumberBox* m_dwell;
     QSpinBox* m_average;
     QLineEdit* m_values;
     QPushButton* m_chooseValues;

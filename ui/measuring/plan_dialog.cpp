@@ -4,6 +4,7 @@
 #include "core/io/local_file.h"
 #include "core/text/token_scanner.h"
 #include "ui/dialogs/several_writes_dialog.h"
+#include "ui/fields/number_box.h"
 #include "ui/measuring/plan_targets_model.h"
 #include "ui/measuring/plan_text.h"
 #include "ui/style/tone_label.h"
@@ -14,7 +15,6 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -34,9 +34,9 @@ constexpr int positionDecimals = 3;
 constexpr int countPage = 0;
 constexpr int spacingPage = 1;
 
-QDoubleSpinBox* positionBox(double lowest)
+NumberBox* positionBox(double lowest)
 {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setDecimals(positionDecimals);
     box->setRange(lowest, largestPlanPosition);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -221,7 +221,7 @@ void PlanDialog::follow()
         m_labels[TargetsField]->setBuddy(m_targets->currentWidget());
         compute();
     });
-    for (QDoubleSpinBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
+    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
         connect(box, &QDoubleSpinBox::valueChanged, this, &PlanDialog::compute);
     for (QSpinBox* box : {m_count, m_cycles, m_seed})
         connect(box, &QSpinBox::valueChanged, this, &PlanDialog::compute);
@@ -302,7 +302,7 @@ void PlanDialog::showUnits()
 {
     const bool isAngular = m_unit->currentIndex() == 1;
     const QString unit = isAngular ? QStringLiteral(" °") : QStringLiteral(" mm");
-    for (QDoubleSpinBox* box : {m_from, m_to, m_spacing, m_period, m_overrun})
+    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun})
         box->setSuffix(unit);
     m_feed->setSuffix(unit + QStringLiteral("/min"));
     m_dwell->setSuffix(QStringLiteral(" s"));
@@ -413,6 +413,9 @@ void PlanDialog::showState()
 
 void PlanDialog::askAndSave(bool isProgram)
 {
+    // A key of the button leaves the field that is typed in.
+    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
+        box->interpretText();
     if (!m_plan)
         return;
     const auto dialect = static_cast<GcodeDialect>(m_dialect->currentIndex());

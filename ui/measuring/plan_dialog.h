@@ -13,7 +13,6 @@
 #include <optional>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLineEdit;
 class QPushButton;
@@ -23,6 +22,7 @@ class QTableView;
 
 namespace axiscomp::ui {
 
+class NumberBox;
 class PlanTargetsModel;
 class ToneLabel;
 
@@ -97,18 +97,18 @@ private:
     std::array<QWidget*, FieldCount> m_editors{};
     QLineEdit* m_axis;
     QComboBox* m_unit;
-    QDoubleSpinBox* m_from;
-    QDoubleSpinBox* m_to;
+    NumberBox* m_from;
+    NumberBox* m_to;
     ToneLabel* m_byLabel;
     QComboBox* m_by;
     QStackedWidget* m_targets;
     QSpinBox* m_count;
-    QDoubleSpinBox* m_spacing;
-    QDoubleSpinBox* m_period;
+    NumberBox* m_spacing;
+    NumberBox* m_period;
     QSpinBox* m_cycles;
-    QDoubleSpinBox* m_overrun;
-    QDoubleSpinBox* m_feed;
-    QDoubleSpinBox* m_dwell;
+    NumberBox* m_overrun;
+    NumberBox* m_feed;
+    NumberBox* m_dwell;
     QSpinBox* m_seed;
     PlanTargetsModel* m_model;
     QTableView* m_preview;

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/typed_number.h"
+
+#include <cmath>
+
+namespace axiscomp::ui {
+
+namespace {
+
+std::optional<double> withoutGroups(const QString& text, QLocale language)
+{
+    language.setNumberOptions(QLocale::RejectGroupSeparator);
+    bool isNumber = false;
+    const double number = language.toDouble(text, &isNumber);
+    return isNumber ? std::optional(number) : std::nullopt;
+}
+
+} // namespace
+
+bool hasThousands(const QString& text, const QLocale& language)
+{
+    QLocale grouping = language;
+    grouping.setNumberOptions(QLocale::DefaultNumberOptions);
+    bool isNumber = false;
+    static_cast<void>(grouping.toDouble(text, &isNumber));
+    return isNumber && !withoutGroups(text, language);
+}
+
+std::optional<double> typedNumber(const QString& text)
+{
+    auto number = withoutGroups(text, QLocale());
+    if (!number && !hasThousands(text))
+        number = withoutGroups(text, QLocale::c());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+Text thousandsProblem(const QString& text)
+{
+    return AXISCOMP_TEXT(
+        "Error", "\"{text}\" can be read in two ways; write thousands without a sign between them")
+        .with("text", text.toStdString());
+}
+
+} // namespace axiscomp::ui

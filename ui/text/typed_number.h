@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/text.h"
+
+#include <QLocale>
+#include <QString>
+
+#include <optional>
+
+namespace axiscomp::ui {
+
+/// Whether the language reads it only with a sign between thousands: "1,000" is no thousand here,
+/// and no one either.
+[[nodiscard]] bool hasThousands(const QString& text, const QLocale& language = QLocale());
+/// What a person has typed, as the language writes it, or with a point where that can be nothing
+/// else. Nothing: it is no finite number, or hasThousands().
+[[nodiscard]] std::optional<double> typedNumber(const QString& text);
+/// Why a text that hasThousands() is not taken.
+[[nodiscard]] Text thousandsProblem(const QString& text);
+
+} // namespace axiscomp::ui
