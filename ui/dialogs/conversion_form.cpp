@@ -254,6 +254,8 @@ QString ConversionForm::problem() const
 {
     if (!format())
         return tr("Choose the format.");
+    if (const QString wrong = m_settings->problem(); !wrong.isEmpty())
+        return wrong;
     if (format() == &calibration_csv::format() && !snap())
         return tr("\"%1\" is no tolerance: enter a number above 0, or nothing.")
             .arg(m_snap->text());

@@ -4,6 +4,7 @@
 #include "ui/style/plain_label.h"
 #include "ui/text/free_key.h"
 #include "ui/text/message_text.h"
+#include "ui/text/typed_number.h"
 #include "ui/text/value_text.h"
 
 #include <QCheckBox>
@@ -116,11 +117,18 @@ QString nameOf(const FormatSetting& setting, QSet<QChar>& usedKeys)
 /// Numbers are typed as the language writes them, and core reads them with a decimal point.
 std::string plainNumber(const QString& text)
 {
+    const auto number = typedNumber(text);
+    return number ? QString::number(*number, 'g', QLocale::FloatingPointShortest).toStdString()
+                  : text.toStdString();
+}
+
+QString writtenNumber(const QString& plain)
+{
     bool isNumber = false;
-    const double value = QLocale().toDouble(text, &isNumber);
-    const bool isPlain = text.contains(u'.') || !isNumber;
-    return isPlain ? text.toStdString()
-                   : QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
+    const double number = plain.toDouble(&isNumber);
+    QLocale language;
+    language.setNumberOptions(QLocale::OmitGroupSeparator);
+    return isNumber ? language.toString(number, 'g', QLocale::FloatingPointShortest) : plain;
 }
 
 } // namespace
@@ -204,7 +212,7 @@ void SettingFields::show(const Row& row, const std::string& value)
     else if (auto* combo = qobject_cast<QComboBox*>(row.field))
         combo->setCurrentIndex(std::max(combo->findData(text), 0));
     else if (auto* line = qobject_cast<QLineEdit*>(row.field))
-        line->setText(text);
+        line->setText(row.setting.kind == FormatSetting::Kind::Number ? writtenNumber(text) : text);
 }
 
 void SettingFields::setValues(const FormatSettings& values)
@@ -226,6 +234,18 @@ std::string SettingFields::valueOf(const Row& row) const
         return combo->currentData().toString().toStdString();
     const QString text = qobject_cast<const QLineEdit*>(row.field)->text().trimmed();
     return row.setting.kind == FormatSetting::Kind::Number ? plainNumber(text) : text.toStdString();
+}
+
+QString SettingFields::problem() const
+{
+    for (const Row& row : m_rows) {
+        const auto* line = qobject_cast<const QLineEdit*>(row.field);
+        if (line && row.setting.kind == FormatSetting::Kind::Number
+            && hasThousands(line->text().trimmed()))
+            return line->accessibleName() + QStringLiteral(": ")
+                + sentenceText(thousandsProblem(line->text().trimmed()));
+    }
+    return {};
 }
 
 FormatSettings SettingFields::values() const

@@ -25,6 +25,8 @@ public:
     void setValues(const FormatSettings& values);
     /// Those that were given.
     [[nodiscard]] FormatSettings values() const;
+    /// Why one of them is none, a translated sentence; empty: they are.
+    [[nodiscard]] QString problem() const;
     [[nodiscard]] QList<QWidget*> fields() const;
     /// usedKeys: letters that lead elsewhere already.
     void retranslate(QSet<QChar> usedKeys);

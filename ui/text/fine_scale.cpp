@@ -2,6 +2,7 @@
 #include "ui/text/fine_scale.h"
 
 #include "core/metrology/judge/uncertainty.h"
+#include "ui/text/typed_number.h"
 #include "ui/text/value_text.h"
 
 #include <QLocale>
@@ -50,9 +51,27 @@ QString amountText(double value, bool isAngular)
     return numberText(value * unit.factor) + u' ' + QString::fromUtf8(unit.symbol);
 }
 
+namespace {
+
+/// Of an amount, without its unit.
+QString numberBefore(const QString& amount)
+{
+    const QString group = QLocale().groupSeparator();
+    qsizetype length = 0;
+    while (length < amount.size()
+        && (amount[length].isDigit() || QStringLiteral("+-.,").contains(amount[length])
+            || group.contains(amount[length])))
+        ++length;
+    return amount.left(length);
+}
+
+} // namespace
+
 Result<double> amountOf(const QString& text, bool isAngular)
 {
     QString plain = text.trimmed();
+    if (const QString number = numberBefore(plain); hasThousands(number))
+        return fail(ErrorCode::InvalidArgument, {{"reason", thousandsProblem(number)}});
     plain.replace(QLocale().decimalPoint(), QStringLiteral("."));
     for (const QChar micro : {QChar(0x00b5), QChar(0x03bc)})
         plain.replace(micro, u'u');

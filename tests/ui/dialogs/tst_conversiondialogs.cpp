@@ -193,6 +193,22 @@ private Q_SLOTS:
         QVERIFY(!report(bench).isEmpty());
     }
 
+    void aSettingThatMayHaveThousandsIsNotTaken()
+    {
+        const QScopeGuard back([before = QLocale()] { QLocale::setDefault(before); });
+        QLocale::setDefault(QLocale(QLocale::German));
+        PageFixture bench;
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, QStringLiteral("CSV file of this program")));
+        QVERIFY(bench.user.click("setting_counts-per-unit"));
+        bench.user.type(QStringLiteral("10.000"));
+        QTRY_VERIFY2(
+            reason(bench).contains(QStringLiteral("\"10.000\"")), qPrintable(reason(bench)));
+        QVERIFY(!mayAccept(bench));
+        bench.user.type(QStringLiteral("5"));
+        QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench))); // 10.0005 is none
+    }
+
     void aSignThatNobodyHasPublishedIsChosen()
     {
         PageFixture bench;

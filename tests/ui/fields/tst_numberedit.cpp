@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/window_test.h"
 #include "ui/fields/number_edit.h"
+#include "ui/text/fine_scale.h"
 
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
+
 namespace tst_numberedit {
 
+using axiscomp::ui::amountOf;
 using axiscomp::ui::NumberEdit;
 using Numbers = std::vector<double>;
 
@@ -54,6 +58,17 @@ private Q_SLOTS:
                 QVERIFY(field.numbers().empty() && !field.problem().isEmpty());
             }
         }
+    }
+
+    void anAmountThatMayHaveThousandsIsNotTaken()
+    {
+        QLocale::setDefault(QLocale(QLocale::German));
+        for (const char* text : {"1.234", "1.234 mm", "1.234,5 um"})
+            QVERIFY2(!amountOf(QLatin1StringView(text), false), text);
+        const auto millimetres = amountOf(QStringLiteral("1,234 mm"), false);
+        QVERIFY(millimetres && *millimetres == 1.234);
+        const auto micrometres = amountOf(QStringLiteral("2.5"), false);
+        QVERIFY(micrometres && std::abs(*micrometres - 0.0025) < 1e-12);
     }
 
     void aWrongTextStaysAndTheNumberBeforeToo()
