@@ -2298,8 +2298,8 @@
         <translation>Name der Maschinenachse, zum Beispiel X1, statt des Namens in der Tabelle</translation>
     </message>
     <message>
-        <source>measuring system of the axis</source>
-        <translation>Messsystem der Achse</translation>
+        <source>measuring system of the axis, instead of that of the program that was read, or 0</source>
+        <translation>Messsystem der Achse anstelle desjenigen aus dem gelesenen Programm, sonst 0</translation>
     </message>
     <message>
         <source>name of the compensation table in the MC-BASIC program</source>
@@ -8357,6 +8357,26 @@
         <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
         <translation>die erste Messung ist korrigiert, die zweite nicht, so dass sie sich nicht vergleichen lassen: Protokoll speichern und die zweite mit „axiscomp compare --record“ korrigieren oder in ihrer Datei angeben, dass ihre Werte bei 20 °C gelten (// corrected: 20C)</translation>
     </message>
+    <message>
+        <source>&quot;{text}&quot; can be read in two ways; write thousands without a sign between them</source>
+        <translation>„{text}“ lässt sich auf zwei Arten lesen; Tausender ohne Zeichen dazwischen schreiben</translation>
+    </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
+        <translation>eine .TAMtbl hat keine Einheiten, und ein Antrieb nimmt ihre Werte in der Einheit der Achse, die sie korrigieren. Diese sind in {unit}, die Positionen nicht: zuerst in eine .csv-Datei umwandeln und diese mit --value-unit {unit}</translation>
+    </message>
+    <message>
+        <source>sign: correction, and positions of the reference</source>
+        <translation>sign: correction, und Positionen der Referenz</translation>
+    </message>
+    <message>
+        <source>no sign with positions of the reference, which are what they are; or deviations with their sign</source>
+        <translation>kein Vorzeichen bei Positionen der Referenz, die sind, was sie sind; oder Abweichungen mit ihrem Vorzeichen</translation>
+    </message>
+    <message>
+        <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
+        <translation>die beiden Richtungen der Bahn haben kein gemeinsames Wegstück: die Tabelle aus einer von ihnen machen (--direction positive oder negative)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10979,6 +10999,14 @@
     <message>
         <source>{figure}: {before} before, {after} after.</source>
         <translation>{figure}: {before} vorher, {after} nachher.</translation>
+    </message>
+    <message>
+        <source>{method}, over position and temperature</source>
+        <translation>{method}, über Position und Temperatur</translation>
+    </message>
+    <message>
+        <source>Each figure is the largest of a thermal state and of all runs together.</source>
+        <translation>Jeder Kennwert ist der größte eines thermischen Zustands und aller Durchläufe zusammen.</translation>
     </message>
 </context>
 <context>
@@ -18392,6 +18420,14 @@ B - A: %3</translation>
     <message>
         <source>end value held</source>
         <translation>Endwert gehalten</translation>
+    </message>
+    <message>
+        <source>A difference is no table for a drive: it can be saved as a picture only.</source>
+        <translation>Eine Differenz ist keine Tabelle für einen Antrieb: Sie lässt sich nur als Bild speichern.</translation>
+    </message>
+    <message>
+        <source>These are values of another controller: Export for Another Controller writes its file.</source>
+        <translation>Das sind Werte einer anderen Steuerung: „Für eine andere Steuerung exportieren“ schreibt deren Datei.</translation>
     </message>
 </context>
 <context>

@@ -2298,8 +2298,8 @@
         <translation>nom de l&apos;axe machine, par exemple X1, à la place de celui de la table</translation>
     </message>
     <message>
-        <source>measuring system of the axis</source>
-        <translation>système de mesure de l&apos;axe</translation>
+        <source>measuring system of the axis, instead of that of the program that was read, or 0</source>
+        <translation>système de mesure de l&apos;axe, au lieu de celui du programme lu, sinon 0</translation>
     </message>
     <message>
         <source>name of the compensation table in the MC-BASIC program</source>
@@ -8357,6 +8357,26 @@
         <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
         <translation>la première mesure est corrigée et la seconde ne l&apos;est pas, elles ne peuvent donc pas être comparées&#xa0;: enregistrez la fiche et corrigez la seconde avec « axiscomp compare --record », ou indiquez dans son fichier que ses valeurs sont à 20 °C (// corrected: 20C)</translation>
     </message>
+    <message>
+        <source>&quot;{text}&quot; can be read in two ways; write thousands without a sign between them</source>
+        <translation>« {text} » peut se lire de deux façons&#xa0;; écrire les milliers sans séparateur</translation>
+    </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
+        <translation>un fichier .TAMtbl n&apos;a pas d&apos;unités, et un variateur prend ses valeurs dans l&apos;unité de l&apos;axe qu&apos;elles corrigent. Celles-ci sont en {unit}, les positions non&#xa0;: convertir d&apos;abord en fichier .csv, puis celui-ci avec --value-unit {unit}</translation>
+    </message>
+    <message>
+        <source>sign: correction, and positions of the reference</source>
+        <translation>sign: correction, et des positions de la référence</translation>
+    </message>
+    <message>
+        <source>no sign with positions of the reference, which are what they are; or deviations with their sign</source>
+        <translation>pas de signe avec des positions de la référence, qui sont ce qu&apos;elles sont&#xa0;; ou des écarts avec leur signe</translation>
+    </message>
+    <message>
+        <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
+        <translation>les deux sens du relevé continu n&apos;ont aucune partie du trajet en commun&#xa0;: faire la table de l&apos;un d&apos;eux (--direction positive ou negative)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10979,6 +10999,14 @@
     <message>
         <source>{figure}: {before} before, {after} after.</source>
         <translation>{figure}&#xa0;: {before} avant, {after} après.</translation>
+    </message>
+    <message>
+        <source>{method}, over position and temperature</source>
+        <translation>{method}, selon la position et la température</translation>
+    </message>
+    <message>
+        <source>Each figure is the largest of a thermal state and of all runs together.</source>
+        <translation>Chaque caractéristique est la plus grande d&apos;un état thermique et de toutes les passes ensemble.</translation>
     </message>
 </context>
 <context>
@@ -18392,6 +18420,14 @@ B - A&#xa0;: %3</translation>
     <message>
         <source>end value held</source>
         <translation>extrémité maintenue</translation>
+    </message>
+    <message>
+        <source>A difference is no table for a drive: it can be saved as a picture only.</source>
+        <translation>Une différence n&apos;est pas une table pour un variateur&#xa0;: elle ne s&apos;enregistre que comme image.</translation>
+    </message>
+    <message>
+        <source>These are values of another controller: Export for Another Controller writes its file.</source>
+        <translation>Ce sont les valeurs d&apos;une autre commande&#xa0;: « Exporter pour une autre commande » écrit son fichier.</translation>
     </message>
 </context>
 <context>

@@ -2298,8 +2298,8 @@
         <translation>X1 などの機械軸の名前 (テーブル内の名前の代わり)</translation>
     </message>
     <message>
-        <source>measuring system of the axis</source>
-        <translation>軸の測定系</translation>
+        <source>measuring system of the axis, instead of that of the program that was read, or 0</source>
+        <translation>軸の計測システム (読み込んだプログラムのものに代わる。なければ 0)</translation>
     </message>
     <message>
         <source>name of the compensation table in the MC-BASIC program</source>
@@ -8316,6 +8316,26 @@
         <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
         <translation>1 回目の測定は補正されていますが、2 回目は補正されていないため比較できません。記録を保存して `axiscomp compare --record` で 2 回目を補正するか、値が 20 °C のものであることをファイルに記載してください (// corrected: 20C)</translation>
     </message>
+    <message>
+        <source>&quot;{text}&quot; can be read in two ways; write thousands without a sign between them</source>
+        <translation>「{text}」は 2 通りに読めます。桁区切りなしで入力してください</translation>
+    </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
+        <translation>.TAMtbl には単位がなく、ドライブはその値を補正する軸の単位で扱います。この値は {unit} ですが、位置はそうではありません。まず .csv ファイルに変換し、それを --value-unit {unit} で変換してください</translation>
+    </message>
+    <message>
+        <source>sign: correction, and positions of the reference</source>
+        <translation>sign: correction と基準の位置</translation>
+    </message>
+    <message>
+        <source>no sign with positions of the reference, which are what they are; or deviations with their sign</source>
+        <translation>基準の位置には符号を付けず、そのままの値とするか、符号を明記した偏差とする</translation>
+    </message>
+    <message>
+        <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
+        <translation>連続測定の両方向に共通の区間がありません。一方の方向のテーブルを作成してください(--direction positive または negative)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10928,6 +10948,14 @@
     <message>
         <source>{figure}: {before} before, {after} after.</source>
         <translation>{figure}: 補正前 {before}、補正後 {after}。</translation>
+    </message>
+    <message>
+        <source>{method}, over position and temperature</source>
+        <translation>{method}、位置と温度に対して</translation>
+    </message>
+    <message>
+        <source>Each figure is the largest of a thermal state and of all runs together.</source>
+        <translation>各特性値は、各熱状態と全走行一括のうち最大の値です。</translation>
     </message>
 </context>
 <context>
@@ -18341,6 +18369,14 @@ B - A: %3</translation>
     <message>
         <source>end value held</source>
         <translation>端点値を保持</translation>
+    </message>
+    <message>
+        <source>A difference is no table for a drive: it can be saved as a picture only.</source>
+        <translation>差分はドライブ用のテーブルではありません。画像としてのみ保存できます。</translation>
+    </message>
+    <message>
+        <source>These are values of another controller: Export for Another Controller writes its file.</source>
+        <translation>これは別のコントローラの値です。そのファイルは「別のコントローラ用のエクスポート」で作成できます。</translation>
     </message>
 </context>
 <context>

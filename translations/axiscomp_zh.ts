@@ -2298,8 +2298,8 @@
         <translation>机床轴的名称，例如 X1，取代表中的名称</translation>
     </message>
     <message>
-        <source>measuring system of the axis</source>
-        <translation>该轴的测量系统</translation>
+        <source>measuring system of the axis, instead of that of the program that was read, or 0</source>
+        <translation>轴的测量系统，代替所读程序中的测量系统，没有则为 0</translation>
     </message>
     <message>
         <source>name of the compensation table in the MC-BASIC program</source>
@@ -8316,6 +8316,26 @@
         <source>the first measurement is corrected and the second is not, so that they cannot be compared: save the record and correct the second one with `axiscomp compare --record`, or state in its file that its values are at 20 °C (// corrected: 20C)</source>
         <translation>第一次测量已修正而第二次未修正，因此不能比较：请保存档案并用 `axiscomp compare --record` 修正第二次测量，或在其文件中注明其值为 20 °C 时的值 (// corrected: 20C)</translation>
     </message>
+    <message>
+        <source>&quot;{text}&quot; can be read in two ways; write thousands without a sign between them</source>
+        <translation>“{text}”有两种读法；请勿使用千位分隔符</translation>
+    </message>
+    <message>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
+        <translation>.TAMtbl 没有单位，驱动器按所修正轴的单位取其值。这些值的单位是 {unit}，而位置不是：先转换为 .csv 文件，再用 --value-unit {unit} 转换该文件</translation>
+    </message>
+    <message>
+        <source>sign: correction, and positions of the reference</source>
+        <translation>sign: correction，而值是参考位置</translation>
+    </message>
+    <message>
+        <source>no sign with positions of the reference, which are what they are; or deviations with their sign</source>
+        <translation>参考位置保持原值，不带符号说明；或者给出带符号说明的偏差</translation>
+    </message>
+    <message>
+        <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
+        <translation>连续测量的两个方向没有共同的路段:请用其中一个方向生成表（--direction positive 或 negative）</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10928,6 +10948,14 @@
     <message>
         <source>{figure}: {before} before, {after} after.</source>
         <translation>{figure}：补偿前 {before}，补偿后 {after}。</translation>
+    </message>
+    <message>
+        <source>{method}, over position and temperature</source>
+        <translation>{method}，按位置和温度</translation>
+    </message>
+    <message>
+        <source>Each figure is the largest of a thermal state and of all runs together.</source>
+        <translation>各项指标均取各热状态以及全部各趟合计中的最大值。</translation>
     </message>
 </context>
 <context>
@@ -18341,6 +18369,14 @@ B - A: %3</translation>
     <message>
         <source>end value held</source>
         <translation>保持端值</translation>
+    </message>
+    <message>
+        <source>A difference is no table for a drive: it can be saved as a picture only.</source>
+        <translation>差值不是驱动器的表：只能保存为图片。</translation>
+    </message>
+    <message>
+        <source>These are values of another controller: Export for Another Controller writes its file.</source>
+        <translation>这是其他控制器的值：请用“导出到其他控制器”写入其文件。</translation>
     </message>
 </context>
 <context>
