@@ -56,13 +56,12 @@ PictureDrawing drawingOf(QCustomPlot& plot, const std::shared_ptr<const Compensa
     return drawing;
 }
 
-QFuture<QString> saveValues(std::shared_ptr<const CompensationTable> shown, const QString& path)
+QFuture<QString> saveValues(std::shared_ptr<const CompensationTable> table,
+    std::vector<std::string> notes, const QString& path)
 {
-    return inBackground<QString>([shown = std::move(shown), path] {
-        CalibrationData data;
-        data.grid = shown->grid;
-        data.tables = {*shown};
-        const auto saved = saveFile(path.toStdString(), asBytes(writeCalibrationCsv(data)));
+    return inBackground<QString>([table = std::move(table), notes = std::move(notes), path] {
+        const auto saved = saveFile(path.toStdString(),
+            asBytes(writeCalibrationCsv(CalibrationData{table->grid, {*table}, notes})));
         return saved ? QString() : errorText(saved.error());
     });
 }

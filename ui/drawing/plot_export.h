@@ -5,6 +5,8 @@
 #include "ui/drawing/picture_file.h"
 
 #include <memory>
+#include <string>
+#include <vector>
 
 class QCustomPlot;
 
@@ -14,8 +16,9 @@ namespace axiscomp::ui {
 [[nodiscard]] PictureDrawing drawingOf(
     QCustomPlot& plot, const std::shared_ptr<const CompensationTable>& shown);
 
-/// Saves the values as a calibration file, on another thread; otherwise as savePicture.
-[[nodiscard]] QFuture<QString> saveValues(
-    std::shared_ptr<const CompensationTable> shown, const QString& path);
+/// Saves a table as the drive takes it as a calibration file with these notes, on another thread;
+/// otherwise as savePicture.
+[[nodiscard]] QFuture<QString> saveValues(std::shared_ptr<const CompensationTable> table,
+    std::vector<std::string> notes, const QString& path);
 
 } // namespace axiscomp::ui

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/page/preview_panel.h"
 
+#include "core/drive/axis_target.h"
 #include "core/drive/drive_profile.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/position_unit.h"
+#include "core/write/lookup_side.h"
 #include "ui/controller/wizard_controller.h"
 #include "ui/data/table_view_model.h"
 #include "ui/page/file_lines_view.h"
@@ -11,7 +14,6 @@
 #include "ui/plot/controller_combo.h"
 #include "ui/plot/slice_gallery.h"
 #include "ui/plot/surface_view.h"
-#include "ui/plot/table_plot.h"
 #include "ui/plot/values_view.h"
 #include "ui/plot/vector_view.h"
 #include "ui/style/contrast.h"
@@ -335,7 +337,22 @@ void PreviewPanel::showOrigin()
     if (m_controller.setup().edited().table.fileTable)
         origin.file = name;
     m_plot->setOrigin(origin);
+    m_plot->setValuesOrigin(valuesOrigin());
     m_surface->setOrigin(origin);
+}
+
+TablePlot::ValuesOrigin PreviewPanel::valuesOrigin() const
+{
+    TablePlot::ValuesOrigin origin{m_applied->isOfDrive(), {}, {}};
+    if (const auto& status = m_controller.status())
+        origin.onDrive = withLookupNote({},
+            lookupAtSources(m_profile, status->axis.index, axiscomp::sourcePaths(status->setup)));
+    const DataFile& file = m_controller.dataFile();
+    if (!m_controller.setup().edited().table.fileTable)
+        origin.selected = origin.onDrive;
+    else if (file.data)
+        origin.selected = withLookupNote(file.data->notes, file.lookupAt);
+    return origin;
 }
 
 void PreviewPanel::showMarker()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plot/table_plot.h"
+
 #include <QWidget>
 
 #include <array>
@@ -22,7 +24,6 @@ class FileLinesView;
 class ProblemList;
 class SliceGallery;
 class SurfaceView;
-class TablePlot;
 class TableViewModel;
 class ToneLabel;
 class ValuesView;
@@ -64,6 +65,7 @@ private:
     [[nodiscard]] std::optional<std::array<double, 3>> vectorPlace(
         std::array<double, 3> positions) const;
     void showOrigin();
+    [[nodiscard]] TablePlot::ValuesOrigin valuesOrigin() const;
     void showFacts();
     void showMarker();
     void showTravel();

@@ -245,6 +245,11 @@ void TablePlot::setOrigin(const PictureOrigin& origin)
     d->origin = origin;
 }
 
+void TablePlot::setValuesOrigin(ValuesOrigin origin)
+{
+    d->values = std::move(origin);
+}
+
 QFuture<QString> TablePlot::exportTo(const QString& path) const
 {
     const auto& shown = d->shown.drawn();
@@ -254,13 +259,29 @@ QFuture<QString> TablePlot::exportTo(const QString& path) const
             [problem = shown ? tr("The file name must end in .png, .svg, .pdf or .csv.")
                              : tr("There is no table to save.")] { return problem; });
     if (isValues)
-        return saveValues(shown, path);
+        return exportValues(path);
     d->canvas->setPalette(QPalette(Qt::white));
     const PictureDrawing drawing = drawingOf(d->canvas->plot(), shown);
     d->canvas->setPalette(palette());
     d->canvas->replot();
     return savePicture(
         drawing, pictureCaption(d->shown.title(), d->origin, QDateTime::currentDateTime()), path);
+}
+
+/// Under the name of the table anything else would be taken for it.
+QFuture<QString> TablePlot::exportValues(const QString& path) const
+{
+    const TableContent content = d->shown.content();
+    QString problem;
+    if (content == TableContent::Difference)
+        problem = tr("A difference is no table for a drive: it can be saved as a picture only.");
+    else if (content == TableContent::Selected && !d->values.isOfDrive)
+        problem = tr("These are values of another controller: Export for Another Controller "
+                     "writes its file.");
+    if (!problem.isEmpty())
+        return inBackground<QString>([problem] { return problem; });
+    return saveValues(d->shown.table(),
+        content == TableContent::Drive ? d->values.onDrive : d->values.selected, path);
 }
 
 void TablePlot::askForExport()

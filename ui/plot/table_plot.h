@@ -52,7 +52,15 @@ public:
     void setMeasured(std::vector<std::array<double, 3>> places);
     /// What saved pictures say about where the table is from.
     void setOrigin(const PictureOrigin& origin);
-    /// format by the file's ending: png, svg, pdf, csv (the values shown). An empty text is
+    /// What saved values say besides.
+    struct ValuesOrigin {
+        bool isOfDrive = true; ///< the selected table, not what another controller makes of it
+        std::vector<std::string> selected; ///< notes of the selected table
+        std::vector<std::string> onDrive;
+    };
+    void setValuesOrigin(ValuesOrigin origin);
+    /// format by the file's ending: png, svg, pdf, csv (the whole table that is shown, if a drive
+    /// can take it: no difference, nothing of another controller). An empty text is
     /// success, otherwise a translated sentence. The file is written on another thread.
     [[nodiscard]] QFuture<QString> exportTo(const QString& path) const;
 
@@ -61,6 +69,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override; ///< keys and mouse of the picture
 
 private:
+    [[nodiscard]] QFuture<QString> exportValues(const QString& path) const;
     void build();
     void addMapActions();
     void connectTools();

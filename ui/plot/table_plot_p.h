@@ -21,6 +21,7 @@ struct TablePlot::Private {
 
     TableViewModel& shown;
     PictureOrigin origin;
+    ValuesOrigin values;
     std::optional<Marker> marker;
     std::array<std::optional<Travel>, 3> travel;
     bool holdsEnds = true;

@@ -231,6 +231,7 @@ void FitPage::showMap(const std::shared_ptr<const FitOutcome>& outcome)
         m_pictures->setCurrentWidget(m_map);
     const auto column = static_cast<std::size_t>(std::max(m_column->currentIndex(), 0));
     m_shown->setTables(outcome ? outcome->tables[column].table : nullptr, nullptr);
+    m_map->setValuesOrigin({true, outcome ? notesOf(*outcome) : std::vector<std::string>(), {}});
     m_map->setMeasured(outcome ? outcome->drawing.places : std::vector<std::array<double, 3>>());
 }
 

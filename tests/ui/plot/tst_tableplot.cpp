@@ -598,7 +598,7 @@ private Q_SLOTS:
         QCOMPARE(bench.map().visible(), hasImage);
     }
 
-    void theSavedValuesAreThoseShown()
+    void theSavedValuesAreOfTheTableThatIsShown()
     {
         const QTemporaryDir folder;
         const auto selected = sharedTable({6, 5, 4});
@@ -606,17 +606,30 @@ private Q_SLOTS:
         Fixture bench(selected, onDrive);
         bench.shown.setContent(TableContent::Drive);
         bench.shown.setSlice(1, 2);
-        const QString path = folder.filePath(QStringLiteral("slice.csv"));
+        bench.view->setValuesOrigin({false, {"lookup: encoder"}, {"lookup: set"}});
+        const QString path = folder.filePath(QStringLiteral("table.csv"));
         QCOMPARE(bench.save(path), QString());
         CsvOptions options;
-        options.dimensions = 2;
+        options.dimensions = 3;
         const CsvReading reading = parseCalibrationCsv(contentOf(path).toStdString(), options);
         QVERIFY(reading.data.has_value());
         QCOMPARE(reading.data->tables.size(), std::size_t{1});
-        const CompensationTable slice = tableSlice(*onDrive, 0, 2);
-        QCOMPARE(reading.data->tables.front().values, slice.values);
-        QCOMPARE(reading.data->grid.axes[0].name, "Y");
-        QCOMPARE(reading.data->grid.axes[1].last(), slice.grid.axes[1].last());
+        QCOMPARE(reading.data->tables.front().values, onDrive->values);
+        QCOMPARE(reading.data->notes, std::vector<std::string>{"lookup: set"});
+    }
+
+    void valuesThatNoDriveTakesAreNotSavedAsACalibrationFile()
+    {
+        const QTemporaryDir folder;
+        Fixture bench(sharedTable({9}), sharedTable({9}, 1.0));
+        const QString path = folder.filePath(QStringLiteral("values.csv"));
+        bench.view->setValuesOrigin({false, {}, {}});
+        QVERIFY(bench.save(path).contains(QStringLiteral("Export for Another Controller")));
+        bench.view->setValuesOrigin({true, {}, {}});
+        bench.shown.setContent(TableContent::Difference);
+        QTRY_VERIFY(bench.shown.drawn());
+        QVERIFY(bench.save(path).contains(QStringLiteral("difference")));
+        QVERIFY(!QFile::exists(path));
     }
 
     void whatCannotBeSavedIsSaidInASentence()
