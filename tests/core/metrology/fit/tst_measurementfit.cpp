@@ -1510,7 +1510,7 @@ private Q_SLOTS:
                 std::pair(values.front() + 1e-5F, true)}) {
             values.back() = last;
             report->remarks.clear();
-            addRunsRemarks(input, {}, {}, *report);
+            addStateRemarks(input, {}, {&report->tables.front().table, 1}, *report);
             const auto ends = std::ranges::find(
                 report->remarks, std::string_view("EndsOfTurn"), &FitRemark::name);
             QVERIFY(ends != report->remarks.end());
