@@ -3418,8 +3418,8 @@
         <translation>seine Tabellen beginnen bei Position 0, die Quelle {number} nicht erreicht</translation>
     </message>
     <message>
-        <source>resample it over a range with 0</source>
-        <translation>sie über einen Bereich mit 0 umrechnen</translation>
+        <source>add points to the table, as far as position 0</source>
+        <translation>der Tabelle Punkte hinzufügen, bis zur Position 0</translation>
     </message>
     <message>
         <source>check counts-per-unit and the unit of the positions</source>
@@ -6986,8 +6986,8 @@
         <translation>ihre Positionen gehen von {first} bis {last}, und von einer Drehachse gelten nur 0 bis 360 Grad</translation>
     </message>
     <message>
-        <source>resample it onto this range</source>
-        <translation>auf diesen Bereich umrechnen</translation>
+        <source>give them from 0 to 360 degrees in the file that is converted, -90 as 270</source>
+        <translation>in der Datei, die umgewandelt wird, von 0 bis 360 Grad angeben, -90 als 270</translation>
     </message>
     <message>
         <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>

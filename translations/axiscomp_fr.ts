@@ -3418,8 +3418,8 @@
         <translation>ses tables commencent à la position 0, que la source {number} n&apos;atteint pas</translation>
     </message>
     <message>
-        <source>resample it over a range with 0</source>
-        <translation>la rééchantillonner sur une étendue contenant 0</translation>
+        <source>add points to the table, as far as position 0</source>
+        <translation>ajouter des points à la table, jusqu&apos;à la position 0</translation>
     </message>
     <message>
         <source>check counts-per-unit and the unit of the positions</source>
@@ -6986,8 +6986,8 @@
         <translation>ses positions vont de {first} à {last}, et pour un axe rotatif, seuls 0 à 360 degrés comptent</translation>
     </message>
     <message>
-        <source>resample it onto this range</source>
-        <translation>la rééchantillonner sur cette étendue</translation>
+        <source>give them from 0 to 360 degrees in the file that is converted, -90 as 270</source>
+        <translation>les indiquer de 0 à 360 degrés dans le fichier à convertir, -90 comme 270</translation>
     </message>
     <message>
         <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>

@@ -3418,8 +3418,8 @@
         <translation>テーブルは位置 0 から始まりますが、ソース {number} の範囲に 0 がありません</translation>
     </message>
     <message>
-        <source>resample it over a range with 0</source>
-        <translation>0 を含む範囲で再サンプリングしてください</translation>
+        <source>add points to the table, as far as position 0</source>
+        <translation>位置 0 までの点をテーブルに追加してください</translation>
     </message>
     <message>
         <source>check counts-per-unit and the unit of the positions</source>
@@ -6949,8 +6949,8 @@
         <translation>位置が {first} から {last} ですが、回転軸で有効なのは 0 から 360 度だけです</translation>
     </message>
     <message>
-        <source>resample it onto this range</source>
-        <translation>この範囲に再サンプリングしてください</translation>
+        <source>give them from 0 to 360 degrees in the file that is converted, -90 as 270</source>
+        <translation>変換元のファイルで 0～360 度の値にしてください (-90 は 270)</translation>
     </message>
     <message>
         <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>

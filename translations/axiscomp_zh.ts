@@ -3418,8 +3418,8 @@
         <translation>其表始于位置 0，而源 {number} 未覆盖该处</translation>
     </message>
     <message>
-        <source>resample it over a range with 0</source>
-        <translation>在包含 0 的范围上重采样</translation>
+        <source>add points to the table, as far as position 0</source>
+        <translation>向表中添加点，直到位置 0</translation>
     </message>
     <message>
         <source>check counts-per-unit and the unit of the positions</source>
@@ -6949,8 +6949,8 @@
         <translation>其位置从 {first} 到 {last}，而回转轴只有 0 至 360 度有效</translation>
     </message>
     <message>
-        <source>resample it onto this range</source>
-        <translation>将其重采样到该范围</translation>
+        <source>give them from 0 to 360 degrees in the file that is converted, -90 as 270</source>
+        <translation>在待转换的文件中以 0 到 360 度给出，-90 写作 270</translation>
     </message>
     <message>
         <source>the numbers for axis {axis} have no unit; they are taken to be in {unit}</source>

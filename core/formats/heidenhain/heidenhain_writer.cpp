@@ -156,7 +156,8 @@ Result<void> FileWriter::checkUnits() const
                 "degrees count")
                 .with("first", Quantity{roundedText(source.knots.front()), "deg"})
                 .with("last", Quantity{roundedText(source.knots.back()), "deg"}),
-            AXISCOMP_TEXT("Error", "resample it onto this range"));
+            AXISCOMP_TEXT("Error",
+                "give them from 0 to 360 degrees in the file that is converted, -90 as 270"));
     return {};
 }
 

@@ -179,8 +179,10 @@ Points pointsOf(TextReading& source)
             AXISCOMP_TEXT("Error", "lines of {expected}").with("expected", twoNumbers));
     else if (headers.rows > 0)
         reportRowsInHeader(headers, source);
-    // Of the offsets alone it says nothing of the positions.
-    points.unit = headers.positionUnit;
+    // Of the offsets alone it says nothing of the positions, but it must not contradict a setting.
+    const SettingValues& settings = source.settings;
+    const bool isSet = settings.has("position-unit") || settings.has("value-unit");
+    points.unit = headers.positionUnit.empty() && isSet ? headers.offsetUnit : headers.positionUnit;
     return points;
 }
 

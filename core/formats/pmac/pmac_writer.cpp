@@ -48,7 +48,7 @@ Result<Circle> circleOf(const FormatFacts& facts, const NeutralTable& table, std
             AXISCOMP_TEXT(
                 "Error", "its tables begin at position 0, which source {number} does not reach")
                 .with("number", n + 1),
-            AXISCOMP_TEXT("Error", "resample it over a range with 0"));
+            AXISCOMP_TEXT("Error", "add points to the table, as far as position 0"));
     } else if (!isClosed(table, n)) {
         ++circle.size; // one interval more leads from the last value to the first
     }

@@ -56,6 +56,10 @@ void describe(test::FormatSample& sample)
         "a unit of the positions", "Position [um],Offset\n0,0.1\n1,0.2\n", {}, FormatSettings());
     sample.warning("a unit of the offsets alone", "Position,Offset [um]\n0,0.1\n1,0.2\n",
         {"0:0 UnitNotGiven"}, FormatSettings());
+    sample.problem("another unit of the offsets alone than in the settings",
+        "Position,Offset [um]\n0,0.1\n1,0.2\n",
+        "0:0 Contradiction numbers in um, as the file says|mm, as the setting says", {},
+        FormatSettings{{"position-unit", "mm"}});
     sample.problem("two units in the header", "Position [mm],Offset [um]\n0,0.1\n1,0.2\n",
         "1:0 Contradiction Position [mm],Offset [um]|one unit for positions and offsets");
     sample.problem("another unit in the header than in the settings",
