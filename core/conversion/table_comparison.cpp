@@ -64,6 +64,31 @@ std::optional<std::size_t> sameCrossColumn(
         : std::nullopt;
 }
 
+/// Where a column stands among those of its target and direction, and how many of them there are.
+std::pair<std::size_t, std::size_t> placeAmongAlike(const NeutralTable& table, std::size_t column)
+{
+    std::pair<std::size_t, std::size_t> place{0, 0};
+    const CompensationColumn& own = table.columns[column];
+    for (std::size_t n = 0; n < table.columns.size(); ++n) {
+        const CompensationColumn& other = table.columns[n];
+        if (other.direction != own.direction || !haveSameTarget(table, own, table, other))
+            continue;
+        place.first += n < column ? 1 : 0;
+        ++place.second;
+    }
+    return place;
+}
+
+/// Tables beside each other, of which one is chosen later: each is compared with itself alone.
+bool areOthersBeside(
+    const NeutralTable& a, std::size_t columnA, const NeutralTable& b, std::size_t columnB)
+{
+    const auto [placeA, countA] = placeAmongAlike(a, columnA);
+    const auto [placeB, countB] = placeAmongAlike(b, columnB);
+    return a.columns[columnA].direction == b.columns[columnB].direction && countA == countB
+        && placeA != placeB;
+}
+
 Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
 {
     std::vector<ColumnPair> pairs;
@@ -72,7 +97,8 @@ Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTabl
         const std::size_t before = pairs.size();
         for (std::size_t j = 0; j < b.columns.size(); ++j)
             if (haveSameTarget(a, column, b, b.columns[j])
-                && sharesDirection(b.columns[j].direction, column.direction))
+                && sharesDirection(b.columns[j].direction, column.direction)
+                && !areOthersBeside(a, i, b, j))
                 pairs.push_back({i, j});
         const bool isByOrder = a.columns.size() == b.columns.size()
             || (!targetOf(a, column) && a.columns.size() < b.columns.size());

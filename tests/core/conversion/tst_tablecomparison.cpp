@@ -54,6 +54,19 @@ private Q_SLOTS:
         QVERIFY(!difference->isThinned);
     }
 
+    void tablesBesideEachOtherAreNotComparedCrosswise()
+    {
+        auto table = tableOver({axisX({0, 7, 9, 30})}, "X", wave);
+        addColumn(table, "X", [](const Values& p) { return 0.02 + wave(p); });
+        const auto difference = conversionDifference(table, held, table, held);
+        VERIFY_RESULT(difference);
+        QCOMPARE(difference->columns.size(), std::size_t(2));
+        for (const ColumnDifference& column : difference->columns) {
+            QCOMPARE(column.columnA, column.columnB);
+            QCOMPARE(column.largest, 0.0);
+        }
+    }
+
     void oneChangedValueIsFoundAtItsPlace()
     {
         const auto a =
