@@ -210,7 +210,10 @@ void WritePreview::showPlan()
     const QString label =
         axis >= 0 ? m_controller.axes().at(static_cast<std::size_t>(axis)).label : QString();
     const auto restored = m_controller.plannedRestoration();
-    m_planned = plan->table ? std::make_shared<const CompensationTable>(*plan->table) : nullptr;
+    if (!plan->table)
+        m_planned.reset();
+    else if (!m_planned || *m_planned != *plan->table) // the change is known of the same one
+        m_planned = std::make_shared<const CompensationTable>(*plan->table);
     m_title->setText(restored ? tr("What will be restored on %1", "axis and drive").arg(label)
             : plan->deletedSlot.empty()
             ? tr("What will be written to %1", "axis and drive").arg(label)
