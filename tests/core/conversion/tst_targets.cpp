@@ -353,7 +353,9 @@ private Q_SLOTS:
         VERIFY_RESULT(conversion);
         const auto reading = csv.read(conversion->written.bytes, readOptions(csv.facts, 1));
         VERIFY_RESULT(reading);
-        QVERIFY(reading->diagnostics.empty());
+        for (const Diagnostic& said : reading->diagnostics)
+            QVERIFY(said.code != DiagnosticCode::TargetNotKnown
+                && said.code != DiagnosticCode::Assumption);
         QCOMPARE(reading->tables.at(0).columns.at(0).target, target);
     }
 

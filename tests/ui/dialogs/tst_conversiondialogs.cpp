@@ -195,9 +195,9 @@ private Q_SLOTS:
 
     void aSettingThatMayHaveThousandsIsNotTaken()
     {
+        PageFixture bench; // which sets the language of the window
         const QScopeGuard back([before = QLocale()] { QLocale::setDefault(before); });
         QLocale::setDefault(QLocale(QLocale::German));
-        PageFixture bench;
         QVERIFY(open1D(bench));
         QVERIFY(openExport(bench, QStringLiteral("CSV file of this program")));
         QVERIFY(bench.user.click("setting_counts-per-unit"));

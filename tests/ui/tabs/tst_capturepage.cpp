@@ -147,7 +147,7 @@ struct CaptureBench {
     [[nodiscard]] int taken() const
     {
         const std::string text = contentOf(values);
-        return static_cast<int>(std::ranges::count(text, '\n')) - 9; // of the header
+        return static_cast<int>(std::ranges::count(text, '\n')) - 10; // of the header
     }
     [[nodiscard]] bool hasTaken(int count)
     {
