@@ -15,6 +15,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include <utility>
+
 namespace axiscomp::ui {
 
 ConversionDialog::ConversionDialog(ConversionForm::Purpose purpose, QWidget* parent)
@@ -97,11 +99,13 @@ void ConversionDialog::retranslate()
 
 void ConversionDialog::takeChange()
 {
-    if (const QString problem = m_form->problem(); !problem.isEmpty()) {
-        showReason(problem);
-        return;
-    }
-    startComputing();
+    const QString problem = m_form->problem();
+    if (problem.isEmpty())
+        return startComputing();
+    m_isComputing = false; // what still comes is of other choices
+    m_reasonText = problem;
+    m_lines.clear();
+    showState();
 }
 
 void ConversionDialog::startComputing()
@@ -114,7 +118,8 @@ void ConversionDialog::startComputing()
 
 void ConversionDialog::showReport(const std::vector<Text>& lines)
 {
-    m_isComputing = false;
+    if (!std::exchange(m_isComputing, false))
+        return;
     m_reasonText.clear();
     m_lines = lines;
     showState();
@@ -122,7 +127,8 @@ void ConversionDialog::showReport(const std::vector<Text>& lines)
 
 void ConversionDialog::showReason(const QString& reason)
 {
-    m_isComputing = false;
+    if (!std::exchange(m_isComputing, false))
+        return;
     m_reasonText = reason;
     m_lines.clear();
     showState();

@@ -38,7 +38,8 @@ protected:
     virtual void compute() = 0;
 
     [[nodiscard]] ConversionForm& form() { return *m_form; }
-    /// Of a conversion that can be done.
+    /// Of a conversion that can be done. This and showReason() do nothing once the choices have a
+    /// problem of their own.
     void showReport(const std::vector<Text>& lines);
     /// Why it cannot be done, a translated sentence.
     void showReason(const QString& reason);
