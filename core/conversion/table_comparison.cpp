@@ -64,42 +64,49 @@ std::optional<std::size_t> sameCrossColumn(
         : std::nullopt;
 }
 
-/// Where a column stands among those of its target and direction, and how many of them there are.
-std::pair<std::size_t, std::size_t> placeAmongAlike(const NeutralTable& table, std::size_t column)
+/// Where a column stands among those of its target and direction.
+struct PlaceAmongAlike {
+    std::size_t number = 0;
+    std::size_t count = 0; ///< how many there are
+};
+
+std::vector<PlaceAmongAlike> placesAmongAlike(const NeutralTable& table)
 {
-    std::pair<std::size_t, std::size_t> place{0, 0};
-    const CompensationColumn& own = table.columns[column];
-    for (std::size_t n = 0; n < table.columns.size(); ++n) {
-        const CompensationColumn& other = table.columns[n];
-        if (other.direction != own.direction || !haveSameTarget(table, own, table, other))
-            continue;
-        place.first += n < column ? 1 : 0;
-        ++place.second;
-    }
-    return place;
+    std::vector<PlaceAmongAlike> places(table.columns.size());
+    for (std::size_t n = 0; n < places.size(); ++n)
+        for (std::size_t other = 0; other < places.size(); ++other) {
+            const CompensationColumn& own = table.columns[n];
+            const CompensationColumn& beside = table.columns[other];
+            if (beside.direction != own.direction || !haveSameTarget(table, own, table, beside))
+                continue;
+            places[n].number += other < n ? 1 : 0;
+            ++places[n].count;
+        }
+    return places;
 }
 
-/// Tables beside each other, of which one is chosen later: each is compared with itself alone.
-bool areOthersBeside(
-    const NeutralTable& a, std::size_t columnA, const NeutralTable& b, std::size_t columnB)
+/// Of tables beside each other, of which one is chosen later, each is compared with itself alone.
+bool areOthersBeside(const PlaceAmongAlike& a, const PlaceAmongAlike& b)
 {
-    const auto [placeA, countA] = placeAmongAlike(a, columnA);
-    const auto [placeB, countB] = placeAmongAlike(b, columnB);
-    return a.columns[columnA].direction == b.columns[columnB].direction && countA == countB
-        && placeA != placeB;
+    return a.count == b.count && a.number != b.number;
 }
 
 Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
 {
+    const std::vector<PlaceAmongAlike> placesInA = placesAmongAlike(a);
+    const std::vector<PlaceAmongAlike> placesInB = placesAmongAlike(b);
     std::vector<ColumnPair> pairs;
     for (std::size_t i = 0; i < a.columns.size(); ++i) {
         const CompensationColumn& column = a.columns[i];
         const std::size_t before = pairs.size();
-        for (std::size_t j = 0; j < b.columns.size(); ++j)
-            if (haveSameTarget(a, column, b, b.columns[j])
-                && sharesDirection(b.columns[j].direction, column.direction)
-                && !areOthersBeside(a, i, b, j))
+        for (std::size_t j = 0; j < b.columns.size(); ++j) {
+            const CompensationColumn& other = b.columns[j];
+            if (haveSameTarget(a, column, b, other)
+                && sharesDirection(other.direction, column.direction)
+                && (other.direction != column.direction
+                    || !areOthersBeside(placesInA[i], placesInB[j])))
                 pairs.push_back({i, j});
+        }
         const bool isByOrder = a.columns.size() == b.columns.size()
             || (!targetOf(a, column) && a.columns.size() < b.columns.size());
         if (const auto cross = sameCrossColumn(a, i, b); cross && pairs.size() == before)
