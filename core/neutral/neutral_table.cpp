@@ -174,19 +174,24 @@ std::vector<Text> axisTexts(const NeutralTable& table)
     return texts;
 }
 
+std::optional<Text> targetText(const NeutralTable& table, const CompensationColumn& column)
+{
+    const auto target = targetOf(table, column);
+    if (!target)
+        return std::nullopt;
+    if (target->source)
+        return axisText(table, *target->source);
+    return column.target == otherAxis ? Text(AXISCOMP_TEXT("Error", "another axis"))
+                                      : Text(Verbatim{column.target});
+}
+
 Text columnText(const NeutralTable& table, const CompensationColumn& column)
 {
     Text text = AXISCOMP_TEXT("Error", "{axes}").with("axes", axisTexts(table));
-    if (const auto target = targetOf(table, column); target && target->source)
+    if (auto target = targetText(table, column))
         text = AXISCOMP_TEXT("Error", "{axes} to {target}")
                    .with("axes", axisTexts(table))
-                   .with("target", axisText(table, *target->source));
-    else if (target)
-        text = AXISCOMP_TEXT("Error", "{axes} to {target}")
-                   .with("axes", axisTexts(table))
-                   .with("target",
-                       column.target == otherAxis ? Text(AXISCOMP_TEXT("Error", "another axis"))
-                                                  : Text(Verbatim{column.target}));
+                   .with("target", *std::move(target));
     if (column.direction == Direction::Both)
         return text;
     return (column.direction == Direction::Positive ? AXISCOMP_TEXT("Error", "{column}, positive")

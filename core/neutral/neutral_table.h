@@ -98,6 +98,9 @@ struct NeutralTable {
 [[nodiscard]] std::vector<std::string> sourceNames(const NeutralTable& table);
 [[nodiscard]] Text axisText(const NeutralTable& table, std::size_t axis);
 [[nodiscard]] std::vector<Text> axisTexts(const NeutralTable& table);
+/// The axis that a column corrects; nothing: that is not stated.
+[[nodiscard]] std::optional<Text> targetText(
+    const NeutralTable& table, const CompensationColumn& column);
 /// "X, Y to Z, positive": for reports.
 [[nodiscard]] Text columnText(const NeutralTable& table, const CompensationColumn& column);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/softmc/softmc_targets.h"
 
-#include "core/table/target_axis.h"
-
 namespace axiscomp::softmc {
 
 void remarkTargets(const NeutralTable& table, std::vector<Text>& remarks)
@@ -11,16 +9,11 @@ void remarkTargets(const NeutralTable& table, std::vector<Text>& remarks)
     bool isInOrder = true;
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         const CompensationColumn& column = table.columns[n];
-        const auto target = targetOf(table, column);
+        auto target = targetText(table, column);
         if (!target)
             return;
-        isInOrder = isInOrder && target->source == n;
-        if (target->source)
-            targets.push_back(axisText(table, *target->source));
-        else if (column.target == otherAxis)
-            targets.push_back(AXISCOMP_TEXT("Error", "another axis"));
-        else
-            targets.push_back(Text(Verbatim{column.target}));
+        isInOrder = isInOrder && ownAxis(table, column) == n;
+        targets.push_back(*std::move(target));
     }
     if (!isInOrder)
         remarks.push_back(AXISCOMP_TEXT("Error",
