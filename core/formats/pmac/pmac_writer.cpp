@@ -194,10 +194,6 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     for (const auto& [key, value] : settings)
         if (key.ends_with("counts-per-unit"))
             reading[key] = value;
-    if (!table.axes[0].unit.empty())
-        reading["position-unit"] = table.axes[0].unit;
-    if (!table.columns[0].unit.empty())
-        reading["value-unit"] = table.columns[0].unit;
     AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));
     takeWrittenUnits(held, {&table, 1});
     written.held = std::move(held);
