@@ -148,10 +148,10 @@ struct FitReport {
 [[nodiscard]] Result<FitReport> fitMeasurement(const Measurement& measurement,
     const FitSettings& settings, const FoundState& state, std::stop_token stop = {});
 
-/// The figures of runs as a fit by temperature gives them: each is the largest of a thermal state
-/// and of all runs together, since the axis is at one temperature at a time. Those of the runs
-/// where not every value has a temperature, or all are of one state.
-[[nodiscard]] Iso230Figures figuresByTemperature(const Measurement& measurement);
+/// The figures of runs by the rule of the fit of their table. By temperature each is the largest of
+/// a thermal state and of all runs together, since the axis is at one temperature at a time; those
+/// of the runs where not every value has a temperature, or all are of one state.
+[[nodiscard]] Iso230Figures figuresOfFit(const Measurement& measurement, bool isByTemperature);
 [[nodiscard]] Text figuresByTemperatureText();
 
 /// The same runs with a table active as the drive applies it, in place of what was active: only the

@@ -559,14 +559,14 @@ void addRemarksOfStates(const FitInput& input, const StateCurves& curves, FitRep
 
 } // namespace
 
-Iso230Figures figuresByTemperature(const Measurement& measurement)
+Iso230Figures figuresOfFit(const Measurement& measurement, bool isByTemperature)
 {
     const auto isUsed = [](const RunValue& value) { return value.isUsed; };
     const bool hasTemperatures = std::ranges::any_of(measurement.values, isUsed)
         && std::ranges::all_of(measurement.values,
             [](const RunValue& value) { return !value.isUsed || value.temperature; });
-    return hasTemperatures ? figuresOfStates(measurement, statesOf(measurement))
-                           : iso230Figures(measurement);
+    return isByTemperature && hasTemperatures ? figuresOfStates(measurement, statesOf(measurement))
+                                              : iso230Figures(measurement);
 }
 
 Text figuresByTemperatureText()

@@ -234,6 +234,11 @@ bool isSuspicious(const Comparison& comparison)
     return before && after && *after >= *before;
 }
 
+bool isByTemperature(const CalibrationRecord& record)
+{
+    return record.fit && record.fit->settings.isByTemperature;
+}
+
 } // namespace
 
 std::optional<double> changeOf(
@@ -244,8 +249,7 @@ std::optional<double> changeOf(
 
 Iso230Figures figuresBy(const CalibrationRecord& record, const Measurement& measurement)
 {
-    const bool isByTemperature = record.fit && record.fit->settings.isByTemperature;
-    return isByTemperature ? figuresByTemperature(measurement) : iso230Figures(measurement);
+    return figuresOfFit(measurement, isByTemperature(record));
 }
 
 bool needsStatement(const Measurement& after, const ComparisonRequest& request)
@@ -286,7 +290,7 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
     if (record.write)
         request.tableCrc = record.write->crc;
     RecordedJudging judging = judgingOf(record);
-    request.isByTemperature = record.fit && record.fit->settings.isByTemperature;
+    request.isByTemperature = isByTemperature(record);
     request.tolerances = std::move(judging.tolerances);
     request.uncertainty = judging.uncertainty;
     return request;
@@ -315,9 +319,8 @@ Result<Comparison> compareMeasurements(
                     .with("before", before.header.axis)
                     .with("after", after.header.axis)}});
     AXISCOMP_CHECK(checkStateAfter(after, request));
-    const auto figuresOf = request.isByTemperature ? &figuresByTemperature : &iso230Figures;
-    Comparison comparison{
-        figuresOf(before), request.predicted, request.heldOut, figuresOf(after), {}, {}};
+    Comparison comparison{figuresOfFit(before, request.isByTemperature), request.predicted,
+        request.heldOut, figuresOfFit(after, request.isByTemperature), {}, {}};
     comparison.isByTemperature = request.isByTemperature;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);

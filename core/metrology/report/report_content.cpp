@@ -550,7 +550,7 @@ private:
 
 Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement)
 {
-    return content.isByTemperature ? figuresByTemperature(measurement) : iso230Figures(measurement);
+    return figuresOfFit(measurement, content.isByTemperature);
 }
 
 ReportDocument reportDocument(const ReportContent& content, const ReportOptions& options)
