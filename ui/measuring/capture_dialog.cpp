@@ -487,9 +487,6 @@ void CaptureDialog::showState()
 
 void CaptureDialog::begin()
 {
-    // A key of the button leaves the field that is typed in.
-    for (NumberBox* box : {m_zero, m_window, m_dwell})
-        box->interpretText();
     if (!obstacle().isEmpty() || m_isBeginning || m_feed.isActive())
         return;
     const CaptureChoices chosen = choices();

@@ -413,9 +413,6 @@ void PlanDialog::showState()
 
 void PlanDialog::askAndSave(bool isProgram)
 {
-    // A key of the button leaves the field that is typed in.
-    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
-        box->interpretText();
     if (!m_plan)
         return;
     const auto dialect = static_cast<GcodeDialect>(m_dialect->currentIndex());
