@@ -42,6 +42,7 @@ void forgetTheMeasurement(Record& record)
 {
     record.swapsDirections = false;
     record.fit.onto = FitChoices::Onto::Nothing;
+    record.fit.ontoTable.reset();
     record.fit.ontoFile.clear();
 }
 
