@@ -28,11 +28,12 @@ double largestRounding(const std::vector<double>& before, const std::string& uni
     return largest;
 }
 
-/// Of the positions; nothing for formats that arrange the points anew: the conversion's difference
-/// tells.
-std::optional<double> positionRounding(const NeutralTable& prepared, const NeutralTable& held)
+/// Of the positions of each axis; nothing for formats that arrange the points anew: the
+/// conversion's difference tells.
+std::optional<std::vector<double>> positionRounding(
+    const NeutralTable& prepared, const NeutralTable& held)
 {
-    double positions = 0.0;
+    std::vector<double> positions;
     for (std::size_t n = 0; n < held.axes.size(); ++n) {
         const SourceAxis& from = prepared.axes[n];
         const SourceAxis& to = held.axes[n];
@@ -42,7 +43,7 @@ std::optional<double> positionRounding(const NeutralTable& prepared, const Neutr
             from.knots.size() == to.knots.size() && rounding <= std::max(to.step, 1e-9 * span);
         if (!isSameGrid)
             return {};
-        positions = std::max(positions, rounding);
+        positions.push_back(rounding);
     }
     return positions;
 }
@@ -52,16 +53,16 @@ void notePoints(const NeutralTable& prepared, NeutralTable& held, TableConversio
 {
     for (CompensationColumn& column : held.columns)
         column.filled.clear();
-    const auto positions = positionRounding(prepared, held);
+    auto positions = positionRounding(prepared, held);
     if (!positions)
         return;
-    conversion.positionRounding = *positions;
+    conversion.positionRounding = *std::move(positions);
     for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
         const CompensationColumn& from = prepared.columns[n];
         CompensationColumn& to = held.columns[n];
         to.filled = from.filled;
-        conversion.valueRounding = std::max(
-            conversion.valueRounding, largestRounding(from.values, from.unit, to.values, to.unit));
+        conversion.valueRounding.push_back(
+            largestRounding(from.values, from.unit, to.values, to.unit));
     }
 }
 

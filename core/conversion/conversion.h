@@ -52,8 +52,9 @@ struct TableConversion {
     std::optional<ResamplingReport> resampling;
     std::vector<DirectionLoss> directionLosses; ///< of merged directions
     ConversionDifference difference; ///< source and result, each as its controller applies it
-    double valueRounding = 0.0; ///< the largest, by the steps of the target's numbers
-    double positionRounding = 0.0;
+    /// The largest by the steps of the target's numbers, of each of its columns and axes in its
+    /// unit; empty where the points are others than those of the source.
+    std::vector<double> valueRounding, positionRounding;
     Text example; ///< one point in words, both conventions
     /// Where the drive has to look up the table that it gets; nothing: no table of the drive is
     /// written, or it does not matter, as for cross compensations, or nobody has said it.

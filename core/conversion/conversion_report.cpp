@@ -26,13 +26,11 @@ bool isNoise(double difference, const CompensationColumn& column)
 }
 
 /// Every number of a controller that computes with float32 is rounded like that.
-bool isFloatRounding(const TableConversion& table, const ConversionRequest& request)
+bool isFloatRounding(double rounding, const CompensationColumn& column, const TableFormat& target)
 {
-    const CompensationColumn& column = table.result.columns.front();
     const TableStatistics values = statisticsOf(column.values);
     const double largest = std::max(std::abs(values.minimum), std::abs(values.maximum));
-    const double share = request.to->facts.behaviour.usesFloat ? 1e-7 : 1e-12;
-    return table.valueRounding <= share * largest;
+    return rounding <= (target.facts.behaviour.usesFloat ? 1e-7 : 1e-12) * largest;
 }
 
 Text formatSign(const TableFormat& format, std::optional<SignConvention> overruled)
@@ -117,16 +115,42 @@ Text directionLine(const TableConversion& table, const DirectionLoss& loss, Dire
         .with("place", positionText(table.source, loss.position));
 }
 
-Text roundingLine(const TableConversion& table)
+/// One for each unit, with the largest rounding of what has it.
+template <class Part>
+std::vector<Quantity> roundingsByUnit(
+    const std::vector<double>& roundings, const std::vector<Part>& parts)
 {
-    return (table.positionRounding > 0.0
-            ? AXISCOMP_TEXT("Error",
-                "the numbers of the file are rounded: values by up to {value}, positions by up "
-                "to {position}")
-            : AXISCOMP_TEXT(
-                "Error", "the numbers of the file are rounded: values by up to {value}"))
-        .with("value", amountOf(table.valueRounding, table.result.columns.front().unit))
-        .with("position", amountOf(table.positionRounding, table.result.axes.front().unit));
+    std::vector<std::pair<std::string, double>> largest;
+    for (std::size_t n = 0; n < roundings.size(); ++n) {
+        if (roundings[n] <= 0.0)
+            continue;
+        const auto known =
+            std::ranges::find(largest, parts[n].unit, &std::pair<std::string, double>::first);
+        if (known == largest.end())
+            largest.emplace_back(parts[n].unit, roundings[n]);
+        else
+            known->second = std::max(known->second, roundings[n]);
+    }
+    std::vector<Quantity> amounts;
+    for (const auto& [unit, rounding] : largest)
+        amounts.push_back(amountOf(rounding, unit));
+    return amounts;
+}
+
+void addRoundings(const TableConversion& table, const TableFormat& target, std::vector<Text>& lines)
+{
+    std::vector<double> values = table.valueRounding;
+    for (std::size_t n = 0; n < values.size(); ++n)
+        if (isFloatRounding(values[n], table.result.columns[n], target))
+            values[n] = 0.0;
+    for (const Quantity& amount : roundingsByUnit(values, table.result.columns))
+        lines.push_back(
+            AXISCOMP_TEXT("Error", "the values of the file are rounded by up to {amount}")
+                .with("amount", amount));
+    for (const Quantity& amount : roundingsByUnit(table.positionRounding, table.result.axes))
+        lines.push_back(
+            AXISCOMP_TEXT("Error", "the positions of the file are rounded by up to {amount}")
+                .with("amount", amount));
 }
 
 Text differenceOf(const TableConversion& table, const ColumnDifference& difference)
@@ -177,8 +201,7 @@ void addTable(
         addResampling(table, n, request.speed, lines);
     for (const DirectionLoss& loss : table.directionLosses)
         lines.push_back(directionLine(table, loss, *request.direction));
-    if (!isFloatRounding(table, request) || table.positionRounding > 0.0)
-        lines.push_back(roundingLine(table));
+    addRoundings(table, *request.to, lines);
     for (const ColumnDifference& difference : table.difference.columns)
         lines.push_back(differenceLine(table, difference));
 }

@@ -871,9 +871,29 @@ private Q_SLOTS:
         ConversionRequest request = requestFor(calibration_csv::format(), isg_ssfk::format());
         const auto conversion = convertTables(tables, request);
         VERIFY_RESULT(conversion);
-        const double rounding = conversion->tables.front().valueRounding;
+        const double rounding = conversion->tables.front().valueRounding.front();
         QVERIFY2(rounding > 0.0 && rounding <= 0.5e-4, qPrintable(QString::number(rounding)));
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
+    }
+
+    void roundingOfEachColumnHasItsOwnUnit()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Feedback);
+        table.columns.push_back(table.columns[0]);
+        table.columns[0].unit = "mm";
+        table.columns[0].values[1] = 1.0 / 3.0;
+        table.columns[1].target = "Z";
+        table.columns[1].unit = "arcsec";
+        table.columns[1].values[1] = 2.0 / 3.0;
+        TableConversion conversion;
+        conversion.result = table;
+        conversion.valueRounding = {2e-5, 0.25};
+        conversion.positionRounding = {0.5};
+        const std::vector<Text> lines = conversionReport(
+            {{}, {conversion}, {}}, requestFor(calibration_csv::format(), isg_ssfk::format()));
+        QVERIFY(contains(lines, "values of the file are rounded by up to 20 nm"));
+        QVERIFY(contains(lines, "values of the file are rounded by up to 0.25 arcsec"));
+        QVERIFY(contains(lines, "positions of the file are rounded by up to"));
     }
 };
 
