@@ -1970,12 +1970,12 @@
         <translation>von {before} auf {after} Punkte umgerechnet: an den Positionen der Quelle weicht es höchstens um {largest} ab, im Effektivwert um {rms}</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}</source>
-        <translation>die Zahlen der Datei sind gerundet: Werte um bis zu {value}</translation>
+        <source>the values of the file are rounded by up to {amount}</source>
+        <translation>die Werte der Datei sind um bis zu {amount} gerundet</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
-        <translation>die Zahlen der Datei sind gerundet: Werte um bis zu {value}, Positionen um bis zu {position}</translation>
+        <source>the positions of the file are rounded by up to {amount}</source>
+        <translation>die Positionen der Datei sind um bis zu {amount} gerundet</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
@@ -8376,6 +8376,14 @@
     <message>
         <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
         <translation>die beiden Richtungen der Bahn haben kein gemeinsames Wegstück: die Tabelle aus einer von ihnen machen (--direction positive oder negative)</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the desired position of its sources (D); with position=actual at the actual one</source>
+        <translation>die Tabelle wird bei der Sollposition ihrer Quellachsen nachgeschlagen (D); mit position=actual bei der Istposition</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
+        <translation>die Tabelle wird bei der Istposition ihrer Quellachsen nachgeschlagen; mit position=desired bei der Sollposition (D)</translation>
     </message>
 </context>
 <context>

@@ -1970,12 +1970,12 @@
         <translation>rééchantillonné de {before} à {after} points&#xa0;: aux positions de la source, l&apos;écart est d&apos;au plus {largest}, {rms} RMS</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}</source>
-        <translation>les nombres du fichier sont arrondis&#xa0;: valeurs de {value} au plus</translation>
+        <source>the values of the file are rounded by up to {amount}</source>
+        <translation>les valeurs du fichier sont arrondies de {amount} au plus</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
-        <translation>les nombres du fichier sont arrondis&#xa0;: valeurs de {value} au plus, positions de {position} au plus</translation>
+        <source>the positions of the file are rounded by up to {amount}</source>
+        <translation>les positions du fichier sont arrondies de {amount} au plus</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
@@ -8376,6 +8376,14 @@
     <message>
         <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
         <translation>les deux sens du relevé continu n&apos;ont aucune partie du trajet en commun&#xa0;: faire la table de l&apos;un d&apos;eux (--direction positive ou negative)</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the desired position of its sources (D); with position=actual at the actual one</source>
+        <translation>la table est lue à la position de consigne de ses axes sources (D)&#xa0;; avec position=actual, à leur position réelle</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
+        <translation>la table est lue à la position réelle de ses axes sources&#xa0;; avec position=desired, à leur position de consigne (D)</translation>
     </message>
 </context>
 <context>

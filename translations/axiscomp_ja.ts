@@ -1970,12 +1970,12 @@
         <translation>{before} 点から {after} 点に再サンプリングしました。元の位置でのずれは最大 {largest}、rms {rms} です</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}</source>
-        <translation>ファイルの数値は丸められます。値の丸めは最大 {value} です</translation>
+        <source>the values of the file are rounded by up to {amount}</source>
+        <translation>ファイルの値は最大 {amount} 丸められます</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
-        <translation>ファイルの数値は丸められます。丸めは値が最大 {value}、位置が最大 {position} です</translation>
+        <source>the positions of the file are rounded by up to {amount}</source>
+        <translation>ファイルの位置は最大 {amount} 丸められます</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
@@ -8335,6 +8335,14 @@
     <message>
         <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
         <translation>連続測定の両方向に共通の区間がありません。一方の方向のテーブルを作成してください(--direction positive または negative)</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the desired position of its sources (D); with position=actual at the actual one</source>
+        <translation>テーブルは元の軸の指令位置 (D) で参照されます。position=actual では実際の位置で参照されます</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
+        <translation>テーブルは元の軸の実際の位置で参照されます。position=desired では指令位置 (D) で参照されます</translation>
     </message>
 </context>
 <context>

@@ -1970,12 +1970,12 @@
         <translation>由 {before} 点重采样为 {after} 点：在原有位置上最多相差 {largest}，均方根 {rms}</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}</source>
-        <translation>文件中的数字已舍入：值最多相差 {value}</translation>
+        <source>the values of the file are rounded by up to {amount}</source>
+        <translation>文件中的值因舍入最多相差 {amount}</translation>
     </message>
     <message>
-        <source>the numbers of the file are rounded: values by up to {value}, positions by up to {position}</source>
-        <translation>文件中的数字已舍入：值最多相差 {value}，位置最多相差 {position}</translation>
+        <source>the positions of the file are rounded by up to {amount}</source>
+        <translation>文件中的位置因舍入最多相差 {amount}</translation>
     </message>
     <message>
         <source>compared at {count} positions, each by its controller&apos;s rules: {difference}</source>
@@ -8335,6 +8335,14 @@
     <message>
         <source>the two directions of the track have no part of the way in common: make the table of one of them (--direction positive or negative)</source>
         <translation>连续测量的两个方向没有共同的路段:请用其中一个方向生成表（--direction positive 或 negative）</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the desired position of its sources (D); with position=actual at the actual one</source>
+        <translation>表按其源轴的指令位置 (D) 查找；使用 position=actual 时按实际位置查找</translation>
+    </message>
+    <message>
+        <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
+        <translation>表按其源轴的实际位置查找；使用 position=desired 时按指令位置 (D) 查找</translation>
     </message>
 </context>
 <context>

@@ -187,8 +187,8 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
         circles.push_back(circle);
     }
     AXISCOMP_TRY(const auto entries, entriesOf(facts, table, circles, numbers));
-    written.bytes = noteLines(table, "; ")
-        + header(motors, circles, given.text("position") == "desired" ? "D" : "")
+    const bool isDesired = given.text("position") == "desired";
+    written.bytes = noteLines(table, "; ") + header(motors, circles, isDesired ? "D" : "")
         + entryLines(entries, circles);
     FormatSettings reading;
     for (const auto& [key, value] : settings)
@@ -197,6 +197,13 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     AXISCOMP_TRY(auto held, readBack(format, written.bytes, std::move(reading)));
     takeWrittenUnits(held, {&table, 1});
     written.held = std::move(held);
+    written.remarks.emplace_back(isDesired
+            ? AXISCOMP_TEXT("Error",
+                "the table is looked up at the desired position of its sources (D); with "
+                "position=actual at the actual one")
+            : AXISCOMP_TEXT("Error",
+                "the table is looked up at the actual position of its sources; with "
+                "position=desired at the desired one (D)"));
     written.remarks.emplace_back(AXISCOMP_TEXT(
         "Error", "switch the table on with I51=1; outside of its span it rolls over"));
     return written;

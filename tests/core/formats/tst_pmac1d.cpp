@@ -96,6 +96,7 @@ void describe(test::FormatSample& sample)
         .within(0.5 / 16000 + 1e-12);
     sample.writes("closed", {closedTable()})
         .containing({"#3\nDEFINE COMP 24,#3D,#3,60000\n"})
+        .remarking({"the desired position of its sources (D)"})
         .within(0.5 / 16000 + 1e-12);
     NeutralTable manual = closedTable();
     manual.axes[0] = test::evenAxis("1", "mm", 0, 1, 4);
@@ -105,7 +106,7 @@ void describe(test::FormatSample& sample)
     sample.writes("the form of the manual", {manual})
         .with({{"counts-per-unit", "1000"}, {"position", "actual"}, {"value-unit", "mm"}})
         .as("; note\n#2\nDEFINE COMP 3,#1,#2,3000\n16 -32 0\n")
-        .remarking({"I51=1"})
+        .remarking({"the actual position of its sources", "I51=1"})
         .becoming(changed(manual, [](NeutralTable& table) {
             table.columns = {test::columnOf("2", "mm", {0, 0.001, -0.002, 0})};
         }));
