@@ -18,78 +18,87 @@ struct NamedUnit {
 constexpr std::array positionUnits{NamedUnit{"None", ""}, NamedUnit{"Meter", "m"},
     NamedUnit{"Millimeter", "mm"}, NamedUnit{"Radian", "rad"}, NamedUnit{"Degree", "deg"}};
 
-enum class Kind { Length, Angle };
+/// What sizes are counted in, so that all are whole numbers: of two with one base the factor is the
+/// nearest double, such as 1000 from mm to um.
+enum class Base { TenthOfNanometer, TenthOfArcsecond, Microradian };
 
 struct Unit {
     std::string_view spelling; ///< in small letters
-    Kind kind;
-    double size; ///< in metres or radians
+    Base base;
+    double size;
 };
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double degree = 36e3; ///< in tenths of an arcsecond
+constexpr double radian = 1e6;
+
+bool isLength(const Unit& unit)
+{
+    return unit.base == Base::TenthOfNanometer;
+}
+
 constexpr std::array knownUnits{
-    Unit{"nm", Kind::Length, 1e-9},
-    Unit{"um", Kind::Length, 1e-6},
-    Unit{"\u00b5m", Kind::Length, 1e-6}, // micro sign
-    Unit{"\u03bcm", Kind::Length, 1e-6}, // Greek letter mu
-    Unit{"mm", Kind::Length, 1e-3},
-    Unit{"millimeter", Kind::Length, 1e-3},
-    Unit{"cm", Kind::Length, 1e-2},
-    Unit{"m", Kind::Length, 1.0},
-    Unit{"meter", Kind::Length, 1.0},
-    Unit{"mil", Kind::Length, 25.4e-6},
-    Unit{"inch", Kind::Length, 0.0254},
-    Unit{"in", Kind::Length, 0.0254},
-    Unit{"urad", Kind::Angle, 1e-6},
-    Unit{"\u00b5rad", Kind::Angle, 1e-6},
-    Unit{"\u03bcrad", Kind::Angle, 1e-6},
-    Unit{"mrad", Kind::Angle, 1e-3},
-    Unit{"rad", Kind::Angle, 1.0},
-    Unit{"radian", Kind::Angle, 1.0},
-    Unit{"deg", Kind::Angle, degree},
-    Unit{"degree", Kind::Angle, degree},
-    Unit{"\u00b0", Kind::Angle, degree}, // degree sign
-    Unit{"mdeg", Kind::Angle, degree / 1e3},
-    Unit{"turn", Kind::Angle, 2.0 * std::numbers::pi},
-    Unit{"turns", Kind::Angle, 2.0 * std::numbers::pi},
-    Unit{"rev", Kind::Angle, 2.0 * std::numbers::pi},
-    Unit{"arcmin", Kind::Angle, degree / 60.0},
-    Unit{"arcsec", Kind::Angle, degree / 3600.0},
-    Unit{"micrometer", Kind::Length, 1e-6},
-    Unit{"micrometers", Kind::Length, 1e-6},
-    Unit{"micrometre", Kind::Length, 1e-6},
-    Unit{"micrometres", Kind::Length, 1e-6},
-    Unit{"micron", Kind::Length, 1e-6},
-    Unit{"microns", Kind::Length, 1e-6},
-    Unit{"\u339b", Kind::Length, 1e-6}, // one character
-    Unit{"\u5fae\u7c73", Kind::Length, 1e-6},
-    Unit{"millimeters", Kind::Length, 1e-3},
-    Unit{"millimetre", Kind::Length, 1e-3},
-    Unit{"millimetres", Kind::Length, 1e-3},
-    Unit{"\u339c", Kind::Length, 1e-3}, // one character
-    Unit{"\u6beb\u7c73", Kind::Length, 1e-3},
-    Unit{"meters", Kind::Length, 1.0},
-    Unit{"metre", Kind::Length, 1.0},
-    Unit{"metres", Kind::Length, 1.0},
-    Unit{"thou", Kind::Length, 25.4e-6},
-    Unit{"mils", Kind::Length, 25.4e-6},
-    Unit{"uin", Kind::Length, 25.4e-9},
-    Unit{"\u00b5in", Kind::Length, 25.4e-9},
-    Unit{"\u03bcin", Kind::Length, 25.4e-9},
-    Unit{"microinch", Kind::Length, 25.4e-9},
-    Unit{"microinches", Kind::Length, 25.4e-9},
-    Unit{"inches", Kind::Length, 0.0254},
-    Unit{"zoll", Kind::Length, 0.0254},
-    Unit{"radians", Kind::Angle, 1.0},
-    Unit{"degrees", Kind::Angle, degree},
-    Unit{"'", Kind::Angle, degree / 60.0},
-    Unit{"\u2032", Kind::Angle, degree / 60.0}, // prime
-    Unit{"arcminute", Kind::Angle, degree / 60.0},
-    Unit{"arcminutes", Kind::Angle, degree / 60.0},
-    Unit{"\"", Kind::Angle, degree / 3600.0},
-    Unit{"\u2033", Kind::Angle, degree / 3600.0}, // double prime
-    Unit{"''", Kind::Angle, degree / 3600.0},
-    Unit{"arcsecond", Kind::Angle, degree / 3600.0},
-    Unit{"arcseconds", Kind::Angle, degree / 3600.0},
+    Unit{"nm", Base::TenthOfNanometer, 10.0},
+    Unit{"um", Base::TenthOfNanometer, 1e4},
+    Unit{"\u00b5m", Base::TenthOfNanometer, 1e4}, // micro sign
+    Unit{"\u03bcm", Base::TenthOfNanometer, 1e4}, // Greek letter mu
+    Unit{"mm", Base::TenthOfNanometer, 1e7},
+    Unit{"millimeter", Base::TenthOfNanometer, 1e7},
+    Unit{"cm", Base::TenthOfNanometer, 1e8},
+    Unit{"m", Base::TenthOfNanometer, 1e10},
+    Unit{"meter", Base::TenthOfNanometer, 1e10},
+    Unit{"mil", Base::TenthOfNanometer, 254e3},
+    Unit{"inch", Base::TenthOfNanometer, 254e6},
+    Unit{"in", Base::TenthOfNanometer, 254e6},
+    Unit{"urad", Base::Microradian, 1.0},
+    Unit{"\u00b5rad", Base::Microradian, 1.0},
+    Unit{"\u03bcrad", Base::Microradian, 1.0},
+    Unit{"mrad", Base::Microradian, 1e3},
+    Unit{"rad", Base::Microradian, radian},
+    Unit{"radian", Base::Microradian, radian},
+    Unit{"deg", Base::TenthOfArcsecond, degree},
+    Unit{"degree", Base::TenthOfArcsecond, degree},
+    Unit{"\u00b0", Base::TenthOfArcsecond, degree}, // degree sign
+    Unit{"mdeg", Base::TenthOfArcsecond, 36.0},
+    Unit{"turn", Base::TenthOfArcsecond, 360.0 * degree},
+    Unit{"turns", Base::TenthOfArcsecond, 360.0 * degree},
+    Unit{"rev", Base::TenthOfArcsecond, 360.0 * degree},
+    Unit{"arcmin", Base::TenthOfArcsecond, 600.0},
+    Unit{"arcsec", Base::TenthOfArcsecond, 10.0},
+    Unit{"micrometer", Base::TenthOfNanometer, 1e4},
+    Unit{"micrometers", Base::TenthOfNanometer, 1e4},
+    Unit{"micrometre", Base::TenthOfNanometer, 1e4},
+    Unit{"micrometres", Base::TenthOfNanometer, 1e4},
+    Unit{"micron", Base::TenthOfNanometer, 1e4},
+    Unit{"microns", Base::TenthOfNanometer, 1e4},
+    Unit{"\u339b", Base::TenthOfNanometer, 1e4}, // one character
+    Unit{"\u5fae\u7c73", Base::TenthOfNanometer, 1e4},
+    Unit{"millimeters", Base::TenthOfNanometer, 1e7},
+    Unit{"millimetre", Base::TenthOfNanometer, 1e7},
+    Unit{"millimetres", Base::TenthOfNanometer, 1e7},
+    Unit{"\u339c", Base::TenthOfNanometer, 1e7}, // one character
+    Unit{"\u6beb\u7c73", Base::TenthOfNanometer, 1e7},
+    Unit{"meters", Base::TenthOfNanometer, 1e10},
+    Unit{"metre", Base::TenthOfNanometer, 1e10},
+    Unit{"metres", Base::TenthOfNanometer, 1e10},
+    Unit{"thou", Base::TenthOfNanometer, 254e3},
+    Unit{"mils", Base::TenthOfNanometer, 254e3},
+    Unit{"uin", Base::TenthOfNanometer, 254.0},
+    Unit{"\u00b5in", Base::TenthOfNanometer, 254.0},
+    Unit{"\u03bcin", Base::TenthOfNanometer, 254.0},
+    Unit{"microinch", Base::TenthOfNanometer, 254.0},
+    Unit{"microinches", Base::TenthOfNanometer, 254.0},
+    Unit{"inches", Base::TenthOfNanometer, 254e6},
+    Unit{"zoll", Base::TenthOfNanometer, 254e6},
+    Unit{"radians", Base::Microradian, radian},
+    Unit{"degrees", Base::TenthOfArcsecond, degree},
+    Unit{"'", Base::TenthOfArcsecond, 600.0},
+    Unit{"\u2032", Base::TenthOfArcsecond, 600.0}, // prime
+    Unit{"arcminute", Base::TenthOfArcsecond, 600.0},
+    Unit{"arcminutes", Base::TenthOfArcsecond, 600.0},
+    Unit{"\"", Base::TenthOfArcsecond, 10.0},
+    Unit{"\u2033", Base::TenthOfArcsecond, 10.0}, // double prime
+    Unit{"''", Base::TenthOfArcsecond, 10.0},
+    Unit{"arcsecond", Base::TenthOfArcsecond, 10.0},
+    Unit{"arcseconds", Base::TenthOfArcsecond, 10.0},
 };
 
 std::string inSmallLetters(std::string_view text)
@@ -139,9 +148,13 @@ std::optional<double> unitFactor(std::string_view from, std::string_view to)
 {
     const Unit* const a = unitNamed(from);
     const Unit* const b = unitNamed(to);
-    if (!a || !b || a->kind != b->kind)
+    if (!a || !b || isLength(*a) != isLength(*b))
         return std::nullopt;
-    return a->size / b->size;
+    if (a->base == b->base)
+        return a->size / b->size;
+    return a->base == Base::Microradian
+        ? a->size / radian * (180.0 / std::numbers::pi) / (b->size / degree)
+        : a->size / degree * (std::numbers::pi / 180.0) / (b->size / radian);
 }
 
 bool isPositionUnit(std::string_view unit)
@@ -189,7 +202,7 @@ bool isSameUnit(std::string_view a, std::string_view b)
     const Unit* const first = unitNamed(a);
     const Unit* const second = unitNamed(b);
     if (first && second)
-        return first->kind == second->kind && first->size == second->size;
+        return first->base == second->base && first->size == second->size;
     return inSmallLetters(a) == inSmallLetters(b);
 }
 

@@ -45,6 +45,9 @@ private Q_SLOTS:
         row("microns", "\u339b", 1.0);
         row("\u2033", "arcsec", 1.0);
         row("'", "arcminutes", 1.0);
+        row("Radian", "deg", 57.29577951308232);
+        row("mrad", "arcsec", 206.26480624709636);
+        row("turn", "rad", 6.283185307179586);
         row("mm", "deg", 0.0);
         row("mm", "Furlong", 0.0);
         row("", "mm", 0.0);
@@ -58,6 +61,20 @@ private Q_SLOTS:
         QCOMPARE(found.has_value(), factor != 0.0);
         if (found)
             QVERIFY2(std::abs(*found / factor - 1.0) < 1e-12, qPrintable(QString::number(*found)));
+    }
+
+    /// Otherwise 20 mm that were um become 20.000000000000004 in a file.
+    void decimalFactorsAreExact()
+    {
+        QCOMPARE(*unitFactor("mm", "um"), 1000.0);
+        QCOMPARE(*unitFactor("um", "mm"), 0.001);
+        QCOMPARE(*unitFactor("um", "nm"), 1000.0);
+        QCOMPARE(*unitFactor("m", "nm"), 1e9);
+        QCOMPARE(*unitFactor("inch", "mm"), 25.4);
+        QCOMPARE(*unitFactor("uin", "nm"), 25.4);
+        QCOMPARE(*unitFactor("deg", "arcsec"), 3600.0);
+        QCOMPARE(*unitFactor("turn", "deg"), 360.0);
+        QCOMPARE(*unitFactor("rad", "urad"), 1e6);
     }
 
     void spellingsOfAUnitAreTheSame()
