@@ -8385,6 +8385,10 @@
         <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
         <translation>die Tabelle wird bei der Istposition ihrer Quellachsen nachgeschlagen; mit position=desired bei der Sollposition (D)</translation>
     </message>
+    <message>
+        <source>max_points {number} of the source is left out: the table has {count} points</source>
+        <translation>max_points {number} der Quelle wird weggelassen: die Tabelle hat {count} Punkte</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8812,8 +8816,8 @@
         <translation>Auch die Kennwerte nach VDI/DGQ 3441 zeigen</translation>
     </message>
     <message>
-        <source>Print the interpolated value at a position, as the drive computes it</source>
-        <translation>Den interpolierten Wert an einer Position ausgeben, wie ihn der Antrieb berechnet</translation>
+        <source>Print the interpolated value at a position, as the drive or the controller of the file computes it</source>
+        <translation>Den interpolierten Wert an einer Position ausgeben, wie ihn der Antrieb oder die Steuerung der Datei berechnet</translation>
     </message>
     <message>
         <source>Calibration file or table</source>

@@ -8385,6 +8385,10 @@
         <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
         <translation>la table est lue à la position réelle de ses axes sources&#xa0;; avec position=desired, à leur position de consigne (D)</translation>
     </message>
+    <message>
+        <source>max_points {number} of the source is left out: the table has {count} points</source>
+        <translation>max_points {number} de la source est omis&#xa0;: la table a {count} points</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8812,8 +8816,8 @@
         <translation>Afficher aussi les caractéristiques de la VDI/DGQ 3441</translation>
     </message>
     <message>
-        <source>Print the interpolated value at a position, as the drive computes it</source>
-        <translation>Afficher la valeur interpolée à une position, telle que le variateur la calcule</translation>
+        <source>Print the interpolated value at a position, as the drive or the controller of the file computes it</source>
+        <translation>Afficher la valeur interpolée à une position, telle que le variateur ou la commande du fichier la calcule</translation>
     </message>
     <message>
         <source>Calibration file or table</source>

@@ -8344,6 +8344,10 @@
         <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
         <translation>テーブルは元の軸の実際の位置で参照されます。position=desired では指令位置 (D) で参照されます</translation>
     </message>
+    <message>
+        <source>max_points {number} of the source is left out: the table has {count} points</source>
+        <translation>元の max_points {number} は省かれます。テーブルは {count} 点あります</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8771,8 +8775,8 @@
         <translation>VDI/DGQ 3441 の特性値も表示します</translation>
     </message>
     <message>
-        <source>Print the interpolated value at a position, as the drive computes it</source>
-        <translation>ある位置での補間値を、ドライブと同じ計算で出力します</translation>
+        <source>Print the interpolated value at a position, as the drive or the controller of the file computes it</source>
+        <translation>ある位置での補間値を、ドライブまたはファイルのコントローラと同じ計算で出力します</translation>
     </message>
     <message>
         <source>Calibration file or table</source>

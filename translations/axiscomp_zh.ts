@@ -8344,6 +8344,10 @@
         <source>the table is looked up at the actual position of its sources; with position=desired at the desired one (D)</source>
         <translation>表按其源轴的实际位置查找；使用 position=desired 时按指令位置 (D) 查找</translation>
     </message>
+    <message>
+        <source>max_points {number} of the source is left out: the table has {count} points</source>
+        <translation>源文件的 max_points {number} 被省略：表有 {count} 个点</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8771,8 +8775,8 @@
         <translation>同时显示 VDI/DGQ 3441 的指标</translation>
     </message>
     <message>
-        <source>Print the interpolated value at a position, as the drive computes it</source>
-        <translation>输出某一位置的插值，算法与驱动器相同</translation>
+        <source>Print the interpolated value at a position, as the drive or the controller of the file computes it</source>
+        <translation>输出某一位置的插值，算法与驱动器或文件所属控制器相同</translation>
     </message>
     <message>
         <source>Calibration file or table</source>

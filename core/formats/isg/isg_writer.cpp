@@ -126,13 +126,25 @@ std::string entryAmong(const std::vector<std::string>& notes, std::string_view k
     return {};
 }
 
-void addKeptEntries(Draft& draft, const SettingValues& settings)
+/// Of the table that was read: it has more points since.
+bool isOutgrown(std::string_view key, std::string_view value, const NeutralTable& table)
+{
+    const auto most = wholeNumberOf(value);
+    return key == "max_points" && most && *most < static_cast<std::int64_t>(table.pointCount());
+}
+
+void addKeptEntries(Draft& draft, const SettingValues& settings, std::vector<Text>& remarks)
 {
     for (const std::string_view key : keptKeys) {
         const bool isSet = key == "n_cycles" && settings.has("n-cycles");
         const std::string value =
             isSet ? settings.text("n-cycles") : entryAmong(draft.table.notes, key);
-        if (!value.empty())
+        if (isOutgrown(key, value, draft.table))
+            remarks.push_back(AXISCOMP_TEXT("Error",
+                "max_points {number} of the source is left out: the table has {count} points")
+                                  .with("number", value)
+                                  .with("count", draft.table.pointCount()));
+        else if (!value.empty())
             draft.add(key, value);
         std::erase_if(draft.table.notes,
             [&](const std::string& note) { return note.starts_with(std::string(key) + ' '); });
@@ -156,7 +168,7 @@ Result<Draft> beginDraft(const Section& section, const NeutralTable& table,
         draft.table = std::move(converted);
     }
     std::string entries;
-    addKeptEntries(draft, settings);
+    addKeptEntries(draft, settings, remarks);
     std::swap(entries, draft.text);
     draft.text = noteLines(draft.table, "# ");
     draft.text += "kopf.achs_nr " + std::to_string(axis) + '\n';

@@ -85,6 +85,12 @@ void describe(test::FormatSample& sample)
         .containing({"kw.crosscomp.n_cycles 10\n"})
         .becoming(changed(kept, [](NeutralTable& table) { table.notes[1] = "n_cycles 10"; }))
         .within(0.00005 + 1e-12);
+    NeutralTable outgrown = kept;
+    outgrown.notes = {"max_points 2"};
+    sample.writes("more points than the table that was read", {outgrown})
+        .remarking({"max_points 2 of the source is left out"})
+        .becoming(changed(outgrown, [](NeutralTable& table) { table.notes.clear(); }))
+        .within(0.00005 + 1e-12);
     NeutralTable degrees = unevenTable();
     degrees.axes[0].unit = "deg";
     degrees.columns = {test::columnOf("3", "um", {0, 1, -2, 10})};
