@@ -114,6 +114,8 @@ private:
             + std::to_string(m_plan.steps.size()) + " SEED " + std::to_string(m_plan.seed));
         comment("MOVES FROM " + planPosition(travel.lowest) + " TO " + planPosition(travel.highest)
             + unit);
+        comment("POSITIONS ARE THOSE OF THE MACHINE");
+        comment("CANCEL WORK OFFSETS AND DIAMETER PROGRAMMING FIRST");
         comment("DWELL " + toText(m_plan.dwellSeconds) + " S AT EACH TARGET");
     }
     void move(double position)

@@ -300,6 +300,8 @@ private Q_SLOTS:
         QVERIFY2(linuxcnc.find("G21 G90 G94\n(STEP 1 RUN 1 UP)\n" + moves + "G4 P2.5\n")
                 != std::string::npos,
             linuxcnc.c_str());
+        QVERIFY2(linuxcnc.find("CANCEL WORK OFFSETS AND DIAMETER") != std::string::npos,
+            linuxcnc.c_str());
         QVERIFY(linuxcnc.ends_with("G1 X0.000 F1000\nG4 P2.5\nM2\n"));
         const std::string fanuc = program(request, GcodeDialect::Fanuc);
         QVERIFY2(fanuc.starts_with("%\nO0001\n("), fanuc.c_str());
