@@ -268,14 +268,27 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         {"from", input.format->facts.name}, {"to", to.facts.name},
         {"dimensions", conversion.written.held.front().axes.size()}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
-    if (output.isStandardOutput())
+    if (output.isStandardOutput()) {
+        noteReport(environment, report);
         return ExitCode::Done;
+    }
     environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
         + plural(conversion.tables.size(), "table", "tables") + ", "
         + plural(bytes.size(), "byte", "bytes") + ".\n");
     for (const std::string& line : report)
         environment.print("  " + line + "\n");
     return ExitCode::Done;
+}
+
+/// The layout of a profile decides what a .TAMtbl says.
+Result<void> checkHoldsPersistency(const ConvertOptions& options)
+{
+    AXISCOMP_TRY(const auto profile, profileOf(options.input.profile));
+    if (profile.layout.place(TableField::Persistent))
+        return {};
+    return wrongUsage("the table layout of profile " + profile.name
+            + " has no room to say whether a table is persistent: leave --persistent out",
+        options.input.command);
 }
 
 Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& options)
@@ -290,6 +303,8 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     if ((options.persistent || options.isVolatile) && !format.holdsPersistency)
         return wrongUsage(std::string(format.name) + " cannot say whether a table is persistent",
             options.input.command);
+    if (options.persistent && to == &tam_table::format())
+        AXISCOMP_CHECK(checkHoldsPersistency(options));
     TableInputOptions inputOptions = options.input;
     inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
     AXISCOMP_TRY(auto input, readInput(environment, inputOptions));

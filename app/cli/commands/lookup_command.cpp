@@ -154,6 +154,10 @@ Result<ExitCode> lookUpForController(
         return wrongUsage("the table has a value for each direction of motion: choose one with "
                           "--direction positive or negative, or mean",
             options.input.command);
+    if (options.as.empty() && table.sign == SignConvention::Command)
+        environment.console().note(displayName(options.input.file)
+            + ": the value is the command value of the controller of " + std::string(as->facts.name)
+            + "; what the drive computes says --as csv");
     return answer(environment, options,
         controllerEvaluation(table, as->facts.behaviour, positionUnits),
         {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},
@@ -190,8 +194,10 @@ void addLookupCommand(CommandLine& line)
     auto options = std::make_shared<LookupOptions>();
     options->input.command = commandName("lookup");
     CLI::App* command = line.add("lookup", fileCommands,
-        AXISCOMP_HELP(
-            "Help", "Print the interpolated value at a position, as the drive computes it"),
+        AXISCOMP_HELP("Help",
+            "Print the interpolated value at a position, as the drive or the controller of the "
+            "file "
+            "computes it"),
         [options](Environment& environment) {
             options->conversion.lookupAt = lookupNamed(options->lookupAt);
             return runLookup(environment, *options);

@@ -239,7 +239,7 @@ def lookup(
     profile: Value = None,
     echo: Echo | None = None,
 ) -> Document:
-    """Print the interpolated value at a position, as the drive computes it.
+    """Print the interpolated value at a position, as the drive or the controller of the file computes it.
 
     file: Calibration file or table
     position: [X [Y [Z]]]. X [Y [Z]], one number per dimension; may be negative

@@ -56,6 +56,18 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("they differ by at most"), run.out.constData());
     }
 
+    void whatAConversionToStandardOutputDidIsSaidBesideIt()
+    {
+        const Sandbox box;
+        box.file("x.csv", "// target: X\nX,EX\n0,1\n10000,2\n20000,3\n");
+        const ProgramRun run = box.run({"convert", "x.csv", "-", "--dims", "1", "--to",
+            "siemens-eec", "--target", "X", "--distance", "15000"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.err.contains("no unit"), run.err.constData());
+        QVERIFY2(run.err.contains("15000"), run.err.constData());
+        QVERIFY2(!run.out.contains("no unit"), run.out.constData());
+    }
+
     void theSignCanBeOverruled()
     {
         const Sandbox box;
@@ -145,6 +157,21 @@ private Q_SLOTS:
         QCOMPARE(at("15"), 1.5);
         QCOMPARE(at("40"), 3.0); // held
         QCOMPARE(at("9.9"), 0.0); // softMC has not begun yet
+    }
+
+    void lookupSaysThatItsValueIsOneOfCommands()
+    {
+        const Sandbox box;
+        box.file("x.txt", "1 3\n10 1\n20 2\n30 3\n");
+        const QStringList arguments = QStringList{"lookup", "x.txt", "20"} + unitsIn;
+        const ProgramRun own = box.run(arguments);
+        VERIFY_CODE(own, 0);
+        QCOMPARE(own.out, QByteArray("2\n"));
+        QVERIFY2(own.err.contains("--as csv"), own.err.constData());
+        const ProgramRun drive = box.run(arguments + QStringList{"--as", "csv", "--target", "#1"});
+        VERIFY_CODE(drive, 0);
+        QVERIFY2(drive.out.startsWith("-"), drive.out.constData());
+        QVERIFY2(!drive.err.contains("--as csv"), drive.err.constData());
     }
 
     void lookupAsAnotherControllerConvertsFirst()

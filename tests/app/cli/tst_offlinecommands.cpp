@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 namespace tst_offlinecommands {
@@ -311,6 +313,29 @@ private Q_SLOTS:
         QVERIFY(box.run({"inspect", "kept.TAMtbl"}).out.contains("New name"));
         VERIFY_CODE(box.run({"convert", "p.TAMtbl", "v.TAMtbl", "--volatile"}), 0);
         QVERIFY(box.run({"inspect", "v.TAMtbl"}).out.contains("volatile"));
+    }
+
+    void persistentIsRefusedWhereTheLayoutHasNoRoomForIt()
+    {
+        const Sandbox box;
+        QFile generic(QStringLiteral(AXISCOMP_SOURCE_FOLDER "/resources/profiles/generic.json"));
+        QVERIFY(generic.open(QIODevice::ReadOnly));
+        QJsonObject profile = QJsonDocument::fromJson(generic.readAll()).object();
+        QJsonObject layout = profile.value("layout").toObject();
+        QJsonObject fields = layout.value("fields").toObject();
+        QVERIFY(fields.contains("persistent"));
+        fields.remove("persistent");
+        layout.insert("fields", fields);
+        profile.insert("layout", layout);
+        box.file("bare.json", QJsonDocument(profile).toJson());
+        box.file("t.csv", twoTables);
+        QStringList arguments{"convert", "t.csv", "o.TAMtbl", "--dims", "1", "--table", "#1",
+            "--profile", "bare.json"};
+        VERIFY_CODE(box.run(arguments), 0);
+        arguments << "--persistent";
+        const ProgramRun run = box.run(arguments);
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("leave --persistent out"), run.err.constData());
     }
 
     void convertKeepsAllTablesWhereTheyFit()
