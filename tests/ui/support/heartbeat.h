@@ -38,6 +38,15 @@ public:
     [[nodiscard]] std::chrono::microseconds longestBusy() const { return m_longestBusy; }
     [[nodiscard]] int beats() const { return m_beats; }
 
+    /// The processor time that this thread has used.
+    static std::chrono::microseconds busy()
+    {
+        timespec time{};
+        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return std::chrono::duration_cast<std::chrono::microseconds>(
+            std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+    }
+
 private:
     using Clock = std::chrono::steady_clock;
 
@@ -53,14 +62,6 @@ private:
         m_lastBusy = used;
         m_lastDelay = waited;
         ++m_beats;
-    }
-
-    static std::chrono::microseconds busy()
-    {
-        timespec time{};
-        ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return std::chrono::duration_cast<std::chrono::microseconds>(
-            std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
     }
 
     /// How long this thread has waited for a processor (Linux schedstat).

@@ -513,6 +513,7 @@ private Q_SLOTS:
     void aMillionValuesNeverStopTheWindow()
     {
         PageFixture bench;
+        const auto began = test::Heartbeat::busy();
         QByteArray text = "// compensation: off\nX [mm],Y [mm],dX [um]\n";
         for (int y = 0; y < 1000; ++y)
             for (int x = 0; x < 1000; ++x)
@@ -520,6 +521,7 @@ private Q_SLOTS:
                     + QByteArray::number((x * 7 + y * 13) % 100 * 0.01) + '\n';
         const QString path = bench.file(QStringLiteral("million.csv"), text);
         text.clear();
+        const auto writing = test::Heartbeat::busy() - began;
         QVERIFY(fit(bench, path));
         QVERIFY(QTest::qWaitFor(
             [&] { return bench.user.the("fitLookup").isEnabled(); }, 3 * test::patienceMs));
@@ -530,9 +532,11 @@ private Q_SLOTS:
         QVERIFY(bench.user.enter("fitSmoothness", QStringLiteral("1e-4")));
         QVERIFY(QTest::qWaitFor(
             [&] { return bench.user.the("useAsTable").isEnabled(); }, 3 * test::patienceMs));
-        // Of a build that is not optimised; the goal for one that is are 16 ms.
-        QVERIFY2(heart.longestBusy() < std::chrono::milliseconds(100),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longestBusy().count())));
+        // Whatever the machine: each value touched once takes about as long as writing the file did.
+        QVERIFY2(heart.longestBusy() < writing / 4,
+            qPrintable(QStringLiteral("%1 us of %2 us")
+                    .arg(heart.longestBusy().count())
+                    .arg(writing.count())));
     }
 };
 

@@ -413,6 +413,7 @@ private Q_SLOTS:
     void aMillionValuesNeverStopTheWindow()
     {
         PageFixture bench;
+        const auto began = test::Heartbeat::busy();
         QByteArray text = "target [mm],direction,run,deviation [um]\n";
         for (int run = 1; run <= 100; ++run)
             for (int target = 0; target < 10'000; ++target)
@@ -420,6 +421,7 @@ private Q_SLOTS:
                     + QByteArray::number((run + 1) / 2) + ",1.5\n";
         const QString path = bench.file(QStringLiteral("million.csv"), text);
         text.clear();
+        const auto writing = test::Heartbeat::busy() - began;
         QVERIFY(bench.user.isThere() && showMeasure(bench));
         bench.user.the<QTabWidget>("measureTabs").setCurrentIndex(3);
         test::Heartbeat heart;
@@ -431,9 +433,11 @@ private Q_SLOTS:
         QVERIFY(bench.user.click("excludeRun"));
         QVERIFY(QTest::qWaitFor(
             [&] { return valueText(bench, 5, 5).startsWith(u'✕'); }, 10 * test::patienceMs));
-        // Of a build that is not optimised; the goal for one that is are 16 ms.
-        QVERIFY2(heart.longestBusy() < std::chrono::milliseconds(100),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longestBusy().count())));
+        // Whatever the machine: each value touched once takes about as long as writing the file did.
+        QVERIFY2(heart.longestBusy() < writing / 4,
+            qPrintable(QStringLiteral("%1 us of %2 us")
+                    .arg(heart.longestBusy().count())
+                    .arg(writing.count())));
         auto& table = bench.user.the<QTableView>("runValues");
         table.selectAll();
         QVERIFY(!bench.user.the("excludeValues").isEnabled());
