@@ -5326,8 +5326,8 @@
         <translation>das Messgerät zählt andersherum; wenn das so ist, geben Sie --invert-reference an</translation>
     </message>
     <message>
-        <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
-        <translation>1; {meaning}: berichtigen Sie die Datei oder geben Sie die Einheit mit --value-unit an</translation>
+        <source>1; {meaning}: correct the file, or state the unit of the reference with --value-unit, and that of the other positions with --unit</source>
+        <translation>1; {meaning}: berichtigen Sie die Datei oder geben Sie die Einheit der Referenz mit --value-unit an und die der anderen Positionen mit --unit</translation>
     </message>
     <message>
         <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
@@ -8388,6 +8388,22 @@
     <message>
         <source>max_points {number} of the source is left out: the table has {count} points</source>
         <translation>max_points {number} der Quelle wird weggelassen: die Tabelle hat {count} Punkte</translation>
+    </message>
+    <message>
+        <source>the encoder moves {slope} times as far as the targets</source>
+        <translation>der Geber bewegt sich {slope}-mal so weit wie die Zielpositionen</translation>
+    </message>
+    <message>
+        <source>1 within 1 %; correct the column of the encoder, or take it out of the file</source>
+        <translation>1 auf 1 % genau; berichtigen Sie die Spalte des Gebers oder nehmen Sie sie aus der Datei heraus</translation>
+    </message>
+    <message>
+        <source>columns separated by tabs</source>
+        <translation>durch Tabulatoren getrennte Spalten</translation>
+    </message>
+    <message>
+        <source>columns separated by , or ;</source>
+        <translation>durch , oder ; getrennte Spalten</translation>
     </message>
 </context>
 <context>

@@ -5326,8 +5326,8 @@
         <translation>l&apos;instrument compte en sens inverse&#xa0;; si c&apos;est le cas, l&apos;indiquer avec --invert-reference</translation>
     </message>
     <message>
-        <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
-        <translation>1&#xa0;; {meaning}&#xa0;: corriger le fichier ou indiquer l&apos;unité avec --value-unit</translation>
+        <source>1; {meaning}: correct the file, or state the unit of the reference with --value-unit, and that of the other positions with --unit</source>
+        <translation>1&#xa0;; {meaning}&#xa0;: corriger le fichier ou indiquer l&apos;unité de la référence avec --value-unit et celle des autres positions avec --unit</translation>
     </message>
     <message>
         <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
@@ -8388,6 +8388,22 @@
     <message>
         <source>max_points {number} of the source is left out: the table has {count} points</source>
         <translation>max_points {number} de la source est omis&#xa0;: la table a {count} points</translation>
+    </message>
+    <message>
+        <source>the encoder moves {slope} times as far as the targets</source>
+        <translation>le codeur se déplace {slope} fois autant que les positions cibles</translation>
+    </message>
+    <message>
+        <source>1 within 1 %; correct the column of the encoder, or take it out of the file</source>
+        <translation>1 à 1 % près&#xa0;; corriger la colonne du codeur ou la retirer du fichier</translation>
+    </message>
+    <message>
+        <source>columns separated by tabs</source>
+        <translation>des colonnes séparées par des tabulations</translation>
+    </message>
+    <message>
+        <source>columns separated by , or ;</source>
+        <translation>des colonnes séparées par , ou&#xa0;;</translation>
     </message>
 </context>
 <context>

@@ -5297,8 +5297,8 @@
         <translation>測定器の計数方向が逆です。その場合は --invert-reference を指定してください</translation>
     </message>
     <message>
-        <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
-        <translation>1。{meaning}: ファイルを修正するか、--value-unit で単位を指定してください</translation>
+        <source>1; {meaning}: correct the file, or state the unit of the reference with --value-unit, and that of the other positions with --unit</source>
+        <translation>1。{meaning}: ファイルを修正するか、基準の単位を --value-unit で、他の位置の単位を --unit で指定してください</translation>
     </message>
     <message>
         <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
@@ -8347,6 +8347,22 @@
     <message>
         <source>max_points {number} of the source is left out: the table has {count} points</source>
         <translation>元の max_points {number} は省かれます。テーブルは {count} 点あります</translation>
+    </message>
+    <message>
+        <source>the encoder moves {slope} times as far as the targets</source>
+        <translation>エンコーダの動きは目標位置の {slope} 倍です</translation>
+    </message>
+    <message>
+        <source>1 within 1 %; correct the column of the encoder, or take it out of the file</source>
+        <translation>1 (誤差 1 % 以内)。エンコーダの列を修正するか、ファイルから取り除いてください</translation>
+    </message>
+    <message>
+        <source>columns separated by tabs</source>
+        <translation>タブで区切られた列</translation>
+    </message>
+    <message>
+        <source>columns separated by , or ;</source>
+        <translation>, または ; で区切られた列</translation>
     </message>
 </context>
 <context>

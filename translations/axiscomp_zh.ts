@@ -5297,8 +5297,8 @@
         <translation>仪器的计数方向相反；如果是这样，请用 --invert-reference 注明</translation>
     </message>
     <message>
-        <source>1; {meaning}: correct the file, or state the unit with --value-unit</source>
-        <translation>1；{meaning}：请更正文件，或用 --value-unit 给出单位</translation>
+        <source>1; {meaning}: correct the file, or state the unit of the reference with --value-unit, and that of the other positions with --unit</source>
+        <translation>1；{meaning}：请更正文件，或用 --value-unit 给出基准的单位，用 --unit 给出其他位置的单位</translation>
     </message>
     <message>
         <source>1 within 1 %; check which columns are reference and encoder, and their units</source>
@@ -8347,6 +8347,22 @@
     <message>
         <source>max_points {number} of the source is left out: the table has {count} points</source>
         <translation>源文件的 max_points {number} 被省略：表有 {count} 个点</translation>
+    </message>
+    <message>
+        <source>the encoder moves {slope} times as far as the targets</source>
+        <translation>编码器的移动是目标位置的 {slope} 倍</translation>
+    </message>
+    <message>
+        <source>1 within 1 %; correct the column of the encoder, or take it out of the file</source>
+        <translation>1（偏差不超过 1 %）；请更正编码器列，或从文件中删除它</translation>
+    </message>
+    <message>
+        <source>columns separated by tabs</source>
+        <translation>以制表符分隔的列</translation>
+    </message>
+    <message>
+        <source>columns separated by , or ;</source>
+        <translation>以 , 或 ; 分隔的列</translation>
     </message>
 </context>
 <context>

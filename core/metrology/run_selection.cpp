@@ -2,9 +2,11 @@
 #include "core/metrology/run_selection.h"
 
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 namespace axiscomp {
@@ -79,11 +81,16 @@ std::vector<double> allTargets(std::span<const Measurement> measurements)
 }
 
 /// The first axis that is said; empty: none is.
-std::string axisOf(std::span<const Measurement> measurements)
+constexpr std::array statedTexts{&MeasurementHeader::machine, &MeasurementHeader::axis,
+    &MeasurementHeader::instrument, &MeasurementHeader::serial, &MeasurementHeader::operatorName,
+    &MeasurementHeader::date, &MeasurementHeader::feed, &MeasurementHeader::dwell};
+
+std::string firstStated(
+    std::span<const Measurement> measurements, std::string MeasurementHeader::*text)
 {
     for (const Measurement& measurement : measurements)
-        if (!measurement.header.axis.empty())
-            return measurement.header.axis;
+        if (!(measurement.header.*text).empty())
+            return measurement.header.*text;
     return {};
 }
 
@@ -116,7 +123,7 @@ Result<void> checkEachOnce(std::span<const Measurement> measurements)
 Result<void> checkJoinable(std::span<const Measurement> measurements)
 {
     const Measurement& first = measurements.front();
-    const std::string axis = axisOf(measurements);
+    const std::string axis = firstStated(measurements, &MeasurementHeader::axis);
     for (const Measurement& measurement : measurements) {
         if (measurement.kind != MeasurementKind::Runs)
             return wrong(
@@ -150,7 +157,8 @@ Result<void> checkJoinable(std::span<const Measurement> measurements)
 MeasurementHeader commonHeader(std::span<const Measurement> measurements)
 {
     MeasurementHeader header = measurements.front().header;
-    header.axis = axisOf(measurements);
+    for (std::string MeasurementHeader::*const text : statedTexts)
+        header.*text = firstStated(measurements, text);
     const auto states = saidStates(measurements);
     if (states.size() < measurements.size()) {
         header.compensation = {};
@@ -161,8 +169,28 @@ MeasurementHeader commonHeader(std::span<const Measurement> measurements)
             header.materialTemperature.reset();
         if (measurement.header.expansion != header.expansion)
             header.expansion.reset();
+        if (measurement.header.airTemperature != header.airTemperature)
+            header.airTemperature.reset();
     }
     return header;
+}
+
+/// Temperatures and expansions of the files, where they are not the same for all.
+void keepTemperatures(Measurement& whole, std::span<const Measurement> measurements)
+{
+    const auto keep = [&](std::string_view key, std::optional<double> MeasurementHeader::*member) {
+        const MeasurementHeader& first = measurements.front().header;
+        const bool differs = std::ranges::any_of(measurements,
+            [&](const Measurement& one) { return one.header.*member != first.*member; });
+        for (std::size_t n = 0; differs && n < measurements.size(); ++n) {
+            const auto& value = measurements[n].header.*member;
+            whole.notes.push_back("file " + std::to_string(n + 1) + ", " + std::string(key) + ": "
+                + (value ? toText(*value) : std::string("not stated")));
+        }
+    };
+    keep("air temperature", &MeasurementHeader::airTemperature);
+    keep("material temperature", &MeasurementHeader::materialTemperature);
+    keep("expansion", &MeasurementHeader::expansion);
 }
 
 /// What a joined file says otherwise than the first one is kept as a note.
@@ -298,6 +326,7 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
         if (&measurement != &measurements.front())
             keepDifferences(whole, measurement);
     }
+    keepTemperatures(whole, measurements);
     sortValues(whole.values);
     return whole;
 }

@@ -152,6 +152,12 @@ bool MeasurementCsv::readHeader()
             csv::readColumnNames(line, lineNumber, m_inspection.encoding(), m_diagnostics);
         if (!header)
             return false;
+        if (header->columns.size() == 1 && line.find('\t') != std::string_view::npos) {
+            m_diagnostics.error(DiagnosticCode::NoHeader, lineNumber, 0,
+                AXISCOMP_TEXT("Error", "columns separated by tabs"),
+                AXISCOMP_TEXT("Error", "columns separated by , or ;"));
+            return false;
+        }
         for (csv::ColumnName& column : header->columns)
             m_columns.push_back(withUnitOfName(std::move(column)));
         m_isKnown.assign(m_columns.size(), false);

@@ -81,8 +81,9 @@ Text scaleExplanation(double slope)
             "Error", "the instrument counts the other way; if so, say it with --invert-reference");
     for (const ScaleMistake& mistake : scaleMistakes)
         if (std::abs(std::abs(slope) / mistake.factor - 1.0) < scaleTolerance)
-            return AXISCOMP_TEXT(
-                "Error", "1; {meaning}: correct the file, or state the unit with --value-unit")
+            return AXISCOMP_TEXT("Error",
+                "1; {meaning}: correct the file, or state the unit of the reference with "
+                "--value-unit, and that of the other positions with --unit")
                 .with("meaning", mistake.meaning);
     return AXISCOMP_TEXT(
         "Error", "1 within 1 %; check which columns are reference and encoder, and their units");
@@ -103,6 +104,7 @@ public:
 
 private:
     void takeReferences(std::vector<RawRunValue>& values);
+    void checkEncoder(std::span<const RawRunValue> values);
     bool findTargets(const std::vector<RawRunValue>& values);
     void countRuns();
     void checkDuplicates();
@@ -118,6 +120,7 @@ private:
 void Assembly::run(std::vector<RawRunValue> values)
 {
     takeReferences(values);
+    checkEncoder(values);
     if (!findTargets(values))
         return;
     for (RawRunValue& raw : values) {
@@ -150,6 +153,26 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (!reference.empty())
         checkInstrumentScale(encoder, reference, m_diagnostics);
+}
+
+/// Raw positions of another unit or sign would go into the table whole.
+void Assembly::checkEncoder(std::span<const RawRunValue> values)
+{
+    std::vector<double> targets;
+    std::vector<double> encoder;
+    for (const RawRunValue& raw : values) {
+        if (!raw.value.encoder)
+            continue;
+        targets.push_back(raw.target);
+        encoder.push_back(*raw.value.encoder);
+    }
+    const auto slope = slopeOf(targets, encoder);
+    if (slope && std::abs(*slope - 1.0) > scaleTolerance)
+        m_diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
+            AXISCOMP_TEXT("Error", "the encoder moves {slope} times as far as the targets")
+                .with("slope", Quantity{shortNumber(*slope)}),
+            AXISCOMP_TEXT("Error",
+                "1 within 1 %; correct the column of the encoder, or take it out of the file"));
 }
 
 bool Assembly::findTargets(const std::vector<RawRunValue>& values)

@@ -853,6 +853,22 @@ private Q_SLOTS:
         QVERIFY(!whole->header.expansion);
     }
 
+    void aTemperatureOfOneFileIsNotThatOfAll()
+    {
+        std::array both{publicRuns("bifrost.csv"), measuredAgain(publicRuns("bifrost.csv"), 1e-4)};
+        both[0].header.airTemperature = 20.1;
+        both[1].header.airTemperature = 27.9;
+        both[0].header.instrument.clear();
+        both[1].header.instrument = "XL";
+        const auto whole = joined(both);
+        VERIFY_RESULT(whole);
+        QVERIFY(!whole->header.airTemperature);
+        QCOMPARE(whole->header.instrument, "XL");
+        const std::vector<std::string>& notes = whole->notes;
+        QVERIFY(std::ranges::find(notes, "file 1, air temperature: 20.1") != notes.end());
+        QVERIFY(std::ranges::find(notes, "file 2, air temperature: 27.9") != notes.end());
+    }
+
     /// Repeatability would be that of half as many runs.
     void theSameMeasurementIsNotJoinedTwice()
     {

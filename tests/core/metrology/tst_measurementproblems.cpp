@@ -301,6 +301,42 @@ private Q_SLOTS:
         QCOMPARE(measurementError("m.csv", reading).code, ErrorCode::InstrumentScale);
     }
 
+    void anEncoderOfAnotherUnitThanTheTargetsIsRefused_data()
+    {
+        QTest::addColumn<double>("factor");
+        QTest::newRow("other way") << -1.0;
+        QTest::newRow("inch") << 1.0 / 25.4;
+        QTest::newRow("um") << 1000.0;
+        QTest::newRow("two percent") << 1.02;
+        QTest::newRow("does not move") << 0.0;
+    }
+    /// The deviations are right, so that nothing else in the file tells it.
+    void anEncoderOfAnotherUnitThanTheTargetsIsRefused()
+    {
+        QFETCH(const double, factor);
+        std::string text = "target [mm],direction,run,deviation [um],encoder [mm]\n";
+        for (int i = 0; i < 5; ++i)
+            text += std::to_string(10 * i) + ",+,1," + std::to_string(0.3 * i) + ","
+                + std::to_string(10.0 * i * factor) + "\n";
+        const MeasurementReading reading = test::readAs("runs", text);
+        QVERIFY(!reading.measurement);
+        const QByteArrayList found = test::describe(reading);
+        QCOMPARE(found.size(), 1);
+        QVERIFY2(found.front().startsWith("0:0 InstrumentScale the encoder moves"),
+            found.front().constData());
+        QCOMPARE(measurementError("m.csv", reading).code, ErrorCode::InstrumentScale);
+    }
+
+    void tabsBetweenColumnsAreNamed()
+    {
+        const MeasurementReading reading = test::readAs(
+            "runs", "target [mm]\tdirection\trun\tdeviation [um]\n0\t+\t1\t1.5\n10\t+\t1\t2\n");
+        QVERIFY(!reading.measurement);
+        const QByteArrayList found = test::describe(reading);
+        QCOMPARE(found.size(), 1);
+        QVERIFY2(found.front().contains("tabs"), found.front().constData());
+    }
+
     void aReferenceIsInvertedWhenAskedFor()
     {
         MeasurementReadOptions options;

@@ -412,11 +412,12 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitFor(
             [&] { return bench.user.the("showAllValues").isEnabled(); }, 20 * test::patienceMs));
         QTest::qWait(100);
-        // Whatever the machine: each value touched once takes about as long as writing the file did.
+        // Whatever the machine: each value touched once takes about as long as writing the file
+        // did.
         QVERIFY2(heart.longestBusy() < writing / 4,
             qPrintable(QStringLiteral("%1 us of %2 us")
-                    .arg(heart.longestBusy().count())
-                    .arg(writing.count())));
+                           .arg(heart.longestBusy().count())
+                           .arg(writing.count())));
     }
 };
 

@@ -532,11 +532,12 @@ private Q_SLOTS:
         QVERIFY(bench.user.enter("fitSmoothness", QStringLiteral("1e-4")));
         QVERIFY(QTest::qWaitFor(
             [&] { return bench.user.the("useAsTable").isEnabled(); }, 3 * test::patienceMs));
-        // Whatever the machine: each value touched once takes about as long as writing the file did.
+        // Whatever the machine: each value touched once takes about as long as writing the file
+        // did.
         QVERIFY2(heart.longestBusy() < writing / 4,
             qPrintable(QStringLiteral("%1 us of %2 us")
-                    .arg(heart.longestBusy().count())
-                    .arg(writing.count())));
+                           .arg(heart.longestBusy().count())
+                           .arg(writing.count())));
     }
 };
 

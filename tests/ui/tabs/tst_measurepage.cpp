@@ -433,11 +433,12 @@ private Q_SLOTS:
         QVERIFY(bench.user.click("excludeRun"));
         QVERIFY(QTest::qWaitFor(
             [&] { return valueText(bench, 5, 5).startsWith(u'✕'); }, 10 * test::patienceMs));
-        // Whatever the machine: each value touched once takes about as long as writing the file did.
+        // Whatever the machine: each value touched once takes about as long as writing the file
+        // did.
         QVERIFY2(heart.longestBusy() < writing / 4,
             qPrintable(QStringLiteral("%1 us of %2 us")
-                    .arg(heart.longestBusy().count())
-                    .arg(writing.count())));
+                           .arg(heart.longestBusy().count())
+                           .arg(writing.count())));
         auto& table = bench.user.the<QTableView>("runValues");
         table.selectAll();
         QVERIFY(!bench.user.the("excludeValues").isEnabled());
