@@ -4,10 +4,12 @@
 #include "core/drive/axis_target.h"
 #include "core/metrology/fit/known_tables.h"
 #include "core/store/backup_json.h"
+#include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace axiscomp {
@@ -57,6 +59,31 @@ bool hasCrc(const RecordedTable& recorded, std::uint32_t crc, const TableLayout&
     return (asItIs && *asItIs == crc) || (inMeters && *inMeters == crc);
 }
 
+/// As they are, or as a drive shows them whose axis is in metres or radians.
+bool arePositionsOf(const GridAxis& recorded, const GridAxis& found)
+{
+    if (areSamePositions(recorded, found))
+        return true;
+    return std::ranges::any_of(std::array{"m", "rad"}, [&](const char* unit) {
+        const auto factor = unitFactor(recorded.unit, unit);
+        if (!factor)
+            return false;
+        GridAxis converted = recorded;
+        converted.start *= *factor;
+        converted.distance *= *factor;
+        return areSamePositions(converted, found);
+    });
+}
+
+/// The same values may lie over other positions.
+bool isRecordedTable(
+    const RecordedTable& recorded, const TableIdentity& found, const TableLayout& layout)
+{
+    return hasCrc(recorded, found.crc, layout)
+        && (!found.grid
+            || std::ranges::equal(recorded.table.grid.axes, found.grid->axes, arePositionsOf));
+}
+
 Grid spansOf(Grid grid)
 {
     for (GridAxis& axis : grid.axes) {
@@ -84,10 +111,11 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
                                    status.drive.serialNumber)));
 }
 
-bool hasTable(const CalibrationRecord& record, std::uint32_t crc, const TableLayout& layout)
+bool hasTable(
+    const CalibrationRecord& record, const TableIdentity& found, const TableLayout& layout)
 {
     return std::ranges::any_of(record.tables,
-        [&](const RecordedTable& recorded) { return hasCrc(recorded, crc, layout); });
+        [&](const RecordedTable& recorded) { return isRecordedTable(recorded, found, layout); });
 }
 
 Result<void> checkRecordSources(const CalibrationRecord& record, const DriveProfile& profile,

@@ -7,6 +7,7 @@
 #include "core/base/wall_time.h"
 #include "core/drive/drive_profile.h"
 #include "core/metrology/record/calibration_record.h"
+#include "core/table/table_identity.h"
 #include "core/table/table_layout.h"
 
 #include <cstdint>
@@ -24,10 +25,10 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
 
-/// Whether a table with this CRC-32 is one of the record: as it has the numbers, in mm or deg, or
-/// as a drive shows them whose axis is in m or rad.
+/// Whether a table is one of the record: as it has the numbers, in mm or deg, or as a drive shows
+/// them whose axis is in m or rad. Without a grid it is known by its CRC-32 alone.
 [[nodiscard]] bool hasTable(
-    const CalibrationRecord& record, std::uint32_t crc, const TableLayout& layout);
+    const CalibrationRecord& record, const TableIdentity& found, const TableLayout& layout);
 
 /// Whether the sources are on the side of the compensation for which the record's table was made
 /// (checkLookupSources). Errors: InvalidArgument, with the way out.

@@ -6,16 +6,12 @@
 
 namespace axiscomp {
 
-namespace {
-
 bool areSamePositions(const GridAxis& a, const GridAxis& b)
 {
     const double rounding = 1e-3 * std::min(a.distance, b.distance);
     return a.size == b.size && std::abs(a.start - b.start) <= rounding
         && std::abs(a.last() - b.last()) <= rounding;
 }
-
-} // namespace
 
 bool isSameTable(const TableIdentity& a, const TableIdentity& b)
 {

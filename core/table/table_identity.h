@@ -15,8 +15,11 @@ struct TableIdentity {
     std::optional<Grid> grid = {}; ///< nothing: not known, as of a file that notes the CRC alone
 };
 
-/// Whether it is one table, as far as both are known. Grids are the same where no position differs
-/// by more than a thousandth of the distance: as much as a file with single precision may round.
+/// Whether no position differs by more than a thousandth of the distance: as much as a file with
+/// single precision may round. Whatever the names and units.
+[[nodiscard]] bool areSamePositions(const GridAxis& a, const GridAxis& b);
+
+/// Whether it is one table, as far as both are known: the same values over the same positions.
 [[nodiscard]] bool isSameTable(const TableIdentity& a, const TableIdentity& b);
 
 } // namespace axiscomp

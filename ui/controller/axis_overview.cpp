@@ -2,6 +2,7 @@
 #include "ui/controller/axis_overview.h"
 
 #include "core/compensator/axis_compensator.h"
+#include "core/table/table_identity.h"
 #include "ui/async/background_job.h"
 #include "ui/session/axis_list.h"
 
@@ -28,6 +29,15 @@ OverviewRow rowOf(const DriveState& drive)
     row.lostSince = drive.lostSince;
     row.driveProblem = drive.problem;
     return row;
+}
+
+/// With sources that tell where it is looked up: elsewhere nothing is proved of it.
+bool hasSameTable(const AxisStatus& a, const AxisStatus& b)
+{
+    if (!a.table || !b.table)
+        return !a.table && !b.table;
+    return isSameTable({a.table->crc, a.table->grid}, {b.table->crc, b.table->grid})
+        && a.setup.sources == b.setup.sources;
 }
 
 } // namespace
@@ -117,10 +127,10 @@ void AxisOverview::take(DriveConnection& drive, const Result<DriveSummary>& summ
             continue;
         row.flashUse = summary->flashUse;
         row.lastWrite = found->lastWrite;
-        row.measured = found->measured;
         row.problem = found->problem;
         if (found->status)
             put(row, *found->status);
+        row.measured = found->measured; // of the table that the axis has now
         announce(row);
     }
 }
@@ -128,10 +138,7 @@ void AxisOverview::take(DriveConnection& drive, const Result<DriveSummary>& summ
 /// What is known of a table ends with it.
 void AxisOverview::put(OverviewRow& row, const AxisStatus& status) const
 {
-    const auto crcOf = [](const std::optional<AxisStatus>& known) {
-        return known && known->table ? std::optional(known->table->crc) : std::nullopt;
-    };
-    if (row.status && crcOf(row.status) != crcOf(status)) {
+    if (row.status && !hasSameTable(*row.status, status)) {
         row.file.clear();
         row.column.clear();
         row.measured.reset();
@@ -166,7 +173,9 @@ void AxisOverview::takeCurrent()
         row->column = QString::fromStdString(table->name);
     if (table && table == m_selected)
         row->file = m_selectedFile;
-    if (const auto& proof = m_proof.proof(); proof && (proof->failure() || proof->hasContent()))
+    // While the table changes the proof is still that of the one before.
+    if (const auto& proof = m_proof.proof();
+        proof && proof->table() == table && (proof->failure() || proof->hasContent()))
         row->proof =
             OverviewRow::Proof{proof->part().share(), proof->failure().has_value(), row->read};
     announce(*row);

@@ -112,6 +112,18 @@ void SetupHistory::follow()
         m_last = now();
 }
 
+/// The columns of the file may be in another order since.
+EditedSetup SetupHistory::inFileOfNow(const State& state) const
+{
+    EditedSetup edited = state.edited;
+    const auto& then = state.file.file.data;
+    const auto& now = m_tables.file().file().data;
+    const std::optional<int> chosen = edited.table.fileTable;
+    if (chosen && then && now && then != now && *chosen < static_cast<int>(then->tables.size()))
+        edited.table.fileTable = sameTableIn(*then, *chosen, *now);
+    return edited;
+}
+
 /// The file first: what the setup says about its table is of that file.
 void SetupHistory::apply(const State& state, const std::vector<Field>& fields, bool withFile)
 {
@@ -121,7 +133,7 @@ void SetupHistory::apply(const State& state, const std::vector<Field>& fields, b
             withFile || std::ranges::find(fields, Field::Dimensionality) != fields.end();
         if (isOfFile)
             m_tables.putBack(state.file);
-        m_setup.put(state.edited, fields);
+        m_setup.put(isOfFile ? state.edited : inFileOfNow(state), fields);
     }
     m_last = now();
 }

@@ -45,6 +45,7 @@ private:
     [[nodiscard]] State now() const;
     void note();
     void follow();
+    [[nodiscard]] EditedSetup inFileOfNow(const State& state) const;
     void apply(const State& state, const std::vector<Field>& fields, bool withFile);
     [[nodiscard]] QString textOf(int step) const;
 

@@ -9,9 +9,6 @@
 
 namespace axiscomp::ui {
 
-namespace {
-
-/// Where the table is in the file that was read again: by its name, else by its place.
 int sameTableIn(const CalibrationData& before, int index, const CalibrationData& now)
 {
     const auto& name = before.tables[static_cast<std::size_t>(index)].name;
@@ -20,8 +17,6 @@ int sameTableIn(const CalibrationData& before, int index, const CalibrationData&
         return static_cast<int>(found - now.tables.begin());
     return std::min(index, static_cast<int>(now.tables.size()) - 1);
 }
-
-} // namespace
 
 TableSelection::TableSelection(const TableLayout& layout, SetupModel& setup, WizardLog& log)
     : m_layout(layout)

@@ -18,6 +18,10 @@
 
 namespace axiscomp::ui {
 
+/// Where a table of a file is in the same file that was read again: by its name, else by its place.
+/// index: one of before.
+[[nodiscard]] int sameTableIn(const CalibrationData& before, int index, const CalibrationData& now);
+
 /// The open file of compensation data, the table on the drive, and which of their tables is
 /// selected: what the setup says about its table follows the file.
 class TableSelection : public QObject {

@@ -21,7 +21,7 @@ std::optional<DriveTable::Key> DriveTable::keyOf(
             + std::to_string(axis.size) + '\n';
     }
     return Key{connection.state().endpoint, status.drive.serialNumber, status.axis.index,
-        status.setup.slot, status.table->crc, grid};
+        status.setup.slot, status.table->crc, grid, status.setup.sources};
 }
 
 void DriveTable::follow(DriveConnection& connection, const AxisStatus& status, bool mayRetry)

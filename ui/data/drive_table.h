@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/drive/compensation_setup.h"
 #include "core/table/compensation_table.h"
 #include "ui/session/drive_connection.h"
 
 #include <QObject>
 
+#include <array>
 #include <optional>
 #include <stop_token>
 
 namespace axiscomp::ui {
 
 /// The table that an axis uses on its drive, downloaded in the background once for each table, and
-/// kept as long as the axis's status shows the same one.
+/// kept as long as the axis's status shows the same one at the same sources: these say what the
+/// table is of.
 class DriveTable : public QObject {
     Q_OBJECT
 
@@ -44,6 +47,7 @@ private:
         std::string slot;
         std::uint32_t crc = 0;
         std::string grid;
+        std::array<DimSource, 3> sources; ///< by which the table is described
         friend bool operator==(const Key&, const Key&) = default;
     };
     [[nodiscard]] static std::optional<Key> keyOf(

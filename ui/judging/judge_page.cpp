@@ -228,7 +228,8 @@ void JudgePage::showCorrections()
         state.measurement && !made.isEmpty() ? made.join(u' ') : tr("No corrections."));
 }
 
-/// Of the first file: as read, before anything was made of it.
+/// Of the first file: as read, before anything was made of it. What is typed is of the files of
+/// now: others may come meanwhile, as from a capture that ends.
 void JudgePage::askForCorrections()
 {
     const auto& files = m_record.state().files;
@@ -240,6 +241,12 @@ void JudgePage::askForCorrections()
         &JudgePage::deadPathRequested);
     connect(
         m_correctionsDialog, &CorrectionsDialog::chosen, &m_record, &RecordModel::setCorrections);
+    connect(&m_record, &RecordModel::changed, m_correctionsDialog,
+        [this, dialog = m_correctionsDialog.data(), asked = m_record.record().files] {
+            if (m_record.record().files != asked)
+                dialog->reject();
+        });
+    connect(&m_record, &RecordModel::filesChanged, m_correctionsDialog, &CorrectionsDialog::reject);
     m_correctionsDialog->open();
 }
 

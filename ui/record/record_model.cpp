@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 namespace axiscomp::ui {
@@ -76,6 +77,23 @@ bool isJudgedAlike(const Record& a, const Record& b)
     return a == other;
 }
 
+bool hasFile(const Record& record, const MeasurementFile& file)
+{
+    return std::ranges::find(record.files, file) != record.files.end();
+}
+
+/// Whether something is said of one of these files that is of its content.
+bool speaksOf(const Record& record, const QStringList& paths)
+{
+    const bool hasOne = std::ranges::any_of(
+        record.files, [&](const MeasurementFile& file) { return paths.contains(file.path); });
+    if (!hasOne)
+        return false;
+    Record without = record;
+    forgetWhatIsOfTheFiles(without);
+    return without != record;
+}
+
 QString namesOf(const QStringList& paths)
 {
     const QString name = QFileInfo(paths.front()).fileName();
@@ -98,6 +116,7 @@ public:
     void undo() override { m_model.apply(m_before); }
     void redo() override { m_model.apply(m_after); }
     [[nodiscard]] std::array<const Record*, 2> records() const { return {&m_before, &m_after}; }
+    [[nodiscard]] bool isOf(const RecordModel& model) const { return &m_model == &model; }
     void note(const Noting& noted) const
     {
         for (Record* record : {&m_before, &m_after})
@@ -148,6 +167,7 @@ void RecordModel::change(Record next, StepKind kind, const QString& subject)
 void RecordModel::open(const Record& record)
 {
     m_ownSteps.clear();
+    m_seen.clear();
     Q_EMIT opened();
     apply(record);
 }
@@ -171,7 +191,9 @@ void RecordModel::evaluate()
     m_isEvaluating = true;
     m_fitJob.cancel(); // of a measurement that is not wanted any more
     m_isFitting = false;
-    m_job.start([record = m_record, known = m_state.files](
+    std::vector<ReadMeasurement> known = m_state.files;
+    known.insert(known.end(), m_seen.begin(), m_seen.end());
+    m_job.start([record = m_record, known = std::move(known)](
                     const std::stop_token& stop) { return evaluated(record, known, stop); });
     Q_EMIT stateChanged();
 }
@@ -182,6 +204,7 @@ void RecordModel::take(const RecordState& state)
     m_state.record.fit = m_record.fit;
     m_state.record.calibration = m_record.calibration;
     m_state.fit = before.fit;
+    keepWhatStepsBringBack(std::move(before.files));
     letGo(std::move(before));
     m_isEvaluating = false;
     forgetWhatHasChanged();
@@ -191,6 +214,33 @@ void RecordModel::take(const RecordState& state)
     Q_EMIT stateChanged();
 }
 
+/// before: the files of the state before.
+void RecordModel::keepWhatStepsBringBack(std::vector<ReadMeasurement> before)
+{
+    std::ranges::move(m_seen, std::back_inserter(before));
+    m_seen.clear();
+    for (ReadMeasurement& read : before) {
+        const auto isIt = [&](const ReadMeasurement& one) { return one.file == read.file; };
+        const bool isThere =
+            std::ranges::any_of(m_state.files, isIt) || std::ranges::any_of(m_seen, isIt);
+        if (!isThere && isInSteps([&](const Record& record) { return hasFile(record, read.file); }))
+            m_seen.push_back(std::move(read));
+    }
+    letGo(std::move(before));
+}
+
+bool RecordModel::isInSteps(const std::function<bool(const Record&)>& is) const
+{
+    for (int n = 0; n < m_steps.count(); ++n) {
+        const auto& step = *static_cast<const Step*>(m_steps.command(n));
+        if (step.isOf(*this) && std::ranges::any_of(step.records(), [&](const Record* record) {
+                return is(*record);
+            }))
+            return true;
+    }
+    return false;
+}
+
 void RecordModel::forgetWhatHasChanged()
 {
     const QStringList files = std::exchange(m_state.changedFiles, {});
@@ -198,8 +248,12 @@ void RecordModel::forgetWhatHasChanged()
         return;
     Record next = m_record;
     forgetWhatIsOfTheFiles(next);
-    if (next == m_record)
+    if (next == m_record) {
+        // Undone or done again it would be about other values, and nobody would see it.
+        if (isInSteps([&](const Record& record) { return speaksOf(record, files); }))
+            m_steps.clear();
         return;
+    }
     change(std::move(next), StepKind::FileChanged, namesOf(files));
     Q_EMIT filesChanged(namesOf(files));
 }

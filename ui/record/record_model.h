@@ -84,7 +84,9 @@ public:
         const std::shared_ptr<const CalibrationRecord>&)>;
     void note(const Noting& noted);
     /// Reads files again that have changed on disk. What was said of them is lost then as in
-    /// addFiles(), by a step, but not where they have only grown.
+    /// addFiles(), by a step, but not where they have only grown. Where it stands in earlier or
+    /// undone steps only, there is nothing to be undone and done again after that. A step that
+    /// brings a file back does the same.
     void readAgain();
 
     /// What undo() and redo() would do, a translated phrase; empty: there is nothing.
@@ -127,12 +129,16 @@ private:
     [[nodiscard]] Record withLimitsOfTheMeasurement() const;
     [[nodiscard]] FitChoices choicesOfDrive() const;
     void fit();
+    void keepWhatStepsBringBack(std::vector<ReadMeasurement> before);
     void forgetWhatHasChanged();
+    [[nodiscard]] bool isInSteps(const std::function<bool(const Record&)>& is) const;
     void takeFit(std::shared_ptr<const FitOutcome> outcome);
     [[nodiscard]] QString textOf(int step) const;
 
     Record m_record;
     RecordState m_state;
+    /// What files were that steps bring back: they may be other ones then.
+    std::vector<ReadMeasurement> m_seen;
     QUndoStack m_ownSteps;
     QUndoStack& m_steps;
     NewestJob<RecordState> m_job;

@@ -120,11 +120,13 @@ QStringList changedFiles(const Record& record, const std::vector<ReadMeasurement
 {
     QStringList changed;
     std::vector<ReadMeasurement> before;
+    std::vector<ReadMeasurement> after;
     for (const ReadMeasurement& file : files) {
         const auto found = std::ranges::find(known, file.file, &ReadMeasurement::file);
         if (found == known.end())
-            return {}; // what was said of other files went with them
+            continue; // nothing can have been said of it yet
         before.push_back(found->lastUsable ? *found->lastUsable : *found);
+        after.push_back(file);
         if (before.back().sha256 != file.sha256)
             changed += file.file.path;
     }
@@ -135,7 +137,7 @@ QStringList changedFiles(const Record& record, const std::vector<ReadMeasurement
     Record plain;
     plain.swapsDirections = record.swapsDirections;
     const auto then = uncorrected(plain, before);
-    const auto now = uncorrected(plain, files);
+    const auto now = uncorrected(plain, after);
     return then && now && hasAllOf(*now, *then) ? QStringList() : changed;
 }
 

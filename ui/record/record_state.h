@@ -74,8 +74,9 @@ struct RecordState {
     std::shared_ptr<const FitOutcome> fit;
 };
 
-/// Reads what `known` does not have yet, joins and judges it. Takes as long as the files are large:
-/// not for the window's thread. Cut short by `stop`.
+/// Reads what `known` does not have yet, joins and judges it. known: of the files before, and of
+/// others that were read earlier; of one file that stands there twice the first counts. Takes as
+/// long as the files are large: not for the window's thread. Cut short by `stop`.
 [[nodiscard]] RecordState evaluated(
     const Record& record, std::vector<ReadMeasurement> known, const std::stop_token& stop);
 

@@ -425,7 +425,7 @@ bool RecordActions::mayWrite()
     const auto table = m_controller.selectedTable();
     const auto& status = m_controller.status();
     if (!calibration || !table || !status
-        || !hasTable(*calibration, tableCrc(*table), m_profile.layout))
+        || !hasTable(*calibration, {tableCrc(*table), table->grid}, m_profile.layout))
         return true;
     const auto fits = checkRecordSources(
         *calibration, m_profile, status->axis.index, sourcePaths(m_controller.setup().edited()));
@@ -439,9 +439,10 @@ void RecordActions::noteWrite()
     const auto& status = m_controller.status();
     if (!status || !status->table)
         return;
-    const std::uint32_t crc = status->table->crc;
-    const auto has = [crc, &layout = m_profile.layout](
-                         const CalibrationRecord& record) { return hasTable(record, crc, layout); };
+    const auto has = [found = TableIdentity{status->table->crc, status->table->grid},
+                         &layout = m_profile.layout](const CalibrationRecord& record) {
+        return hasTable(record, found, layout);
+    };
     noteInRecords({has,
         [now = *status, profile = m_profile.name, time = std::chrono::system_clock::now()](
             CalibrationRecord& record) { return recordWrite(record, now, profile, time); }});

@@ -31,6 +31,11 @@ const DriveProfile& profile()
     return drivecomm::genericProfile();
 }
 
+bool isOf(const CalibrationRecord& record, const CompensationTable& table)
+{
+    return hasTable(record, {tableCrc(table), table.grid}, profile().layout);
+}
+
 CalibrationRecord writtenRecord()
 {
     CalibrationRecord record;
@@ -116,10 +121,10 @@ private Q_SLOTS:
         CompensationTable metres{{}, "m", {{{"Y", "m", 0.0, 0.02, 3}}}, {0.0F, 0.001F, 0.002F}};
         CalibrationRecord record;
         record.tables = {{millimetres, tableCrc(millimetres)}};
-        QVERIFY(hasTable(record, tableCrc(millimetres), profile().layout));
-        QVERIFY(hasTable(record, tableCrc(metres), profile().layout));
+        QVERIFY(isOf(record, millimetres));
+        QVERIFY(isOf(record, metres));
         metres.values[1] = 0.0015F;
-        QVERIFY(!hasTable(record, tableCrc(metres), profile().layout));
+        QVERIFY(!isOf(record, metres));
     }
 
     void aTableOfAnglesIsKnownInRadians()
@@ -129,7 +134,26 @@ private Q_SLOTS:
         radians.values[1] = 3.14159265F;
         CalibrationRecord record;
         record.tables = {{degrees, tableCrc(degrees)}};
-        QVERIFY(hasTable(record, tableCrc(radians), profile().layout));
+        QVERIFY(isOf(record, radians)); // of another axis, whose positions are the source
+        radians.grid.axes[0].distance = 1.57079632679;
+        QVERIFY(isOf(record, radians));
+    }
+
+    void theSameValuesOverOtherPositionsAreNoTableOfTheRecord()
+    {
+        const CompensationTable table{{}, "mm", {{{"Y", "mm", 0.0, 20.0, 3}}}, {0.0F, 1.0F, 2.0F}};
+        CalibrationRecord record;
+        record.tables = {{table, tableCrc(table)}};
+        CompensationTable other = table;
+        other.grid.axes[0].start = -5.0;
+        QVERIFY(!isOf(record, other));
+        QVERIFY(hasTable(record, {tableCrc(other)}, profile().layout)); // where it lies is unknown
+        other.grid.axes[0] = {"Y", "m", 0.0, 0.025, 3};
+        QVERIFY(!isOf(record, other));
+        other.grid.axes[0] = {"Y", "", 0.004, 20.001, 3}; // as single precision may round
+        QVERIFY(isOf(record, other));
+        other.grid.axes.push_back({"X", "mm", 0.0, 20.0, 2});
+        QVERIFY(!isOf(record, other));
     }
 
     /// A source can be changed without the table.

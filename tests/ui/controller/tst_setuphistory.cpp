@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/controller/setup_history.h"
@@ -83,6 +84,37 @@ private Q_SLOTS:
         QVERIFY(!setup.isDirty());
         QVERIFY(history.redoText().isEmpty());
         QVERIFY(bench.state() == onDrive);
+    }
+
+    void aTableIsFoundByItsNameInAFileThatWasReadAgain()
+    {
+        const auto content = [](const QByteArray& first, const QByteArray& second) -> QByteArray {
+            return "Pos X [mm];" + first + " [mm];" + second + " [mm];C1 [mm]\n"
+                + "0;0.001;0.002;0.003\n10;0.001;0.002;0.003\n";
+        };
+        test::ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        bench->openData(bench.file(QStringLiteral("t.csv"), content("A1", "B1")));
+        QVERIFY(bench.fileRead());
+        const auto name = [&] {
+            const auto table = bench->selectedTable();
+            return table ? table->name : std::string();
+        };
+        bench->setup().setTable({0});
+        const std::string first = name();
+        QVERIFY(!first.empty());
+        bench->setup().setTable({2});
+        const std::string third = name();
+        QVERIFY(third != first);
+        static_cast<void>(bench.file(QStringLiteral("t.csv"), content("Other B1", "A1")));
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(name(), third);
+        bench->history().undo();
+        QCOMPARE(name(), first);
+        bench->history().redo();
+        QCOMPARE(name(), third);
     }
 
     void afterAWriteAndWithAnotherAxisThereIsNothingToUndo()

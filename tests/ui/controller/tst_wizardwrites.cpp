@@ -141,6 +141,31 @@ private Q_SLOTS:
         QCOMPARE(bench.drive().gate.exchanges(), exchanges + 6);
     }
 
+    /// A table file on the drive says nothing of axes: what it is of is known by the sources alone.
+    void aTableAtAnotherSourceIsDescribedAnew()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        bench->openData(bench.file(
+            QStringLiteral("x.csv"), "Pos X [mm];Comp X [mm]\n0;0.001\n10;0.002\n20;0.003\n"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        bench.endController(); // with the names that the file has
+
+        QVERIFY(bench.connect());
+        QTRY_VERIFY(bench->driveTable());
+        QCOMPARE(bench->driveTable()->grid.axes.at(0).name, "X");
+        bench->chooseSource(1, QString::fromStdString(test::masterY));
+        QTRY_VERIFY(bench->action(Action::Write).isEnabled);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QTRY_VERIFY(bench->driveTable());
+        QCOMPARE(bench->driveTable()->grid.axes.at(0).name, "Y");
+        QCOMPARE(bench->driveTable()->values.size(), std::size_t{3});
+    }
+
     void evaluatingProvesTheIndicesAndAddsNothing()
     {
         ControllerFixture bench;

@@ -332,6 +332,21 @@ private Q_SLOTS:
             bench.user.the<QLabel>("correctionsText").text(), QStringLiteral("No corrections."));
     }
 
+    /// As when a capture ends, or a record that was being read is there.
+    void correctionsOfOneMeasurementAreNotThoseOfAnother()
+    {
+        PageFixture bench;
+        const QByteArray content("target [mm],direction,run,deviation [um]\n0,+,1,0\n500,+,1,0\n");
+        QVERIFY(judgeFile(bench, bench.file(QStringLiteral("one.csv"), content)));
+        QTRY_VERIFY(modelOf(bench, "figures").rowCount() > 0);
+        QVERIFY(bench.user.click("corrections"));
+        QTRY_VERIFY(bench.user.sees("correctionsDialog"));
+        bench.wizard.openFile(bench.file(QStringLiteral("other.csv"), content));
+        QTRY_VERIFY(!bench.user.sees("correctionsDialog"));
+        QCOMPARE(
+            bench.user.the<QLabel>("correctionsText").text(), QStringLiteral("No corrections."));
+    }
+
     void aDeadPathIsReadFromItsFile()
     {
         PageFixture bench;

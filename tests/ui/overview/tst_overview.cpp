@@ -90,6 +90,36 @@ private Q_SLOTS:
         QCOMPARE(cell(model, 0, Column::Axis), QStringLiteral("C"));
     }
 
+    /// The values are the same, and with them the CRC.
+    void whatIsKnownOfATableEndsWithItsSources()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        QTRY_VERIFY(bench->driveTable());
+        const auto& rows = bench->overview().rows();
+        for (int i = 0; i < 10; ++i) {
+            bench.drive().milliseconds += 3000;
+            QVERIFY(bench.readLive());
+        }
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QVERIFY(rows[0].proof.has_value());
+        QCOMPARE(rows[0].file, QStringLiteral("2d-1.csv"));
+
+        const DimSource& other = bench->status()->setup.sources[1];
+        const std::uint32_t crc = bench->status()->table->crc;
+        bench.drive().set(
+            "Axes[0]/Parameters/Compensations/Axis/Dim1Source", std::uint32_t{other.address});
+        QVERIFY(bench.readLive());
+        QCOMPARE(bench->status()->table->crc, crc);
+        QVERIFY(!rows[0].proof.has_value());
+        QVERIFY(rows[0].file.isEmpty());
+    }
+
     void aDriveThatIsLostSaysSinceWhenAndKeepsWhatWasRead()
     {
         ControllerFixture bench;

@@ -334,6 +334,59 @@ private Q_SLOTS:
         model.undo();
         QCOMPARE(model.record().exclusions.size(), std::size_t{1});
     }
+
+    void whatWasLeftOutDoesNotComeBackToAFileThatHasChangedSince_data()
+    {
+        QTest::addColumn<bool>("isRemoved");
+        QTest::addColumn<QByteArray>("now");
+        QTest::addColumn<bool>("isLost");
+        const QByteArray another("0,+,1,1\n10,+,1,25\n");
+        const QByteArray grown("0,+,1,1\n10,+,1,2\n20,+,1,4\n");
+        QTest::newRow("removed, another value") << true << another << true;
+        QTest::newRow("removed, grown") << true << grown << false;
+        QTest::newRow("undone, another value") << false << another << true;
+        QTest::newRow("undone, grown") << false << grown << false;
+    }
+    void whatWasLeftOutDoesNotComeBackToAFileThatHasChangedSince()
+    {
+        QFETCH(bool, isRemoved);
+        QFETCH(QByteArray, now);
+        QFETCH(bool, isLost);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("runs.csv"));
+        const auto put = [&path](const QByteArray& lines) {
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly)
+                && file.write("target [mm],direction,run,deviation [um]\n" + lines) > 0;
+        };
+        QVERIFY(put("0,+,1,1\n10,+,1,2\n"));
+        RecordModel model;
+        model.addFiles({path});
+        QVERIFY(settled(model));
+        model.exclude({{Approach::Up, 2, 1}});
+        QVERIFY(settled(model));
+        QSignalSpy told(&model, &RecordModel::filesChanged);
+        if (isRemoved)
+            model.removeFile(0);
+        else
+            model.undo();
+        QVERIFY(settled(model));
+        QVERIFY(put(now));
+        if (!isRemoved)
+            model.readAgain();
+        QVERIFY(settled(model));
+        if (isRemoved)
+            model.undo();
+        else
+            model.redo();
+        QVERIFY(settled(model));
+        QCOMPARE(model.record().files.size(), std::size_t{1});
+        QCOMPARE(model.record().exclusions.empty(), isLost);
+        QCOMPARE(model.state().excludedCount, isLost ? std::size_t{0} : std::size_t{1});
+        QCOMPARE(told.size(), isRemoved && isLost ? 1 : 0);
+        if (isLost && !isRemoved)
+            QVERIFY(model.redoText().isEmpty() && model.undoText().isEmpty());
+    }
 };
 
 AXISCOMP_WINDOW_TEST(TestRecordModel)

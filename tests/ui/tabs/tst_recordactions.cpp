@@ -350,6 +350,19 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.user.the("keepAfter").isEnabled());
     }
 
+    void theValuesOfTheRecordOverOtherPositionsAreNotNoted()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = test::recordOfFit();
+        QVERIFY(bench.open() && openRecord(bench, record));
+        CalibrationRecord shifted = record;
+        shifted.tables.front().table.grid.axes.front().start -= 5.0;
+        QVERIFY(writeTable(bench, shifted));
+        QCOMPARE(bench.controller().status()->table->crc, record.tables.front().crc);
+        QCOMPARE(recordName(bench), QStringLiteral("x.axcal"));
+        QVERIFY(bench.window.close()); // nothing is being noted
+    }
+
     void aTableThatIsNotTheRecordsIsNotNoted()
     {
         PageFixture bench;
