@@ -75,7 +75,8 @@ private:
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
     [[nodiscard]] Result<void> checkColumns(const WriteRequest& request);
-    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table);
+    [[nodiscard]] bool isTargetSettled(TableOrigin origin, bool isThere) const;
+    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table, TableOrigin origin);
     void warn();
     void warnOfDeletion();
     void warnOfDetaching();
