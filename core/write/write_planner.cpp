@@ -395,6 +395,7 @@ Result<void> WritePlanner::checkTargetName(const CompensationTable& table, Table
 Result<void> WritePlanner::decideNoTable()
 {
     WritePlan& plan = m_write.plan;
+    AXISCOMP_TRY(m_returningSlot, returningSlot());
     plan.slotReason = SlotReason::KeepTable;
     plan.after.slot.clear();
     plan.after.tableCrc = 0;
