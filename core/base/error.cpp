@@ -352,6 +352,12 @@ constexpr std::array variants{
             "axis {axis} was {target} when the backup was made, and is {name} on the drive "
             "now; give the axes the order or the names that they had, or write the table "
             "from its file")},
+    Variant{ErrorCode::TargetMismatch, "kept",
+        AXISCOMP_TEXT("Error",
+            "the name of the table, {table}, says that its values correct {target}, but for axis "
+            "{axis} {role}; choose another table or axis, or, if it is right all the same, write "
+            "the table to this axis from its file first, and state the target as {statement} "
+            "there")},
     Variant{ErrorCode::UnitMissing, "positions",
         AXISCOMP_TEXT("Error",
             "the table states no unit for its values, and its positions are in {positions}; "

@@ -38,7 +38,7 @@ enum class ErrorCode {
     SignNotStated, ///< format, sign (that is assumed), statement (how to state it)
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
     TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement;
-    ///< restored by a backup: axis, target, name
+    ///< kept: of a table on the drive or in a backup; restored by a backup: axis, target, name
     UnitMismatch, ///< what, unit, other; restored: by a backup; kept: by the axis
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered

@@ -27,6 +27,12 @@ struct AxisPlan {
     std::vector<Diagnostic> fileProblems;
     std::vector<Text> fileReport;
 
+    /// What the plan warns of is news: the axis is written, or it has no table and a reboot may
+    /// bring one back.
+    [[nodiscard]] bool isWarned() const
+    {
+        return !problem && (!plan.changes.empty() || plan.after.slot.empty());
+    }
     [[nodiscard]] bool writes() const { return !plan.changes.empty() || isUnfinished; }
     [[nodiscard]] bool differs() const { return writes() || switches.has_value(); }
 };

@@ -72,11 +72,13 @@ std::filesystem::path DriveStore::defaultRoot()
     return system::stateFolder() / "axiscomp";
 }
 
-Result<std::filesystem::path> DriveStore::saveBackup(const AxisBackup& backup)
+Result<std::filesystem::path> DriveStore::saveBackup(
+    const AxisBackup& backup, const std::vector<AxisBackup::File>& otherFiles)
 {
     const StoreFolder folder{m_root, backup.drive.serialNumber, m_lockWait};
     DriveBackup ofAxis;
     ofAxis.axes = {backup};
+    ofAxis.otherFiles = otherFiles;
     return keepBackup(
         folder, ofAxis, backup.time, backup.axis, journal(backup.drive.serialNumber, backup.axis));
 }

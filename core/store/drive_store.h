@@ -46,8 +46,10 @@ public:
     [[nodiscard]] static std::filesystem::path defaultRoot();
 
     /// One dated file per call, parsed back before it counts. The newest 50 of the axis are kept,
-    /// and always this one and the one that the axis's journal names.
-    [[nodiscard]] Result<std::filesystem::path> saveBackup(const AxisBackup& backup);
+    /// and always this one and the one that the axis's journal names. otherFiles: restored into
+    /// their slots, as those of DriveBackup.
+    [[nodiscard]] Result<std::filesystem::path> saveBackup(
+        const AxisBackup& backup, const std::vector<AxisBackup::File>& otherFiles = {});
     /// The same for a file that no axis uses: a DriveBackup with that file alone.
     [[nodiscard]] Result<std::filesystem::path> saveBackup(
         const DriveIdentity& drive, WallTime time, const AxisBackup::File& file);

@@ -240,7 +240,9 @@ Result<WriteRequest> restoreRequest(
     const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
 {
     WriteRequest request;
-    AXISCOMP_TRY(request.doubts, checkSameAxis(access, sources, backup));
+    AXISCOMP_TRY(auto axis, checkSameAxis(access, sources, backup));
+    request.doubts = std::move(axis.doubts);
+    request.origin = axis.hasSameName ? TableOrigin::Axis : TableOrigin::Drive;
     const AxisBackup::File* file = usedFile(access, backup);
     if (file) {
         AXISCOMP_TRY(auto decoded, decodeTamTable(file->bytes, access.profile().layout));

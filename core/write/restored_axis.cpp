@@ -75,7 +75,7 @@ Result<void> describeAxis(
     return {};
 }
 
-Result<std::vector<Text>> checkSameAxis(
+Result<RestoredAxis> checkSameAxis(
     const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
 {
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
@@ -84,24 +84,24 @@ Result<std::vector<Text>> checkSameAxis(
         return fail(ErrorCode::TargetMismatch,
             {{"axis", backup.axis}, {"target", Verbatim{backup.axisName}},
                 {"name", Verbatim{now.axisName}}, {"restored", Verbatim{"backup"}}});
-    std::vector<Text> doubts;
-    if (!backup.axisName.empty() && !now.axisName.empty() && backup.axisName != now.axisName)
-        doubts.push_back(AXISCOMP_TEXT("Error",
+    RestoredAxis axis{backup.axisName == now.axisName, {}};
+    if (!backup.axisName.empty() && !now.axisName.empty() && !axis.hasSameName)
+        axis.doubts.push_back(AXISCOMP_TEXT("Error",
             "Axis {axis} was called {before} when the backup was made, and is called {after} now: "
             "see that it is the same axis.")
-                             .with("axis", backup.axis)
-                             .with("before", Verbatim{backup.axisName})
-                             .with("after", Verbatim{now.axisName}));
+                                  .with("axis", backup.axis)
+                                  .with("before", Verbatim{backup.axisName})
+                                  .with("after", Verbatim{now.axisName}));
     if (!holdsTable(backup))
-        return doubts;
+        return axis;
     AXISCOMP_CHECK(checkUnits(backup, now));
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
-        doubts.push_back(AXISCOMP_TEXT("Error",
+        axis.doubts.push_back(AXISCOMP_TEXT("Error",
             "The backup does not say in which unit axis {axis} was; its table is taken to be in "
             "{unit}.")
-                             .with("axis", backup.axis)
-                             .with("unit", unitSymbol(now.unit)));
-    return doubts;
+                                  .with("axis", backup.axis)
+                                  .with("unit", unitSymbol(now.unit)));
+    return axis;
 }
 
 } // namespace axiscomp

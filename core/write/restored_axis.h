@@ -13,10 +13,15 @@ namespace axiscomp {
 [[nodiscard]] Result<void> describeAxis(
     const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup);
 
+/// The axis of a backup, as it is on the drive.
+struct RestoredAxis {
+    bool hasSameName = false; ///< as when the backup was made
+    std::vector<Text> doubts; ///< what cannot be told for sure, for whoever decides
+};
+
 /// That the axis is still the one of the backup, and that the numbers of its table mean what they
-/// meant. Gives what cannot be told for sure, for whoever decides. Errors: TargetMismatch,
-/// UnitMismatch.
-[[nodiscard]] Result<std::vector<Text>> checkSameAxis(
+/// meant. Errors: TargetMismatch, UnitMismatch.
+[[nodiscard]] Result<RestoredAxis> checkSameAxis(
     const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
 
 } // namespace axiscomp

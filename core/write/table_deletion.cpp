@@ -21,16 +21,33 @@ WriteRequest deletionRequest()
     return request;
 }
 
-/// What the axis names, or what a deletion that did not end has still to empty.
+/// What the axis names, what a deletion that did not end has still to empty, or what the axis would
+/// have again after a reboot.
 Result<std::string> WritePlanner::slotToDelete(const WriteRequest& request)
 {
-    const std::string name = request.slot.value_or(m_status.setup.slot);
-    AXISCOMP_TRY(const auto entry, m_store.journal(m_drive.serialNumber, m_axis));
-    if (!name.empty() || !entry || entry->deletedSlot.empty())
+    std::string name = request.slot.value_or(m_status.setup.slot);
+    if (!name.empty())
         return name;
+    AXISCOMP_TRY(const auto entry, m_store.journal(m_drive.serialNumber, m_axis));
+    if (!entry || entry->deletedSlot.empty())
+        return returningSlot();
     AXISCOMP_TRY(const auto unfinished, UnfinishedWrite::load(m_access, *entry));
     AXISCOMP_TRY(const auto rest, unfinished.request(m_store, m_drive));
     return rest.slot.value_or(name);
+}
+
+/// Of an axis that uses no table now: the slot that its saved parameters name, where flash has a
+/// table. Empty: a reboot brings none back.
+Result<std::string> WritePlanner::returningSlot() const
+{
+    const auto saved = std::ranges::find(m_saved.uses, m_axis, &SavedState::Use::axis);
+    if (!m_status.setup.slot.empty() || saved == m_saved.uses.end())
+        return std::string();
+    AXISCOMP_TRY(const auto readings,
+        m_access.readAvailable(slotStatePaths(m_access, m_drive, m_axis, saved->slot)));
+    const SlotState state = slotState(m_access, m_drive, m_axis, saved->slot, readings);
+    const bool isInFlash = state.persistent || m_saved.isCovered(saved->slot);
+    return !state.isEmpty() && isInFlash ? saved->slot : std::string();
 }
 
 /// Whoever else uses the slot, now or after a reboot; empty: nobody. Notes what the slot holds.
@@ -118,7 +135,9 @@ void WritePlanner::warnOfSavedTable()
 /// The table stays on the drive, and the parameters are not saved.
 void WritePlanner::warnOfDetaching()
 {
-    const std::string& slot = m_write.plan.before.slot;
+    const WritePlan& plan = m_write.plan;
+    const bool isBefore = plan.before.slot.empty(); // by an earlier write
+    const std::string& slot = isBefore ? m_returningSlot : plan.before.slot;
     if (slot.empty())
         return;
     const bool isSaved = !m_saved.isKnown
@@ -127,7 +146,7 @@ void WritePlanner::warnOfDetaching()
     if (!isSaved)
         return warnOfSavedTable();
     const bool isInFlash =
-        m_saved.isCovered(slot) || m_write.plan.before.persistency == Persistency::Persistent;
+        isBefore || m_saved.isCovered(slot) || plan.before.persistency == Persistency::Persistent;
     if (isInFlash)
         m_write.plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "Flash keeps the table in {slot}: after a reboot {axis} uses it again. Delete the "

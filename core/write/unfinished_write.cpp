@@ -133,6 +133,7 @@ Result<void> UnfinishedWrite::checkDeletable(const DriveIdentity& drive) const
 Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIdentity& drive) const
 {
     WriteRequest request;
+    request.origin = TableOrigin::Axis;
     request.withoutTable = m_entry.newSlot.empty();
     request.dimensionality = 3;
     if (!m_entry.deletedSlot.empty()) {

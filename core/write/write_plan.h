@@ -20,6 +20,14 @@
 
 namespace axiscomp {
 
+/// Where the table of a request comes from. A table of the drive keeps the name of its column, but
+/// not what a person has said of its target.
+enum class TableOrigin {
+    File, ///< or a person, who can state the target
+    Drive, ///< or a backup: the name has to fit the axis, unless the axis has all of this already
+    Axis, ///< this axis had it, or was being written it: its target was settled then
+};
+
 /// What a write shall bring about for one axis.
 struct WriteRequest {
     int dimensionality = 1;
@@ -37,6 +45,7 @@ struct WriteRequest {
     /// other side is refused.
     std::optional<LookupAt> lookupAt = {};
     UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
+    TableOrigin origin = TableOrigin::File;
     std::vector<Text> doubts = {}; ///< of whoever asks; they become warnings of the plan
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
     std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this

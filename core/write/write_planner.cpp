@@ -352,9 +352,17 @@ Result<void> WritePlanner::checkColumns(const WriteRequest& request)
     return {};
 }
 
+/// Whatever the table is called: that this axis has it, or had it, is no mistake to be made now.
+bool WritePlanner::isTargetSettled(TableOrigin origin, bool isThere) const
+{
+    const WritePlan& plan = m_write.plan;
+    const bool hasAll = isThere && plan.before.sources == plan.after.sources;
+    return origin == TableOrigin::Axis || (origin == TableOrigin::Drive && hasAll);
+}
+
 /// A file that corrects Y is not for axis X, wherever it is looked up; nor is one for X2 where the
 /// drive has X1 and X2.
-Result<void> WritePlanner::checkTargetName(const CompensationTable& table)
+Result<void> WritePlanner::checkTargetName(const CompensationTable& table, TableOrigin origin)
 {
     const std::string& stated = table.target.empty() ? table.statedAxis : table.target;
     const std::string axis =
@@ -371,18 +379,23 @@ Result<void> WritePlanner::checkTargetName(const CompensationTable& table)
         return {};
     const std::string statement =
         axisTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after));
-    return fail(ErrorCode::TargetMismatch,
+    Error error{ErrorCode::TargetMismatch,
         {{"table", table.name}, {"target", Verbatim{axis.empty() ? name : axis}}, {"axis", m_axis},
             {"role",
                 own.empty() ? AXISCOMP_TEXT("Error", "there is no name on the drive")
                             : AXISCOMP_TEXT("Error", "the name on the drive is {name}")
                                   .with("name", Verbatim{own})},
-            {"statement", statement.empty() ? sourceTarget(0) : statement}});
+            {"statement", statement.empty() ? sourceTarget(0) : statement}},
+        {}};
+    if (origin != TableOrigin::File)
+        error.context.set("kept", Verbatim{"table"});
+    return fail(std::move(error));
 }
 
 Result<void> WritePlanner::decideNoTable()
 {
     WritePlan& plan = m_write.plan;
+    AXISCOMP_TRY(m_returningSlot, returningSlot());
     plan.slotReason = SlotReason::KeepTable;
     plan.after.slot.clear();
     plan.after.tableCrc = 0;
@@ -421,7 +434,6 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         return fail(ErrorCode::DimensionMismatch,
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
     AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
-    AXISCOMP_CHECK(checkTargetName(table));
     if (request.lookupAt)
         AXISCOMP_CHECK(checkLookupSources(
             *request.lookupAt, m_access.profile(), m_axis, sourcePaths(m_write.plan.after)));
@@ -431,6 +443,8 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     m_write.plan.after.tableCrc = m_write.elementCrc;
     m_write.plan.after.persistency = request.persistency.value_or(Persistency::Volatile);
     AXISCOMP_TRY(const bool alreadyThere, isThere(request, table));
+    if (!isTargetSettled(request.origin, alreadyThere))
+        AXISCOMP_CHECK(checkTargetName(table, request.origin));
     if (alreadyThere) {
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);

@@ -62,6 +62,7 @@ private:
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
     [[nodiscard]] Result<void> decideNoTable();
     [[nodiscard]] Result<std::string> slotToDelete(const WriteRequest& request);
+    [[nodiscard]] Result<std::string> returningSlot() const;
     [[nodiscard]] Result<void> decideDeletion(const WriteRequest& request);
     [[nodiscard]] Result<void> decideRemoval();
     [[nodiscard]] Result<Text> otherUser(const std::string& slot);
@@ -75,7 +76,8 @@ private:
     void listChanges();
     [[nodiscard]] Result<void> decideCoverage();
     [[nodiscard]] Result<void> checkColumns(const WriteRequest& request);
-    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table);
+    [[nodiscard]] bool isTargetSettled(TableOrigin origin, bool isThere) const;
+    [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table, TableOrigin origin);
     void warn();
     void warnOfDeletion();
     void warnOfDetaching();
@@ -94,6 +96,7 @@ private:
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;
+    std::string m_returningSlot; ///< of an axis that uses no table, and shall use none
     bool m_isSlotNamed = false; ///< by the request: others may be free
     bool m_isSlotEmpty = false; ///< nothing is overwritten
     bool m_isInSlot = false; ///< the new table is in its slot already

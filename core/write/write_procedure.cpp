@@ -105,7 +105,12 @@ Result<void> WriteProcedure::keepOldState()
         AXISCOMP_TRY(auto file, readSlotFile(m_access, *slot));
         m_backup.files.push_back(std::move(file));
     }
-    AXISCOMP_TRY(auto saved, m_store.saveBackup(m_backup));
+    // A table that is deleted and that the axis does not use comes back as one that no axis uses.
+    std::vector<AxisBackup::File> others;
+    if (const AxisBackup::File* file = backupOf(plan.deletedSlot);
+        file && file->slot != plan.before.slot && !file->bytes.empty())
+        others.push_back(*file);
+    AXISCOMP_TRY(auto saved, m_store.saveBackup(m_backup, others));
     m_backupFile = saved;
 
     m_journal.serialNumber = plan.drive.serialNumber;

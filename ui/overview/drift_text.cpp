@@ -214,7 +214,7 @@ QStringList driftWarnings(const AxisPlan& plan, const MachineTable* table)
     for (const auto* problems : {table ? &table->problems : nullptr, &plan.fileProblems})
         for (const Diagnostic& problem : problems ? *problems : std::vector<Diagnostic>())
             warnings += DriftText::ofFile(file, problem);
-    if (!plan.problem && !plan.plan.changes.empty())
+    if (plan.isWarned())
         for (const auto* texts : {&plan.plan.largeCorrections, &plan.plan.warnings})
             for (const Text& text : *texts)
                 warnings += sentenceText(text);

@@ -69,7 +69,7 @@ void noteWarnings(Environment& environment, const MachineRun& run)
     for (const MachineDriveRun& drive : run.drives)
         for (const AxisPlan& axis : plannedAxes(drive)) {
             const std::string place = placeOf(drive) + ", axis " + axis.name + ": ";
-            if (axis.plan.changes.empty())
+            if (!axis.isWarned())
                 continue;
             for (const Text& remark : axis.plan.unitRemarks)
                 environment.console().note("note: " + place + remark.english());

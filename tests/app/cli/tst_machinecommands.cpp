@@ -132,6 +132,24 @@ private Q_SLOTS:
         QCOMPARE(now.value("flash").toObject().value("cycles").toInt(), 1);
     }
 
+    void aTableThatARebootBringsBackIsWarnedOfByEveryPlan()
+    {
+        const Machine machine;
+        VERIFY_CODE(machine.run({"apply"}), 0);
+        const QByteArray none = "[[drive.axis]]\naxis = 0\nno-table = true\nsources = [\"\"]\n";
+        machine.write(none, none);
+        VERIFY_CODE(machine.run({"apply"}), 0);
+        const ProgramRun plan = machine.run({"plan"});
+        VERIFY_CODE(plan, 0);
+        QCOMPARE(plan.err.count("Flash keeps the table in"), 1); // that of the second is volatile
+        QVERIFY2(plan.err.contains("Delete the table first"), plan.err.constData());
+
+        VERIFY_CODE(machine.box.run({"delete", "--axis", "0", "--drive", machine.one.url()}), 0);
+        const ProgramRun again = machine.run({"plan"});
+        VERIFY_CODE(again, 0);
+        QVERIFY2(!again.err.contains("Flash keeps"), again.err.constData());
+    }
+
     void aTableWithinTheToleranceIsTheSame()
     {
         const Machine machine;

@@ -117,6 +117,32 @@ private Q_SLOTS:
         QCOMPARE(c.link.firstChange(), 0);
     }
 
+    /// A configuration states no target, so the way out is a write.
+    void aTableThatIsNamedAsThatOfAnotherAxisIsRefused()
+    {
+        CompensatorFixture c;
+        WriteRequest request = exampleRequest();
+        request.table->name = "Y error";
+        request.table->target = "#1";
+        VERIFY_RESULT(c.compensator.write(0, request));
+        auto parameters = driveParameters(c.compensator);
+        VERIFY_RESULT(parameters);
+        std::swap(parameters->axes[0].sources[0], parameters->axes[0].sources[1]);
+        c.link.forgetChange();
+        const auto writes =
+            parameterWrites(c.compensator, drivecomm::genericProfile(), *parameters);
+        VERIFY_RESULT(writes);
+        const auto refused = planMultiAxis(c.compensator, *writes);
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QCOMPARE(sentence(refused.error()),
+            std::string(
+                "the name of the table, Y error, says that its values correct Y, but for axis 0 "
+                "the name on the drive is X; choose another table or axis, or, if it is right all "
+                "the same, write the table to this axis from its file first, and state the target "
+                "as #2 there"));
+        QCOMPARE(c.link.firstChange(), 0);
+    }
+
     void anImportIsPlannedForItsOwnDrive()
     {
         Fixture c;

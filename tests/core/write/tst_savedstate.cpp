@@ -312,6 +312,59 @@ private Q_SLOTS:
         QCOMPARE(f.state().registers[0], std::string("Disabled"));
     }
 
+    void aDetachedTableThatARebootBringsBackIsSaidAgainAndCanBeDeleted()
+    {
+        WriteRequest none;
+        none.withoutTable = true;
+        none.sources = {"", "", ""};
+        none.dimensionality = 3;
+        CompensatorFixture f;
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        VERIFY_RESULT(f.compensator.write(0, none));
+        const Bytes table = f.drive.download("tables/small1.TAMtbl").value_or(Bytes{});
+        const auto again = f.compensator.plan(0, none);
+        VERIFY_RESULT(again);
+        QVERIFY(again->changes.empty());
+        QCOMPARE(again->warnings.size(), std::size_t{1});
+        QVERIFY(contains(again->warnings, "Flash keeps the table in Small1: after a reboot"));
+
+        const auto plan = f.compensator.plan(0, deletionRequest());
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->deletedSlot, std::string("Small1"));
+        QCOMPARE(plan->flashOperations, 1);
+        const auto report = f.compensator.write(0, deletionRequest());
+        VERIFY_RESULT(report);
+        QVERIFY(f.compensator.plan(0, none)->warnings.empty());
+        VERIFY_ERROR(f.compensator.write(0, deletionRequest()), ErrorCode::NoTable);
+        f.drive.reboot();
+        QCOMPARE(f.state().registers[0], std::string("Disabled"));
+        QVERIFY(f.drive.download("tables/small1.TAMtbl").value_or(Bytes{}).empty());
+
+        const auto text = loadOrdinaryFile(report->backup, maximumBackupSize);
+        VERIFY_RESULT(text);
+        const auto backup = readBackup(asText(*text), report->backup.string());
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QVERIFY(f.drive.download("tables/small1.TAMtbl").value_or(Bytes{}) == table);
+    }
+
+    /// The saved parameters name its slot, which is empty after a reboot.
+    void aDetachedTableThatARebootTakesAwayIsNotSaid()
+    {
+        WriteRequest none;
+        none.withoutTable = true;
+        none.sources = {"", "", ""};
+        none.dimensionality = 3;
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(1), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(1, into(exampleRequest(2, Persistency::Persistent), "Small2")));
+        VERIFY_RESULT(f.compensator.write(0, none));
+        QVERIFY(f.compensator.plan(0, none)->warnings.empty());
+        VERIFY_ERROR(f.compensator.plan(0, deletionRequest()), ErrorCode::NoTable);
+    }
+
     void aSavingThatDidNotEndForgetsNoSlot()
     {
         CompensatorFixture f;

@@ -36,6 +36,25 @@ bool names(const Error& error, std::string_view words)
     return said.find(words) != std::string::npos;
 }
 
+/// Axis X has a table called "Y error", of which a person has said that it is right.
+struct Stated : CompensatorFixture {
+    explicit Stated(const std::array<std::string, 2>& names = {"X", "Y"})
+        : CompensatorFixture(names)
+    {
+        request = requestFor("#1", "Position");
+        request.table->name = names[1] + " error";
+        request.persistency = Persistency::Persistent;
+    }
+    [[nodiscard]] Result<DriveBackup> written()
+    {
+        AXISCOMP_CHECK(compensator.write(0, request));
+        link.forgetChange();
+        return compensator.backup();
+    }
+
+    WriteRequest request;
+};
+
 } // namespace
 
 /// What a file says of the axis that it corrects, against the axis that is written. The axes of
@@ -182,6 +201,71 @@ private Q_SLOTS:
         QVERIFY(silent > 0);
         QCOMPARE(exchangesWith("X1"), silent);
         QCOMPARE(exchangesWith("X3"), silent + 1);
+    }
+
+    /// A table of the drive no longer says what a person has said of its target.
+    void whatAnAxisHadComesBackWhateverItIsCalled()
+    {
+        Stated f;
+        const auto backup = f.written();
+        VERIFY_RESULT(backup);
+        const auto before = f.state();
+        const auto there = f.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(there);
+        QVERIFY(there->axes.front().changes.empty());
+        VERIFY_RESULT(f.compensator.write(0, deletionRequest()));
+        VERIFY_RESULT(f.compensator.planRestore(backup->axes.front(), false));
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QVERIFY(f.state() == before);
+    }
+
+    /// The index alone does not tell that it is the same axis.
+    void aTableOfAnotherAxisIsNotRestoredToOneOfAnotherName()
+    {
+        Stated f({"X1", "X2"});
+        auto backup = f.written();
+        VERIFY_RESULT(backup);
+        const auto before = f.state();
+        backup->axes.front().axisName = "X2"; // as when the order of the axes has changed
+        // The axis has all of it: there is nothing to be refused.
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+        VERIFY_RESULT(f.compensator.write(0, deletionRequest()));
+        const auto deleted = f.state();
+        const auto refused = f.compensator.restore(*backup, true);
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QVERIFY(names(refused.error(), "write the table to this axis from its file first"));
+        QVERIFY(f.state() == deleted);
+        backup->axes.front().axisName = "X1";
+        VERIFY_RESULT(f.compensator.restore(*backup, false));
+        QVERIFY(f.state() == before);
+    }
+
+    void aWriteWhoseTargetWasStatedCanBeFinished()
+    {
+        Stated whole;
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.write(0, whole.request));
+        const int exchanges = whole.link.exchanges() - begin;
+        int unfinished = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Stated f;
+            f.link.failAt(exchange, test::LinkFault::DriveGone);
+            static_cast<void>(f.compensator.write(0, f.request));
+            f.link.heal();
+            const auto status = f.compensator.status(0);
+            VERIFY_RESULT(status);
+            if (!status->unfinishedWrite)
+                continue;
+            ++unfinished;
+            const auto recovery = f.compensator.recovery(*status->unfinishedWrite);
+            VERIFY_RESULT(recovery);
+            QVERIFY(!recovery->finishObstacle);
+            VERIFY_RESULT(f.compensator.finishUnfinished(*status->unfinishedWrite));
+            QVERIFY(f.state() == whole.state());
+        }
+        QVERIFY(unfinished > 0);
     }
 
     void aNameThatMayBeThatOfTheAxisIsTaken_data()
