@@ -212,7 +212,7 @@ Result<bool> DrivePlanner::isWithinTolerance(const ValueTolerance& tolerance, co
         return fail(ErrorCode::UnitMismatch,
             {{"what", AXISCOMP_TEXT("Error", "values of the tolerance")}, {"unit", tolerance.unit},
                 {"other", unitSymbol(plan.before.axis.unit)}});
-    AXISCOMP_TRY(const auto held, m_compensator.readTable(plan.axis, m_options));
+    AXISCOMP_TRY(const auto held, m_compensator.readTable(plan.before, m_options));
     if (!sameSpans(held.grid, wanted.grid))
         return false;
     const double most = tolerance.value * *factor;

@@ -106,7 +106,7 @@ StatedUnits statedUnits(const CompensationTable& table)
 
 Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
 {
-    AXISCOMP_TRY(auto table, m_compensator.readTable(status.axis.index, m_options));
+    AXISCOMP_TRY(auto table, m_compensator.readTable(status, m_options));
     const auto dimensions = static_cast<std::size_t>(table.grid.dimensions());
     for (std::size_t n = 0; n < dimensions; ++n)
         if (!status.setup.sources[n].isSet())
