@@ -142,14 +142,7 @@ Result<void> DrivePlanner::planAxis(
     AXISCOMP_TRY(
         const auto now, settledStatus(m_compensator, m_context.storeRoot, plan.axis, m_options));
     plan.before = now.status;
-    if (now.isBeingWritten)
-        return fail(ErrorCode::ChangedMeanwhile,
-            {{"what",
-                 AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
-                {"before", AXISCOMP_TEXT("Error", "the old state")},
-                {"now", AXISCOMP_TEXT("Error", "what it is writing at this moment")}});
-    if (now.settlingProblem)
-        return fail(*now.settlingProblem);
+    AXISCOMP_CHECK(checkIsSettled(now));
     plan.isUnfinished = plan.before.unfinishedWrite.has_value();
     WriteRequest& request = plan.request;
     if (axis.sources)

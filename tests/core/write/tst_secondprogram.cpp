@@ -3,6 +3,7 @@
 // Two programs on two computers, which share no lock. An operation is run once to find its first
 // change of the drive; then again for every exchange before that, with a second program that
 // changes something just before it. Nothing of what the second one did may be lost.
+#include "core/compensator/axis_operations.h"
 #include "core/machine/snapshot.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
@@ -389,6 +390,56 @@ private Q_SLOTS:
         QVERIFY(noticed > 1);
     }
 
+    /// Half of a write of another computer, which ends before the exchange.
+    void whatWasThereForAMomentIsNotKept()
+    {
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            c.set(axis0 + "Table", std::string("Disabled"));
+            c.link.actBefore(exchange, [&c] { c.set(axis0 + "Table", std::string("Small1")); });
+            const int begin = c.link.exchanges();
+            const auto status = wholeStatus(c.compensator, c.storeRoot(), 0, {});
+            isOver = c.link.exchanges() - begin < exchange;
+            if (isOver || (status && status->setup.slot == "Small1"))
+                continue;
+            ++noticed;
+            VERIFY_ERROR(status, ErrorCode::ChangedMeanwhile);
+        }
+        QVERIFY(noticed > 0);
+    }
+
+    /// One that begins after the axes were looked at.
+    void aBackupOfAMomentIsNotKept()
+    {
+        Case whole(Persistency::Volatile);
+        const auto kept = backUpDrive(whole.compensator, whole.storeRoot(), {});
+        VERIFY_RESULT(kept);
+        QVERIFY(kept->doubts.empty());
+        const int start = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.axes());
+        VERIFY_RESULT(whole.compensator.status(0));
+        const int looked = whole.link.exchanges() - start; // exchanges until the axis is known
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            c.link.actBefore(exchange, [&c] { c.set(axis0 + "Table", std::string("Disabled")); });
+            const int begin = c.link.exchanges();
+            const auto rescue = backUpDrive(c.compensator, c.storeRoot(), {});
+            isOver = c.link.exchanges() - begin < exchange;
+            if (!rescue) {
+                ++noticed;
+                VERIFY_ERROR(rescue, ErrorCode::ChangedMeanwhile);
+                continue;
+            }
+            QVERIFY2(!rescue->backup.axes.front().files.empty() || exchange <= looked,
+                "exchange " + QByteArray::number(exchange));
+        }
+        QVERIFY(noticed > 3);
+    }
+
 private:
     /// Another table, in the slot of the old one, and the sources in another order.
     static void writeOther(Case& c)
@@ -401,7 +452,8 @@ private:
     }
     static Result<DriveSnapshot> snapshotOf(Case& c)
     {
-        return snapshotDrive(c.compensator, drivecomm::genericProfile(), "demo:", {});
+        return snapshotDrive(
+            c.compensator, drivecomm::genericProfile(), c.storeRoot(), "demo:", {});
     }
     static bool isSame(const DriveSnapshot& a, const DriveSnapshot& b)
     {
