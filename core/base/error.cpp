@@ -377,6 +377,12 @@ constexpr std::array variants{
             "state: it is not activated. Finish that write with 'axiscomp recover "
             "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
             "state is kept in {backup}")},
+    Variant{ErrorCode::VerifyMismatch, "half",
+        AXISCOMP_TEXT("Error",
+            "a write that did not end has left axis {axis} in neither its old nor its new state: "
+            "what can be read of it is half of that write. Finish it with 'axiscomp recover "
+            "--finish', or undo it with 'axiscomp recover --undo'. The old state is kept in "
+            "{backup}")},
     Variant{ErrorCode::LargeCorrection, "machineAxis",
         AXISCOMP_TEXT("Error",
             "{reason} Check the unit of the values; if they are right, confirm them with "

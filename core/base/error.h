@@ -90,7 +90,7 @@ enum class ErrorCode {
     NotHomed, ///< axis
     OtherDrive, ///< expected, found
     ChangedMeanwhile, ///< what, before, now
-    VerifyMismatch, ///< what, expected, found; or unfinished, axis, backup: half of a write
+    VerifyMismatch, ///< what, expected, found; or unfinished or half, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which

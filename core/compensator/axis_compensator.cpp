@@ -8,26 +8,12 @@
 #include "core/compensator/axis_naming.h"
 #include "core/compensator/table_of_axis.h"
 #include "core/table/tam_table.h"
+#include "core/text/crc_text.h"
 #include "core/write/backup_restore.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
 
 namespace axiscomp {
-
-namespace {
-
-Result<CompensationTable> usedTable(AxisCompensator& compensator, const AxisStatus& status,
-    const DriveProfile& profile, const OperationOptions& options)
-{
-    const TableSlot* slot = profile.slotNamed(status.setup.slot);
-    if (!slot || !status.table)
-        return fail(ErrorCode::NoTable, {{"axis", status.axis.index}});
-    AXISCOMP_TRY(auto bytes, compensator.download(slot->file, options));
-    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, profile.layout));
-    return std::move(decoded.table);
-}
-
-} // namespace
 
 AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, DriveStore& store,
     std::function<WallTime()> clock)
@@ -187,7 +173,7 @@ Result<AxisStatus> AxisCompensator::deactivate(int axis, const OperationOptions&
 Result<Proof> AxisCompensator::prove(int axis, int samples, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto now, status(axis, options));
-    AXISCOMP_TRY(auto table, readTable(axis, options));
+    AXISCOMP_TRY(auto table, readTable(now, options));
     return proveAxis(d->access(options), now, table, samples);
 }
 
@@ -202,7 +188,7 @@ Result<Activation> AxisCompensator::switchTo(
     AXISCOMP_TRY(auto before, status(axis, options));
     if (wanted == Switch::Activate && !before.axis.isHomed && !before.isOn())
         return fail(ErrorCode::NotHomed, {{"axis", axis}});
-    AXISCOMP_TRY(const auto table, readTable(axis, options));
+    AXISCOMP_TRY(const auto table, readTable(before, options));
     auto now = wanted == Switch::Activate ? activateAxis(access, before.drive, axis, d->sources)
                                           : evaluateAxis(access, before.drive, axis, d->sources);
     Activation activation{before, std::nullopt};
@@ -253,19 +239,68 @@ void AxisCompensator::Private::putBack(
         activation.status = *std::move(off);
 }
 
+Result<void> AxisCompensator::checkUnchanged(
+    const AxisStatus& read, const OperationOptions& options)
+{
+    AXISCOMP_TRY(const auto now, status(read.axis.index, options));
+    if (now.drive.serialNumber != read.drive.serialNumber)
+        return fail(ErrorCode::OtherDrive,
+            {{"expected", read.drive.serialNumber}, {"found", now.drive.serialNumber}});
+    AXISCOMP_CHECK(checkAsPlanned(read.setup, now));
+    return checkGridAsPlanned(read.table ? read.table->grid : Grid{}, now);
+}
+
+/// Another program may have written in between: status and file must be of one state.
+Result<HeldTable> AxisCompensator::readHeldTable(
+    const AxisStatus& status, const OperationOptions& options)
+{
+    const TableSlot* slot = d->profile.slotNamed(status.setup.slot);
+    if (!slot || !status.table)
+        return fail(ErrorCode::NoTable, {{"axis", status.axis.index}});
+    auto bytes = download(slot->file, options);
+    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
+        return fail(std::move(bytes).error());
+    AXISCOMP_CHECK(checkUnchanged(status, options)); // also when the file has gone
+    if (!bytes)
+        return fail(std::move(bytes).error());
+    AXISCOMP_TRY(auto decoded, decodeTamTable(*bytes, d->profile.layout));
+    // It may have been changed and changed back. A drive that shows no CRC says 0.
+    const std::uint32_t crc = elementCrcOf(*bytes, decoded.table);
+    if (status.table->crc != 0 && crc != status.table->crc)
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", slot->name)},
+                {"before",
+                    AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(status.table->crc))},
+                {"now", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc))}});
+    return HeldTable{std::move(decoded.table), *std::move(bytes)};
+}
+
 Result<CompensationTable> AxisCompensator::readTable(int axis, const OperationOptions& options)
 {
     AXISCOMP_TRY(const auto now, status(axis, options));
-    return usedTable(*this, now, d->profile, options);
+    return readTable(now, options);
+}
+
+Result<CompensationTable> AxisCompensator::readTable(
+    const AxisStatus& status, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto held, readHeldTable(status, options));
+    return std::move(held.table);
 }
 
 Result<CompensationTable> AxisCompensator::readDescribedTable(
     int axis, const OperationOptions& options)
 {
     AXISCOMP_TRY(const auto now, status(axis, options));
-    AXISCOMP_TRY(auto table, usedTable(*this, now, d->profile, options));
+    return readDescribedTable(now, options);
+}
+
+Result<CompensationTable> AxisCompensator::readDescribedTable(
+    const AxisStatus& status, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto table, readTable(status, options));
     AXISCOMP_TRY(const auto all, axes(options));
-    describeTable(table, now, all, d->profile);
+    describeTable(table, status, all, d->profile);
     return table;
 }
 

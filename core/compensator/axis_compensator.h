@@ -58,6 +58,12 @@ struct RestoreReport {
     std::vector<AxisBackup::File> files; ///< likewise
 };
 
+/// A table as the drive holds it.
+struct HeldTable {
+    CompensationTable table; ///< without names and units
+    Bytes file; ///< the same, byte by byte
+};
+
 /// The service: reads and changes the compensation of a drive's axes in the safe order
 /// (docs/architecture.md, "The safe order of a write"). Blocking; one instance per link, used on
 /// the link's thread. All operations report link errors as DriveLink does; theirs are named at
@@ -135,12 +141,26 @@ public:
     [[nodiscard]] Result<CaptureNews> readCapture(CaptureRun& run,
         const std::function<std::chrono::nanoseconds()>& now, const OperationOptions& options = {});
 
-    /// The table that the axis uses. Errors: NoTable, InvalidTable.
+    /// That the axis still has the slot, the table and the sources that were read. Errors:
+    /// ChangedMeanwhile, OtherDrive, those of status.
+    [[nodiscard]] Result<void> checkUnchanged(
+        const AxisStatus& read, const OperationOptions& options = {});
+
+    /// The table that the axis uses, and no mixture of two. Errors: NoTable, InvalidTable, those of
+    /// checkUnchanged.
     [[nodiscard]] Result<CompensationTable> readTable(
         int axis, const OperationOptions& options = {});
+    /// The table that belongs to a state that was read before; whoever shows or keeps both must
+    /// have it from here. Errors: the same, when the axis is not in that state any more.
+    [[nodiscard]] Result<CompensationTable> readTable(
+        const AxisStatus& status, const OperationOptions& options = {});
+    [[nodiscard]] Result<HeldTable> readHeldTable(
+        const AxisStatus& status, const OperationOptions& options = {});
     /// The same with its units and its target, as the drive states them (table_of_axis.h).
     [[nodiscard]] Result<CompensationTable> readDescribedTable(
         int axis, const OperationOptions& options = {});
+    [[nodiscard]] Result<CompensationTable> readDescribedTable(
+        const AxisStatus& status, const OperationOptions& options = {});
 
     [[nodiscard]] Result<std::vector<DriveFile>> files(const OperationOptions& options = {});
     [[nodiscard]] Result<Bytes> download(

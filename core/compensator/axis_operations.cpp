@@ -32,6 +32,22 @@ Result<SettledWrite> settle(
     return settled;
 }
 
+/// why: the argument that tells the sentences apart. Errors: VerifyMismatch.
+Result<void> checkNoHalf(const SettledStatus& now, const char* why)
+{
+    const auto& settled = now.settled;
+    if (!settled || settled->outcome != AxisCompensator::UnfinishedOutcome::Neither)
+        return {};
+    return fail(ErrorCode::VerifyMismatch,
+        {{"axis", settled->entry.axis}, {"backup", settled->entry.backup.string()},
+            {why, Verbatim{"yes"}}});
+}
+
+bool endsBackup(const Error& error)
+{
+    return isLinkFailure(error.code) || error.code == ErrorCode::Cancelled;
+}
+
 Result<AxisBackup> chosenBackup(const BackupChoice& choice, const DriveProfile& profile)
 {
     AXISCOMP_TRY(auto axes, axisBackupsIn(choice.file, profile));
@@ -113,12 +129,64 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
 
 Result<void> checkMayActivate(const SettledStatus& now)
 {
-    const auto& settled = now.settled;
-    if (!settled || settled->outcome != AxisCompensator::UnfinishedOutcome::Neither)
-        return {};
-    return fail(ErrorCode::VerifyMismatch,
-        {{"axis", settled->entry.axis}, {"backup", settled->entry.backup.string()},
-            {"unfinished", Verbatim{"yes"}}});
+    return checkNoHalf(now, "unfinished");
+}
+
+Result<void> checkIsSettled(const SettledStatus& now)
+{
+    if (now.isBeingWritten)
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what",
+                 AXISCOMP_TEXT("Error", "the settings of axis {axis}")
+                     .with("axis", now.status.axis.index)},
+                {"before", AXISCOMP_TEXT("Error", "the old state")},
+                {"now", AXISCOMP_TEXT("Error", "what it is writing at this moment")}});
+    if (now.settlingProblem)
+        return fail(*now.settlingProblem);
+    return {};
+}
+
+Result<void> checkIsWhole(const SettledStatus& now)
+{
+    AXISCOMP_CHECK(checkIsSettled(now));
+    return checkNoHalf(now, "half");
+}
+
+Result<AxisStatus> wholeStatus(AxisCompensator& compensator, const std::filesystem::path& storeRoot,
+    int axis, const OperationOptions& options)
+{
+    AXISCOMP_TRY(auto now, settledStatus(compensator, storeRoot, axis, options));
+    AXISCOMP_CHECK(checkIsWhole(now));
+    // A write that ended between the registers and the journal has left no trace in either.
+    AXISCOMP_CHECK(compensator.checkUnchanged(now.status, options));
+    return std::move(now.status);
+}
+
+Result<DriveRescue> backUpDrive(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const OperationOptions& options)
+{
+    OperationOptions quiet = options;
+    quiet.progress = {};
+    AXISCOMP_TRY(const auto axes, compensator.axes(quiet));
+    DriveRescue rescue;
+    std::vector<AxisStatus> before;
+    for (const AxisInfo& axis : axes) {
+        if (!axis.hasCompensation())
+            continue;
+        auto now = settledStatus(compensator, storeRoot, axis.index, quiet);
+        if (!now && endsBackup(now.error()))
+            return fail(std::move(now).error());
+        auto whole = now ? checkIsWhole(*now) : Result<void>(fail(now.error()));
+        if (!whole)
+            rescue.doubts.push_back(std::move(whole).error());
+        if (now)
+            before.push_back(std::move(now->status));
+    }
+    AXISCOMP_TRY(rescue.backup, compensator.backup(options));
+    // A write may have begun, and even ended, since they were looked at.
+    for (const AxisStatus& status : before)
+        AXISCOMP_CHECK(compensator.checkUnchanged(status, quiet));
+    return rescue;
 }
 
 Result<AxisReading> readAxis(AxisCompensator& compensator, const std::filesystem::path& storeRoot,

@@ -46,6 +46,31 @@ struct SettledStatus {
 /// the drive holds neither the old nor the new state of a write that did not end.
 [[nodiscard]] Result<void> checkMayActivate(const SettledStatus& now);
 
+/// That nobody is writing to the axis, and that it is known what became of a write that did not
+/// end. Errors: ChangedMeanwhile while another program is writing, settlingProblem.
+[[nodiscard]] Result<void> checkIsSettled(const SettledStatus& now);
+
+/// Half of a write is not the state of an axis: what is kept as one must not be it. Errors: those
+/// of checkIsSettled; VerifyMismatch (axis, backup, half) when the drive holds neither the old nor
+/// the new state of a write that did not end.
+[[nodiscard]] Result<void> checkIsWhole(const SettledStatus& now);
+
+/// A state of an axis that may be kept. Errors: those of settledStatus, checkIsWhole and
+/// AxisCompensator::checkUnchanged.
+[[nodiscard]] Result<AxisStatus> wholeStatus(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
+
+/// A whole drive, as far as it could be kept.
+struct DriveRescue {
+    DriveBackup backup;
+    std::vector<Error> doubts; ///< why an axis in it may be half of a write; mostly none
+};
+/// AxisCompensator::backup of all axes as they are, since whoever rescues what is left must not be
+/// refused; what checkIsWhole says of them is doubts. Errors: those of backup, and ChangedMeanwhile
+/// when another program has written to an axis meanwhile.
+[[nodiscard]] Result<DriveRescue> backUpDrive(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const OperationOptions& options);
+
 /// A settled status, with what this computer knows about the drive.
 struct AxisReading : SettledStatus {
     DriveStore::FlashHistory flashHistory; ///< with what the drive has refused, to any program

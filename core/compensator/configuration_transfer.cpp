@@ -2,6 +2,7 @@
 #include "core/compensator/configuration_transfer.h"
 
 #include "core/base/bytes.h"
+#include "core/compensator/axis_operations.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -86,13 +87,13 @@ Result<AxisWrite> writeOf(AxisCompensator& compensator, const DriveProfile& prof
 
 } // namespace
 
-Result<CompensationParameters> driveParameters(
-    AxisCompensator& compensator, const OperationOptions& options)
+Result<CompensationParameters> driveParameters(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const OperationOptions& options)
 {
     AXISCOMP_TRY(const auto drive, compensator.identify(options));
     CompensationParameters parameters{drive.name, drive.serialNumber, {}};
     for (int axis = 0; axis < drive.axes; ++axis) {
-        auto status = compensator.status(axis, options);
+        auto status = wholeStatus(compensator, storeRoot, axis, options);
         if (!status && status.error().code == ErrorCode::NoCompensation)
             continue;
         if (!status)

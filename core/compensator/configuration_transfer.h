@@ -4,15 +4,16 @@
 #include "core/compensator/multi_axis_write.h"
 #include "core/configuration/compensation_parameters.h"
 
+#include <filesystem>
 #include <vector>
 
 /// Compensation parameters straight from a drive, and as writes to one.
 namespace axiscomp {
 
 /// What the axes of the drive have; those without compensation registers are left out. Errors:
-/// those of AxisCompensator::status.
-[[nodiscard]] Result<CompensationParameters> driveParameters(
-    AxisCompensator& compensator, const OperationOptions& options = {});
+/// those of wholeStatus.
+[[nodiscard]] Result<CompensationParameters> driveParameters(AxisCompensator& compensator,
+    const std::filesystem::path& storeRoot, const OperationOptions& options = {});
 
 /// The writes that bring the drive to these parameters, without those of axes that have them
 /// already. Tables stay where they are and as they are: an axis gets the one that the parameters

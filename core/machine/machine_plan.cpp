@@ -142,14 +142,7 @@ Result<void> DrivePlanner::planAxis(
     AXISCOMP_TRY(
         const auto now, settledStatus(m_compensator, m_context.storeRoot, plan.axis, m_options));
     plan.before = now.status;
-    if (now.isBeingWritten)
-        return fail(ErrorCode::ChangedMeanwhile,
-            {{"what",
-                 AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
-                {"before", AXISCOMP_TEXT("Error", "the old state")},
-                {"now", AXISCOMP_TEXT("Error", "what it is writing at this moment")}});
-    if (now.settlingProblem)
-        return fail(*now.settlingProblem);
+    AXISCOMP_CHECK(checkIsSettled(now));
     plan.isUnfinished = plan.before.unfinishedWrite.has_value();
     WriteRequest& request = plan.request;
     if (axis.sources)
@@ -212,7 +205,7 @@ Result<bool> DrivePlanner::isWithinTolerance(const ValueTolerance& tolerance, co
         return fail(ErrorCode::UnitMismatch,
             {{"what", AXISCOMP_TEXT("Error", "values of the tolerance")}, {"unit", tolerance.unit},
                 {"other", unitSymbol(plan.before.axis.unit)}});
-    AXISCOMP_TRY(const auto held, m_compensator.readTable(plan.axis, m_options));
+    AXISCOMP_TRY(const auto held, m_compensator.readTable(plan.before, m_options));
     if (!sameSpans(held.grid, wanted.grid))
         return false;
     const double most = tolerance.value * *factor;

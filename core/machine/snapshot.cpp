@@ -2,6 +2,7 @@
 #include "core/machine/snapshot.h"
 
 #include "core/compensator/axis_naming.h"
+#include "core/compensator/axis_operations.h"
 #include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
 #include "core/io/local_file.h"
@@ -54,10 +55,11 @@ std::optional<std::string> csvText(const CompensationTable& table, std::vector<s
 
 class Snapshot {
 public:
-    Snapshot(
-        AxisCompensator& compensator, const DriveProfile& profile, const OperationOptions& options)
+    Snapshot(AxisCompensator& compensator, const DriveProfile& profile,
+        const std::filesystem::path& storeRoot, const OperationOptions& options)
         : m_compensator(compensator)
         , m_profile(profile)
+        , m_storeRoot(storeRoot)
         , m_options(options)
     {
         m_options.progress = {};
@@ -81,6 +83,7 @@ private:
 
     AxisCompensator& m_compensator;
     const DriveProfile& m_profile;
+    const std::filesystem::path& m_storeRoot;
     OperationOptions m_options;
     std::vector<AxisInfo> m_axes;
     DriveSnapshot m_result;
@@ -88,7 +91,7 @@ private:
 
 Result<void> Snapshot::takeAxis(int index)
 {
-    AXISCOMP_TRY(const auto status, m_compensator.status(index, m_options));
+    AXISCOMP_TRY(const auto status, wholeStatus(m_compensator, m_storeRoot, index, m_options));
     MachineAxis axis;
     axis.axis = axisIndexText(m_axes, index);
     axis.sources = sourcesOf(status.setup);
@@ -106,7 +109,7 @@ StatedUnits statedUnits(const CompensationTable& table)
 
 Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
 {
-    AXISCOMP_TRY(auto table, m_compensator.readTable(status.axis.index, m_options));
+    AXISCOMP_TRY(auto table, m_compensator.readTable(status, m_options));
     const auto dimensions = static_cast<std::size_t>(table.grid.dimensions());
     for (std::size_t n = 0; n < dimensions; ++n)
         if (!status.setup.sources[n].isSet())
@@ -142,9 +145,10 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
 } // namespace
 
 Result<DriveSnapshot> snapshotDrive(AxisCompensator& compensator, const DriveProfile& profile,
-    const std::string& endpoint, const OperationOptions& options)
+    const std::filesystem::path& storeRoot, const std::string& endpoint,
+    const OperationOptions& options)
 {
-    return Snapshot(compensator, profile, options).take(endpoint);
+    return Snapshot(compensator, profile, storeRoot, options).take(endpoint);
 }
 
 Result<MachineSnapshot> joinSnapshots(std::string name, std::vector<DriveSnapshot> drives)

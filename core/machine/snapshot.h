@@ -26,9 +26,11 @@ struct DriveSnapshot {
 /// Reads all axes that have a compensation; changes nothing. A table is a calibration file with the
 /// drive's units where that gives every bit back, else a TAM table. What the drive does not need
 /// to be the same is not in it: the slots. endpoint: as the machine file shall have it. Errors:
-/// those of the link; SourceMissing for a table that is not looked up by all of its dimensions.
+/// those of the link, wholeStatus and AxisCompensator::readTable; SourceMissing for a table that is
+/// not looked up by all of its dimensions.
 [[nodiscard]] Result<DriveSnapshot> snapshotDrive(AxisCompensator& compensator,
-    const DriveProfile& profile, const std::string& endpoint, const OperationOptions& options);
+    const DriveProfile& profile, const std::filesystem::path& storeRoot,
+    const std::string& endpoint, const OperationOptions& options);
 
 /// The file of a snapshot that says which drive has which tables.
 inline constexpr const char* machineFileName = "machine.toml";

@@ -42,7 +42,7 @@ struct CompensatorFixture {
         : drive(drivecomm::genericProfile(), options(time, names))
         , attachment(kind.attach(drive, faults))
         , link(drive, attachment->link())
-        , store(std::filesystem::path(folder.path().toStdString()) / "axiscomp")
+        , store(storeRoot())
         , compensator(link, profile, store, [this] { return wallTime(); })
     {
     }
@@ -69,6 +69,10 @@ struct CompensatorFixture {
     [[nodiscard]] WallTime wallTime() const
     {
         return WallTime(std::chrono::hours(24 * 365 * 50) + std::chrono::milliseconds(time.load()));
+    }
+    [[nodiscard]] std::filesystem::path storeRoot() const
+    {
+        return std::filesystem::path(folder.path().toStdString()) / "axiscomp";
     }
     void pass(std::chrono::milliseconds duration) { time += duration.count(); }
 

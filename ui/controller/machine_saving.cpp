@@ -81,10 +81,10 @@ void MachineSaving::save(const QStringList& endpoints, const QString& name, cons
             return giveUp(connection && connection->problem() ? *connection->problem()
                                                               : connectionEndedTo(endpoint),
                 endpoint);
-        const auto read = [&profile = m_profile, place = endpoint.toStdString()](
-                              AxisCompensator& compensator,
+        const auto read = [&profile = m_profile, store = connection->session().storeRoot(),
+                              place = endpoint.toStdString()](AxisCompensator& compensator,
                               const OperationOptions& options) -> Result<Snapshot> {
-            AXISCOMP_TRY(auto snapshot, snapshotDrive(compensator, profile, place, options));
+            AXISCOMP_TRY(auto snapshot, snapshotDrive(compensator, profile, store, place, options));
             return std::make_shared<DriveSnapshot>(std::move(snapshot));
         };
         whenDone(connection->session().run<Snapshot>(read, m_stop.get_token()), this,

@@ -325,13 +325,16 @@ void OperationRunner::backUpDrive(const QString& path)
     struct Written {
         std::size_t axes = 0;
         std::size_t tables = 0;
+        std::vector<Error> doubts;
     };
-    const auto backUp = [place = QFileInfo(path).filesystemAbsoluteFilePath()](
+    const auto backUp = [place = QFileInfo(path).filesystemAbsoluteFilePath(),
+                            store = m_drives.connection()->session().storeRoot()](
                             AxisCompensator& compensator,
                             const OperationOptions& options) -> Result<Written> {
-        AXISCOMP_TRY(const auto backup, compensator.backup(options));
+        AXISCOMP_TRY(auto rescue, axiscomp::backUpDrive(compensator, store, options));
+        const DriveBackup& backup = rescue.backup;
         AXISCOMP_CHECK(saveFile(place, asBytes(writeBackup(backup))));
-        Written written{backup.axes.size(), backup.otherFiles.size()};
+        Written written{backup.axes.size(), backup.otherFiles.size(), std::move(rescue.doubts)};
         for (const AxisBackup& axis : backup.axes)
             written.tables += axis.files.size();
         return written;
@@ -344,9 +347,12 @@ void OperationRunner::backUpDrive(const QString& path)
             m_outcome.show([name, result] {
                 if (!result)
                     return errorOutcome(result.error());
-                return Outcome{tr("Wrote %1: axes: %2, tables: %3.")
-                                   .arg(name, countText(result->axes), countText(result->tables)),
-                    false, {}};
+                QStringList said{
+                    tr("Wrote %1: axes: %2, tables: %3.")
+                        .arg(name, countText(result->axes), countText(result->tables))};
+                for (const Error& doubt : result->doubts)
+                    said += errorText(doubt);
+                return Outcome{said.join(u' '), false, {}, !result->doubts.empty()};
             });
         },
         [entry = m_drives.currentEntry()] { return entry.driveName; });

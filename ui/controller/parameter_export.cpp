@@ -17,11 +17,13 @@ void ParameterExport::read()
 {
     drop();
     m_stop = std::stop_source();
-    const auto ask = [](AxisCompensator& compensator, const OperationOptions& options) {
-        return driveParameters(compensator, options);
+    DriveSession& session = m_drives.connection()->session();
+    const auto ask = [store = session.storeRoot()](
+                         AxisCompensator& compensator, const OperationOptions& options) {
+        return driveParameters(compensator, store, options);
     };
-    whenDone(m_drives.connection()->session().run<CompensationParameters>(ask, m_stop.get_token()),
-        this, [this, number = m_number](const Result<CompensationParameters>& parameters) {
+    whenDone(session.run<CompensationParameters>(ask, m_stop.get_token()), this,
+        [this, number = m_number](const Result<CompensationParameters>& parameters) {
             if (number != m_number)
                 return;
             m_parameters = parameters;

@@ -12,7 +12,7 @@ struct Outcome {
     QString text;
     bool isError = false;
     QString detail; ///< for the log
-    bool isWarning = false; ///< not of an operation: something else has happened to the axis
+    bool isWarning = false; ///< nothing has failed, but the axis is not as it should be
 };
 
 [[nodiscard]] Outcome writeOutcome(const Result<WriteReport>& report);

@@ -33,7 +33,12 @@ Result<ExitCode> runBackup(Environment& environment, const BackupOptions& option
     AXISCOMP_CHECK(checkOutput(environment, output, true));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
-            AXISCOMP_TRY(const auto backup, session.compensator().backup(session.operation()));
+            AXISCOMP_TRY(const auto rescue,
+                backUpDrive(session.compensator(), session.storeRoot(), session.operation()));
+            environment.console().clearProgress();
+            for (const Error& doubt : rescue.doubts)
+                environment.warn(sentence(doubt));
+            const DriveBackup& backup = rescue.backup;
             const std::string text = writeBackup(backup);
             AXISCOMP_CHECK(writeOutput(environment, output, asBytes(text)));
             environment.document({{"output", options.file}, {"axes", backup.axes.size()},
@@ -92,6 +97,9 @@ Result<ShownPlans> showPlans(
     environment.console().clearProgress();
     ShownPlans shown;
     for (const WritePlan& plan : planned.axes) {
+        // It may be restored all the same: that ends what did not end.
+        if (const auto settled = settledStatus(environment, session, plan.axis); !settled)
+            environment.warn(sentence(settled.error()));
         shown.plans.push_back(toJson(plan));
         if (!plan.changes.empty())
             environment.print((shown.plans.size() > 1 ? "\n" : "")

@@ -108,7 +108,8 @@ Result<ExitCode> runExport(Environment& environment, const ConfigOptions& option
         return withDrive(environment, options.drive,
             [&](Environment& same, CommandSession& session) -> Result<ExitCode> {
                 AXISCOMP_TRY(const auto parameters,
-                    driveParameters(session.compensator(), session.operation()));
+                    driveParameters(
+                        session.compensator(), session.storeRoot(), session.operation()));
                 same.console().clearProgress();
                 return exportParameters(same, options, session.profile(), parameters);
             });

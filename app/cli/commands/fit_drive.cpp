@@ -15,7 +15,8 @@ Result<AxisTables> tablesOfAxis(
     Environment& environment, CommandSession& session, int axis, const std::string& unit)
 {
     AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
-    AXISCOMP_TRY(auto table, session.compensator().readDescribedTable(axis, session.operation()));
+    AXISCOMP_TRY(
+        auto table, session.compensator().readDescribedTable(settled.status, session.operation()));
     const DriveStore store(session.storeRoot());
     AXISCOMP_TRY(auto tables,
         axiscomp::tablesOfAxis(axisOfDrive(settled.status, session.profile()), std::move(table),

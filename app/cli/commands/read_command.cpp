@@ -13,7 +13,6 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
-#include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 
 #include <filesystem>
@@ -37,18 +36,13 @@ struct ReadTable {
 /// A table file is handed out byte by byte as the drive has it.
 Result<ReadTable> readAsTamTable(CommandSession& session, const AxisStatus& status)
 {
-    const TableSlot* const slot = session.profile().slotNamed(status.setup.slot);
-    if (!slot || !status.table)
-        return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
-    AXISCOMP_TRY(auto bytes, session.compensator().download(slot->file, session.operation()));
-    AXISCOMP_TRY(auto decoded, decodeTamTable(bytes, session.profile().layout));
-    return ReadTable{std::move(decoded.table), std::move(bytes)};
+    AXISCOMP_TRY(auto held, session.compensator().readHeldTable(status, session.operation()));
+    return ReadTable{std::move(held.table), std::move(held.file)};
 }
 
 Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 {
-    AXISCOMP_TRY(auto table,
-        session.compensator().readDescribedTable(status.axis.index, session.operation()));
+    AXISCOMP_TRY(auto table, session.compensator().readDescribedTable(status, session.operation()));
     nameParts(table);
     CalibrationData data{table.grid, {table}, lookupNotes(status, session.profile())};
     data.notes.insert(data.notes.begin(),
@@ -63,8 +57,7 @@ Result<ReadTable> readAsCsv(CommandSession& session, const AxisStatus& status)
 Result<ReadTable> readAsOther(Environment& environment, CommandSession& session,
     const AxisStatus& status, const ReadOptions& options, const TableFormat& to)
 {
-    AXISCOMP_TRY(auto table,
-        session.compensator().readDescribedTable(status.axis.index, session.operation()));
+    AXISCOMP_TRY(auto table, session.compensator().readDescribedTable(status, session.operation()));
     const NeutralTable tables[] = {neutralTable({table.grid, {table}, {}})};
     AXISCOMP_TRY(auto request,
         conversionRequest(options.conversion, tam_table::format(), to, table.grid.axes.size()));

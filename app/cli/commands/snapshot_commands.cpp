@@ -45,8 +45,8 @@ Result<DriveSnapshot> snapshotOf(
     Environment& environment, const DriveOptions& options, const std::string& endpoint)
 {
     AXISCOMP_TRY(const auto session, CommandSession::open(environment, options, endpoint));
-    return snapshotDrive(session->compensator(), session->profile(), shownEndpoint(endpoint),
-        session->quietOperation());
+    return snapshotDrive(session->compensator(), session->profile(), session->storeRoot(),
+        shownEndpoint(endpoint), session->quietOperation());
 }
 
 /// All of them, or none: a machine file without one of its drives would be another machine.

@@ -99,10 +99,11 @@ struct Fixture {
         return box.run({"status", "--drive", url, "--axis", "0", "--json"});
     }
     /// Starts the new write and returns when so many of its steps have ended.
-    [[nodiscard]] std::unique_ptr<QProcess> startWrite(const QString& url, int steps) const
+    [[nodiscard]] std::unique_ptr<QProcess> startWrite(
+        const QString& url, int steps, const QStringList& more = {}) const
     {
         auto process =
-            box.start(test::axiscompProgram(), writeArguments(url, "new.csv", newSource));
+            box.start(test::axiscompProgram(), writeArguments(url, "new.csv", newSource) + more);
         QByteArray said;
         while (said.count("  ok ") < steps && process->waitForReadyRead(test::patienceMs))
             said += process->readAllStandardOutput();
@@ -248,6 +249,37 @@ private Q_SLOTS:
         const ProgramRun again = bench.box.run(recover + QStringList{option});
         VERIFY_CODE(again, 0);
         QVERIFY2(again.json().value("unfinishedWrite").isNull(), again.text().constData());
+    }
+
+    /// In the slot of the old table, which the axis does not use until the new one is there.
+    void halfOfAWriteIsNoStateToKeep()
+    {
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
+        QVERIFY(slow.isReady());
+        const QString url = slow.url();
+        const QString slot = bench.status(url).json().value("slot").toString();
+        const auto process = bench.startWrite(url, 4, {"--slot", slot});
+        process->kill();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        const ProgramRun status = bench.status(url);
+        QCOMPARE(status.json().value("unfinishedWrite").toObject().value("driveHolds").toString(),
+            QStringLiteral("Neither"));
+        const ProgramRun snapshot = bench.box.run({"snapshot", "--drive", url, "-o", "folder"});
+        VERIFY_CODE(snapshot, 6);
+        QVERIFY2(snapshot.err.contains("axiscomp recover --undo"), snapshot.err.constData());
+        QVERIFY(!QFile::exists(bench.box.path("folder")));
+        const QByteArray half = "warning: a write that did not end has left axis 0 in neither";
+        const ProgramRun backup = bench.box.run({"backup", "--drive", url, "-o", "drive.json"});
+        VERIFY_CODE(backup, 0);
+        QVERIFY2(backup.err.startsWith(half), backup.err.constData());
+        QVERIFY(!bench.box.content("drive.json").isEmpty());
+        const ProgramRun restore =
+            bench.box.run({"restore", "drive.json", "--drive", url, "--dry-run"});
+        QVERIFY2(restore.err.contains("did not end"), restore.err.constData());
+        VERIFY_CODE(bench.box.run({"recover", "--drive", url, "--axis", "0", "--undo"}), 0);
+        QVERIFY(stateOf(bench.status(url).json()) == bench.before);
+        VERIFY_CODE(bench.box.run({"snapshot", "--drive", url, "-o", "folder"}), 0);
     }
 
     void killedDriveIsExplainedByTheNextRun_data() { addSteps(); }

@@ -21,7 +21,7 @@ struct Fixture : CompensatorFixture {
             QVERIFY(compensator.write(axis, exampleRequest(axis + 1, persistency)).has_value());
             old.push_back(state(axis));
         }
-        parameters = driveParameters(compensator).value_or(CompensationParameters{});
+        parameters = driveParameters(compensator, storeRoot()).value_or(CompensationParameters{});
         WriteRequest none;
         none.withoutTable = true;
         none.sources = {"", "", ""};

@@ -293,8 +293,8 @@ private Q_SLOTS:
         request.table->grid.axes[0].start = -1361.0;
         request.table->grid.axes[0].distance = 0.1 + 1e-13;
         VERIFY_RESULT(machine.bench.compensator.write(0, request));
-        const auto snapshot =
-            snapshotDrive(machine.bench.compensator, drivecomm::genericProfile(), "demo:", {});
+        const auto snapshot = snapshotDrive(machine.bench.compensator, drivecomm::genericProfile(),
+            machine.context.storeRoot, "demo:", {});
         VERIFY_RESULT(snapshot);
         const MachineAxis& axis = snapshot->drive.axes.at(0);
         QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
@@ -309,8 +309,8 @@ private Q_SLOTS:
         WriteRequest request = test::exampleRequest();
         for (const int axis : {0, 1})
             VERIFY_RESULT(bench.compensator.write(axis, request));
-        const auto snapshot =
-            snapshotDrive(bench.compensator, drivecomm::genericProfile(), "demo:", {});
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), bench.storeRoot(), "demo:", {});
         VERIFY_RESULT(snapshot);
         QCOMPARE(snapshot->drive.axes.size(), std::size_t{2});
         QCOMPARE(snapshot->drive.axes.at(1).axis, std::string("index:1"));

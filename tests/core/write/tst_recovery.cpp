@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compensator/axis_operations.h"
+#include "core/compensator/configuration_transfer.h"
 #include "core/io/local_file.h"
+#include "core/machine/snapshot.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/moments.h"
 #include "tests/support/test_registry.h"
@@ -672,6 +674,46 @@ private Q_SLOTS:
         QVERIFY(sentence(refused.error()).find('{') == std::string::npos);
     }
 
+    void halfOfAWriteIsNotKeptAsTheStateOfAnAxis()
+    {
+        Interrupted c;
+        const auto old = backUpDrive(c.compensator, c.storeRoot(), {});
+        VERIFY_RESULT(old); // the complete old state
+        QVERIFY(old->doubts.empty());
+        VERIFY_RESULT(driveParameters(c.compensator, c.storeRoot()));
+        VERIFY_RESULT(snapshotOf(c));
+        const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.old.registers[0]);
+        VERIFY_RESULT(c.drive.upload(slot->file,
+            *encodeTamTable(exampleTable(2, 9), true, drivecomm::genericProfile().layout)));
+        VERIFY_ERROR(driveParameters(c.compensator, c.storeRoot()), ErrorCode::VerifyMismatch);
+        const auto refused = snapshotOf(c);
+        VERIFY_ERROR(refused, ErrorCode::VerifyMismatch);
+        const std::string said = sentence(refused.error());
+        QVERIFY(said.find("axis 0 in neither") != std::string::npos);
+        QVERIFY(said.find("axiscomp recover --undo") != std::string::npos);
+        QVERIFY(said.find('{') == std::string::npos);
+        // What is left can be rescued all the same.
+        const auto rescue = backUpDrive(c.compensator, c.storeRoot(), {});
+        VERIFY_RESULT(rescue);
+        QCOMPARE(rescue->doubts.size(), std::size_t{1});
+        QVERIFY(rescue->doubts.front().code == ErrorCode::VerifyMismatch);
+        QVERIFY(rescue->backup.axes.front().files.front().bytes
+            == c.drive.download(slot->file).value_or(Bytes{}));
+    }
+
+    void whatAnotherProgramIsWritingIsNotKeptAsTheStateOfAnAxis()
+    {
+        Interrupted c;
+        const auto lock = c.store.lockWrites(4711);
+        VERIFY_RESULT(lock);
+        VERIFY_ERROR(driveParameters(c.compensator, c.storeRoot()), ErrorCode::ChangedMeanwhile);
+        VERIFY_ERROR(snapshotOf(c), ErrorCode::ChangedMeanwhile);
+        const auto rescue = backUpDrive(c.compensator, c.storeRoot(), {});
+        VERIFY_RESULT(rescue);
+        QCOMPARE(rescue->doubts.size(), std::size_t{1});
+        QVERIFY(rescue->doubts.front().code == ErrorCode::ChangedMeanwhile);
+    }
+
     void aFailedWriteOverAnUnfinishedOneForgetsNothing()
     {
         Interrupted c;
@@ -684,6 +726,11 @@ private Q_SLOTS:
     }
 
 private:
+    static Result<DriveSnapshot> snapshotOf(CompensatorFixture& c)
+    {
+        return snapshotDrive(
+            c.compensator, drivecomm::genericProfile(), c.storeRoot(), "demo:", {});
+    }
     static QStringList keptTables(const Begun& c)
     {
         const QDir folder(c.folder.path() + QStringLiteral("/axiscomp/4711"));

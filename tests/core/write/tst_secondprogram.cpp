@@ -3,6 +3,8 @@
 // Two programs on two computers, which share no lock. An operation is run once to find its first
 // change of the drive; then again for every exchange before that, with a second program that
 // changes something just before it. Nothing of what the second one did may be lost.
+#include "core/compensator/axis_operations.h"
+#include "core/machine/snapshot.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -283,13 +285,7 @@ private Q_SLOTS:
         int noticed = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
             Case c(Persistency::Volatile);
-            WriteRequest request = inPlace(Persistency::Volatile);
-            std::swap(request.sources[0], request.sources[1]);
-            c.link.actBefore(exchange, [&] {
-                const auto link = drivecomm::makeDirectLink(c.drive);
-                AxisCompensator second(*link, drivecomm::genericProfile(), c.store);
-                VERIFY_RESULT(second.write(0, request));
-            });
+            c.link.actBefore(exchange, [&c] { writeOther(c); });
             const auto backup = c.compensator.backup();
             const QByteArray where = "exchange " + QByteArray::number(exchange);
             if (!backup) {
@@ -304,7 +300,165 @@ private Q_SLOTS:
         QVERIFY(noticed > 0);
     }
 
+    /// Whoever has the status says with it at which positions the table is looked up.
+    void aTableIsOfTheStateThatItIsReadFor()
+    {
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            const auto status = c.compensator.status(0);
+            VERIFY_RESULT(status);
+            c.link.actBefore(exchange, [&c] { writeOther(c); });
+            const int begin = c.link.exchanges();
+            const auto table = c.compensator.readDescribedTable(*status);
+            isOver = c.link.exchanges() - begin < exchange;
+            if (table) {
+                QVERIFY2(table->values == exampleTable(2, 1).values,
+                    "exchange " + QByteArray::number(exchange));
+                continue;
+            }
+            ++noticed;
+            VERIFY_ERROR(table, ErrorCode::ChangedMeanwhile);
+        }
+        QVERIFY(noticed > 1);
+    }
+
+    /// The table itself stays as it is.
+    void aTableOfOtherSourcesIsNoticed()
+    {
+        Case c(Persistency::Volatile);
+        const auto status = c.compensator.status(0);
+        VERIFY_RESULT(status);
+        VERIFY_RESULT(c.compensator.checkUnchanged(*status));
+        VERIFY_RESULT(c.compensator.write(0, keepingTable(Persistency::Volatile)));
+        VERIFY_ERROR(c.compensator.readTable(*status), ErrorCode::ChangedMeanwhile);
+        VERIFY_ERROR(c.compensator.readHeldTable(*status), ErrorCode::ChangedMeanwhile);
+    }
+
+    void aTableThatHasGoneMeanwhileIsNoticed()
+    {
+        Case c(Persistency::Volatile);
+        const auto status = c.compensator.status(0);
+        VERIFY_RESULT(status);
+        VERIFY_RESULT(c.compensator.write(0, deletionRequest()));
+        VERIFY_ERROR(c.compensator.readTable(*status), ErrorCode::ChangedMeanwhile);
+    }
+
+    void aTableThatWasThereForAMomentIsNotTakenForTheOneThatIs()
+    {
+        Case c(Persistency::Volatile);
+        const auto status = c.compensator.status(0);
+        VERIFY_RESULT(status);
+        const std::string file = drivecomm::genericProfile().slotNamed("Small1")->file;
+        const Bytes own = c.drive.download(file).value_or(Bytes{});
+        const Bytes other =
+            *encodeTamTable(exampleTable(2, 8), false, drivecomm::genericProfile().layout);
+        c.link.beginning = [&](std::string_view what) {
+            if (what == "download")
+                VERIFY_RESULT(c.drive.upload(file, other));
+            if (what == "identify")
+                VERIFY_RESULT(c.drive.upload(file, own));
+        };
+        VERIFY_ERROR(c.compensator.readTable(*status), ErrorCode::ChangedMeanwhile);
+        c.link.beginning = {};
+        VERIFY_RESULT(c.compensator.readTable(*status));
+    }
+
+    void aSnapshotIsOfOneState()
+    {
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            const auto old = snapshotOf(c);
+            VERIFY_RESULT(old);
+            c.link.actBefore(exchange, [&c] { writeOther(c); });
+            const int begin = c.link.exchanges();
+            const auto snapshot = snapshotOf(c);
+            isOver = c.link.exchanges() - begin < exchange;
+            if (!snapshot) {
+                ++noticed;
+                VERIFY_ERROR(snapshot, ErrorCode::ChangedMeanwhile);
+                continue;
+            }
+            const auto now = snapshotOf(c);
+            VERIFY_RESULT(now);
+            QVERIFY2(isSame(*snapshot, *old) || isSame(*snapshot, *now),
+                "exchange " + QByteArray::number(exchange));
+        }
+        QVERIFY(noticed > 1);
+    }
+
+    /// Half of a write of another computer, which ends before the exchange.
+    void whatWasThereForAMomentIsNotKept()
+    {
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            c.set(axis0 + "Table", std::string("Disabled"));
+            c.link.actBefore(exchange, [&c] { c.set(axis0 + "Table", std::string("Small1")); });
+            const int begin = c.link.exchanges();
+            const auto status = wholeStatus(c.compensator, c.storeRoot(), 0, {});
+            isOver = c.link.exchanges() - begin < exchange;
+            if (isOver || (status && status->setup.slot == "Small1"))
+                continue;
+            ++noticed;
+            VERIFY_ERROR(status, ErrorCode::ChangedMeanwhile);
+        }
+        QVERIFY(noticed > 0);
+    }
+
+    /// One that begins after the axes were looked at.
+    void aBackupOfAMomentIsNotKept()
+    {
+        Case whole(Persistency::Volatile);
+        const auto kept = backUpDrive(whole.compensator, whole.storeRoot(), {});
+        VERIFY_RESULT(kept);
+        QVERIFY(kept->doubts.empty());
+        const int start = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.axes());
+        VERIFY_RESULT(whole.compensator.status(0));
+        const int looked = whole.link.exchanges() - start; // exchanges until the axis is known
+        int noticed = 0;
+        bool isOver = false;
+        for (int exchange = 1; !isOver; ++exchange) {
+            Case c(Persistency::Volatile);
+            c.link.actBefore(exchange, [&c] { c.set(axis0 + "Table", std::string("Disabled")); });
+            const int begin = c.link.exchanges();
+            const auto rescue = backUpDrive(c.compensator, c.storeRoot(), {});
+            isOver = c.link.exchanges() - begin < exchange;
+            if (!rescue) {
+                ++noticed;
+                VERIFY_ERROR(rescue, ErrorCode::ChangedMeanwhile);
+                continue;
+            }
+            QVERIFY2(!rescue->backup.axes.front().files.empty() || exchange <= looked,
+                "exchange " + QByteArray::number(exchange));
+        }
+        QVERIFY(noticed > 3);
+    }
+
 private:
+    /// Another table, in the slot of the old one, and the sources in another order.
+    static void writeOther(Case& c)
+    {
+        WriteRequest request = inPlace(Persistency::Volatile);
+        std::swap(request.sources[0], request.sources[1]);
+        const auto link = drivecomm::makeDirectLink(c.drive);
+        AxisCompensator second(*link, drivecomm::genericProfile(), c.store);
+        VERIFY_RESULT(second.write(0, request));
+    }
+    static Result<DriveSnapshot> snapshotOf(Case& c)
+    {
+        return snapshotDrive(
+            c.compensator, drivecomm::genericProfile(), c.storeRoot(), "demo:", {});
+    }
+    static bool isSame(const DriveSnapshot& a, const DriveSnapshot& b)
+    {
+        return a.files == b.files && a.drive.axes.front().sources == b.drive.axes.front().sources;
+    }
     static bool changesTheAxis(const Operation& operation)
     {
         return std::string_view(operation.name) != "plain upload"
