@@ -182,6 +182,8 @@ public:
     /// All of it is planned first (planRestore). Then a normal verified write per axis, and the
     /// tables that no axis uses, as upload does it; at the end all of it is compared once more.
     /// Errors: those of planRestore, write and upload; SlotInUse, also by an axis after a reboot.
+    /// Of one in the middle the context has `written` and `notWritten`, the names of axes and the
+    /// slots of those tables, and the axis (`ofAxis`); `lost`: all was written, and is not there.
     [[nodiscard]] Result<RestoreReport> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 

@@ -73,6 +73,10 @@ struct AxisCompensator::Private {
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
     [[nodiscard]] Result<PlannedFile> planFile(
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    /// turn: which axis or, after these, which file is being written.
+    [[nodiscard]] Result<RestoreReport> restoreAll(const RegisterAccess& access,
+        const DriveIdentity& drive, const DriveBackup& backup,
+        const std::vector<AxisBackup::File>& files, std::size_t& turn);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
         const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
         const std::vector<AxisBackup::File>& files);
