@@ -93,7 +93,7 @@ public:
 
     /// Reads and checks, changes nothing. Errors: SourceMissing, SourceSurplus, SourceRepeated,
     /// SourceMismatch, TargetMismatch, DimensionMismatch, TableTooLarge, SlotNotFound, SlotInUse,
-    /// NoTable, CompensationActive, FlashWear, ChangedMeanwhile.
+    /// NoTable, FlashWear, ChangedMeanwhile; CompensationActive unless the axis has all of it.
     [[nodiscard]] Result<WritePlan> plan(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// The same while the compensation is active, too: how the axis differs from what was asked

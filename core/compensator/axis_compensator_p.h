@@ -61,6 +61,10 @@ struct AxisCompensator::Private {
 
     [[nodiscard]] Result<void> checkFlash(const DriveIdentity& drive, int operations, int reserve);
 
+    /// isUnfinished: an earlier write did not end, and the next one ends it.
+    [[nodiscard]] Result<PreparedWrite> prepare(const RegisterAccess& access,
+        const DriveIdentity& drive, int axis, const WriteRequest& request, bool isUnfinished);
+
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
         const DriveIdentity& drive, int axis, const WriteRequest& request);

@@ -641,6 +641,40 @@ private Q_SLOTS:
         QVERIFY(failures[""] > 3 && failures["X"] > 3 && failures["X, Y"] > 0);
     }
 
+    void anActiveAxisThatHasEverythingIsNoObstacle()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(8)));
+        VERIFY_RESULT(f.compensator.activate(0));
+        const WriteRequest same = exampleRequest(1, Persistency::Persistent);
+        QVERIFY(f.compensator.plan(0, same)->changes.empty());
+        VERIFY_ERROR(f.compensator.write(0, same), ErrorCode::NothingToWrite);
+        const auto restored = f.compensator.restore(*backup, false);
+        VERIFY_RESULT(restored);
+        QCOMPARE(restored->axes.size(), std::size_t{1});
+        QCOMPARE(f.compensator.readTable(1)->values, exampleTable(2, 2).values);
+        QVERIFY(f.compensator.status(0)->isOn());
+
+        // Parameters are saved all the same, and what differs is written: neither while it is on.
+        f.link.forgetChange();
+        VERIFY_ERROR(f.compensator.setPersistency(0, Persistency::Persistent),
+            ErrorCode::CompensationActive);
+        WriteRequest saving;
+        saving.dimensionality = 2;
+        saving.persistency = Persistency::Persistent;
+        VERIFY_ERROR(f.compensator.plan(0, saving), ErrorCode::CompensationActive);
+        WriteRequest other = same;
+        std::swap(other.sources[0], other.sources[1]);
+        VERIFY_ERROR(f.compensator.plan(0, other), ErrorCode::CompensationActive);
+        other.dimensionality = 1; // whatever else is wrong with it
+        VERIFY_ERROR(f.compensator.plan(0, other), ErrorCode::CompensationActive);
+        QCOMPARE(f.link.firstChange(), 0);
+    }
+
     /// The second axis cannot be restored: the first one is not begun.
     void aDriveOfWhichOneAxisCannotBeRestoredIsNotChanged()
     {
