@@ -15,6 +15,17 @@
 
 namespace axiscomp {
 
+namespace {
+
+/// A persistent table whose parameters may not have been saved yet still has to be.
+bool onlySaves(const WriteRequest& request)
+{
+    return !request.table && request.sources.empty()
+        && request.persistency == Persistency::Persistent;
+}
+
+} // namespace
+
 AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, DriveStore& store,
     std::function<WallTime()> clock)
     : d(new Private{link, profile, store, std::move(clock), {}})
@@ -85,8 +96,8 @@ Result<WritePlan> AxisCompensator::plan(
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
-    AXISCOMP_TRY(auto prepared,
-        WritePlanner(access, d->store, d->sources, drive, d->clock()).prepare(axis, request));
+    AXISCOMP_TRY(const auto unfinished, d->store.journal(drive.serialNumber, axis));
+    AXISCOMP_TRY(auto prepared, d->prepare(access, drive, axis, request, unfinished.has_value()));
     return prepared.plan;
 }
 
@@ -113,16 +124,21 @@ Result<WriteReport> AxisCompensator::write(
     return d->write(access, drive, axis, request);
 }
 
+/// Where something is written although nothing differs the compensation has to be off.
+Result<PreparedWrite> AxisCompensator::Private::prepare(const RegisterAccess& access,
+    const DriveIdentity& drive, int axis, const WriteRequest& request, bool isUnfinished)
+{
+    WritePlanner planner(access, store, sources, drive, clock());
+    return isUnfinished || onlySaves(request) ? planner.prepare(axis, request)
+                                              : planner.prepareChanges(axis, request);
+}
+
 Result<WriteReport> AxisCompensator::Private::write(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, const WriteRequest& request)
 {
-    AXISCOMP_TRY(
-        auto prepared, WritePlanner(access, store, sources, drive, clock()).prepare(axis, request));
-    // A persistent table whose parameters may not have been saved yet still has to be.
-    const bool onlySaves =
-        !request.table && request.sources.empty() && request.persistency == Persistency::Persistent;
     AXISCOMP_TRY(auto unfinished, store.journal(drive.serialNumber, axis));
-    if (prepared.plan.changes.empty() && !onlySaves && !unfinished)
+    AXISCOMP_TRY(auto prepared, prepare(access, drive, axis, request, unfinished.has_value()));
+    if (prepared.plan.changes.empty() && !onlySaves(request) && !unfinished)
         return fail(ErrorCode::NothingToWrite, {{"axis", axis}});
     AXISCOMP_CHECK(checkLargeAccepted(prepared.plan, request));
     // What an interrupted deletion has left to do is its end, and not another one.

@@ -99,7 +99,7 @@ public:
 
     /// Reads and checks, changes nothing. Errors: SourceMissing, SourceSurplus, SourceRepeated,
     /// SourceMismatch, TargetMismatch, DimensionMismatch, TableTooLarge, SlotNotFound, SlotInUse,
-    /// NoTable, CompensationActive, FlashWear, ChangedMeanwhile.
+    /// NoTable, FlashWear, ChangedMeanwhile; CompensationActive unless the axis has all of it.
     [[nodiscard]] Result<WritePlan> plan(
         int axis, const WriteRequest& request, const OperationOptions& options = {});
     /// The same while the compensation is active, too: how the axis differs from what was asked
@@ -202,6 +202,8 @@ public:
     /// All of it is planned first (planRestore). Then a normal verified write per axis, and the
     /// tables that no axis uses, as upload does it; at the end all of it is compared once more.
     /// Errors: those of planRestore, write and upload; SlotInUse, also by an axis after a reboot.
+    /// Of one in the middle the context has `written` and `notWritten`, the names of axes and the
+    /// slots of those tables, and the axis (`ofAxis`); `lost`: all was written, and is not there.
     [[nodiscard]] Result<RestoreReport> restore(
         const DriveBackup& backup, bool force, const OperationOptions& options = {});
 

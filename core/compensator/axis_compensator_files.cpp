@@ -13,6 +13,18 @@ namespace axiscomp {
 
 namespace {
 
+/// What is restored, in the order in which it is written.
+std::vector<std::string> namesOf(
+    const DriveBackup& backup, const std::vector<AxisBackup::File>& files)
+{
+    std::vector<std::string> names;
+    for (const AxisBackup& axis : backup.axes)
+        names.push_back(axis.axisName.empty() ? std::to_string(axis.axis) : axis.axisName);
+    for (const AxisBackup::File& file : files)
+        names.push_back(file.slot);
+    return names;
+}
+
 Result<TableSlot> knownSlot(const DriveProfile& profile, const std::string& name)
 {
     if (const TableSlot* slot = profile.slotNamed(name))
@@ -143,27 +155,46 @@ Result<RestoreReport> AxisCompensator::restore(
     // Nothing is begun that cannot be ended.
     AXISCOMP_TRY(const auto plans, planRestore(backup, force, options));
     const std::vector<AxisBackup::File> files = filesBesides(backup, plans.axes);
+    std::size_t turn = 0;
+    auto done = d->restoreAll(access, drive, backup, files, turn);
+    if (done)
+        return done;
+    const std::vector<std::string> names = namesOf(backup, files);
+    Error error = ofSeveral(std::move(done).error(), names, turn);
+    if (turn < backup.axes.size())
+        error.context.set("ofAxis", backup.axes[turn].axis);
+    if (turn == names.size())
+        error.context.set("lost", Verbatim{"yes"});
+    return fail(std::move(error));
+}
+
+Result<RestoreReport> AxisCompensator::Private::restoreAll(const RegisterAccess& access,
+    const DriveIdentity& drive, const DriveBackup& backup,
+    const std::vector<AxisBackup::File>& files, std::size_t& turn)
+{
     RestoreReport done;
     std::vector<AxisStatus> restored;
     for (const AxisBackup& axis : backup.axes) {
-        AXISCOMP_TRY(auto request, restoreRequest(access, d->sources, axis));
+        AXISCOMP_TRY(auto request, restoreRequest(access, sources, axis));
         request.acceptsLarge = true; // the drive had it
-        auto report = d->write(access, drive, axis.axis, request);
+        auto report = write(access, drive, axis.axis, request);
         const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
         if (!report && !isThere)
             return fail(report.error());
         AXISCOMP_TRY(
-            auto now, isThere ? readStatus(access, drive, axis.axis, d->sources) : report->now);
+            auto now, isThere ? readStatus(access, drive, axis.axis, sources) : report->now);
         restored.push_back(std::move(now));
         if (report)
             done.axes.push_back(std::move(*report));
+        ++turn;
     }
     for (const AxisBackup::File& file : files) {
-        AXISCOMP_TRY(const bool isWritten, d->restoreFile(access, drive, file));
+        AXISCOMP_TRY(const bool isWritten, restoreFile(access, drive, file));
         if (isWritten)
             done.files.push_back(file);
+        ++turn;
     }
-    AXISCOMP_CHECK(d->checkRestored(access, drive, restored, files));
+    AXISCOMP_CHECK(checkRestored(access, drive, restored, files));
     return done;
 }
 

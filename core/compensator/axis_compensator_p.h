@@ -61,6 +61,10 @@ struct AxisCompensator::Private {
 
     [[nodiscard]] Result<void> checkFlash(const DriveIdentity& drive, int operations, int reserve);
 
+    /// isUnfinished: an earlier write did not end, and the next one ends it.
+    [[nodiscard]] Result<PreparedWrite> prepare(const RegisterAccess& access,
+        const DriveIdentity& drive, int axis, const WriteRequest& request, bool isUnfinished);
+
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
         const DriveIdentity& drive, int axis, const WriteRequest& request);
@@ -73,6 +77,10 @@ struct AxisCompensator::Private {
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
     [[nodiscard]] Result<PlannedFile> planFile(
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
+    /// turn: which axis or, after these, which file is being written.
+    [[nodiscard]] Result<RestoreReport> restoreAll(const RegisterAccess& access,
+        const DriveIdentity& drive, const DriveBackup& backup,
+        const std::vector<AxisBackup::File>& files, std::size_t& turn);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
         const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
         const std::vector<AxisBackup::File>& files);

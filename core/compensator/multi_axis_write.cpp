@@ -81,6 +81,17 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     return plans;
 }
 
+Error ofSeveral(Error error, std::span<const std::string> names, std::size_t failed)
+{
+    const bool isOpen =
+        error.code == ErrorCode::OutcomeUnknown || error.code == ErrorCode::RollbackFailed;
+    const auto written = names.first(failed);
+    const auto notWritten = names.subspan(std::min(names.size(), failed + (isOpen ? 1 : 0)));
+    error.context.set("written", std::vector(written.begin(), written.end()));
+    error.context.set("notWritten", std::vector(notWritten.begin(), notWritten.end()));
+    return error;
+}
+
 void FlashSum::add(int operations, int reserve)
 {
     m_changes += operations > 0 ? 1 : 0;

@@ -26,6 +26,11 @@ struct AxisWrite {
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
 
+/// The error of one of several changes that are made one after the other, with what the others have
+/// come to: `written` and `notWritten`, by their names. One that may have left anything is in
+/// neither. failed: its place in names; as many as there are: an error after all of them.
+[[nodiscard]] Error ofSeveral(Error error, std::span<const std::string> names, std::size_t failed);
+
 /// Flash operations of changes that are made one after the other.
 class FlashSum {
 public:

@@ -125,6 +125,16 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     return decide(request);
 }
 
+Result<PreparedWrite> WritePlanner::prepareChanges(int axis, const WriteRequest& request)
+{
+    AXISCOMP_CHECK(readAxis(axis));
+    auto prepared = decide(request);
+    const bool hasAll = prepared && prepared->plan.changes.empty();
+    if (m_status.isOn() && !hasAll)
+        return fail(compensationActive(m_status));
+    return prepared;
+}
+
 Result<WritePlan> WritePlanner::compare(int axis, const WriteRequest& request)
 {
     AXISCOMP_CHECK(readAxis(axis));

@@ -43,6 +43,8 @@ public:
     }
 
     [[nodiscard]] Result<PreparedWrite> prepare(int axis, const WriteRequest& request);
+    /// The same, but for an axis that has all of it already: its compensation may be on.
+    [[nodiscard]] Result<PreparedWrite> prepareChanges(int axis, const WriteRequest& request);
     /// What prepare would find if the compensation were off, which it need not be.
     [[nodiscard]] Result<WritePlan> compare(int axis, const WriteRequest& request);
 

@@ -145,8 +145,11 @@ Result<ExitCode> runRestore(Environment& environment, const BackupOptions& optio
             const auto done =
                 session.compensator().restore(backup, options.force, session.operation());
             environment.console().clearProgress();
-            if (!done)
-                return fail(done.error());
+            if (!done) {
+                Error error = withHeld(environment, done.error());
+                noteWritten(environment, error);
+                return fail(std::move(error));
+            }
             Json list = showRestored(environment, *done);
             environment.document({{"input", options.file}, {"plans", std::move(shown.plans)},
                 {"files", std::move(shown.files)}, {"writes", std::move(list)}});

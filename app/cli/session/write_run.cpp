@@ -52,45 +52,39 @@ Result<WriteReport> carryOut(
     if (report.error().code == ErrorCode::NothingToWrite)
         return report;
     log.failed();
-    Error error = report.error();
-    // Without the lock nothing was looked at: who has it is writing.
-    const bool isLockedOut = error.context.contains(DriveStore::missingLock);
-    const std::string_view held = isLockedOut ? "other" : driveHolds(error.code);
-    error.context.set("driveHolds", held);
-    if (held == "old")
-        environment.console().note("note: the drive holds the complete old state");
-    if (held == "other")
-        environment.console().note("note: nothing was written; see `axiscomp status` for what the "
-                                   "drive holds now");
-    return fail(std::move(error));
-}
-
-std::string axisList(std::span<const std::string> names)
-{
-    std::string list;
-    for (const std::string& name : names)
-        list += (list.empty() ? "" : ", ") + name;
-    return list;
-}
-
-/// The error of one of several writes, with what the others have come to. One whose own axis may
-/// hold anything is in neither list: driveHolds says it.
-Error ofSeveral(
-    Environment& environment, Error error, std::span<const std::string> names, std::size_t failed)
-{
-    const bool isOpen =
-        error.code == ErrorCode::OutcomeUnknown || error.code == ErrorCode::RollbackFailed;
-    const auto written = names.first(failed);
-    const auto notWritten = names.subspan(failed + (isOpen ? 1 : 0));
-    error.context.set("written", std::vector(written.begin(), written.end()));
-    error.context.set("notWritten", std::vector(notWritten.begin(), notWritten.end()));
-    if (failed > 0)
-        environment.console().note("note: written before the error: " + axisList(written)
-            + (notWritten.empty() ? "" : "; not written: " + axisList(notWritten)));
-    return error;
+    return fail(withHeld(environment, report.error()));
 }
 
 } // namespace
+
+Error withHeld(Environment& environment, Error error)
+{
+    // Without the lock nothing was looked at: who has it is writing.
+    const bool isLockedOut = error.context.contains(DriveStore::missingLock);
+    const bool isLost = error.context.contains("lost");
+    const std::string_view held = isLockedOut || isLost ? "other" : driveHolds(error.code);
+    error.context.set("driveHolds", held);
+    const bool isFirst = error.context.english("written").empty();
+    if (held == "old")
+        environment.console().note(isFirst ? "note: the drive holds the complete old state"
+                                           : "note: what failed has its complete old state");
+    if (isLost)
+        environment.console().note("note: all of it was written, but the drive may not hold it any "
+                                   "more; see `axiscomp status`");
+    else if (held == "other" && isFirst)
+        environment.console().note("note: nothing was written; see `axiscomp status` for what the "
+                                   "drive holds now");
+    return error;
+}
+
+void noteWritten(Environment& environment, const Error& error)
+{
+    const std::string written = error.context.english("written");
+    const std::string notWritten = error.context.english("notWritten");
+    if (!written.empty())
+        environment.console().note("note: written before the error: " + written
+            + (notWritten.empty() ? "" : "; not written: " + notWritten));
+}
 
 WriteInterruption::WriteInterruption(Environment& environment) : m_environment(environment)
 {
@@ -194,9 +188,13 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
         if (isDryRun)
             request.takenSlots = taken;
         auto outcome = writeAndReport(environment, session, writes[n].axis, request, isDryRun);
-        if (!outcome)
-            return fail(
-                isDryRun ? outcome.error() : ofSeveral(environment, outcome.error(), names, n));
+        if (!outcome && isDryRun)
+            return fail(outcome.error());
+        if (!outcome) {
+            Error error = ofSeveral(outcome.error(), names, n);
+            noteWritten(environment, error);
+            return fail(std::move(error));
+        }
         takeSlot(taken, plans[n]);
         documents.push_back(std::move(outcome->document));
     }

@@ -22,6 +22,11 @@ private:
     Environment& m_environment;
 };
 
+/// The error of a write with what the drive holds (`driveHolds`), of which people get a note.
+[[nodiscard]] Error withHeld(Environment& environment, Error error);
+/// Which of several were written before an error, as its context has it (core's ofSeveral).
+void noteWritten(Environment& environment, const Error& error);
+
 /// Prints a line for every step that has ended.
 class StepLog {
 public:

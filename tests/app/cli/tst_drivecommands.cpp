@@ -393,6 +393,31 @@ private Q_SLOTS:
         QCOMPARE(after.value("persistent"), before.value("persistent"));
     }
 
+    void aRestoreThatFailsInTheMiddleSaysWhatIsWritten()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        VERIFY_CODE(writeLine(box, drive), 0);
+        box.file("y.csv", "Y,E\n0,0.001\n50,0.003\n100,0.001\n");
+        VERIFY_CODE(box.run(with(drive,
+                        {"write", "--axis", "1", "--data", "y.csv", "--dims", "1", "--source1",
+                            test::positionSource(1)})),
+            0);
+        VERIFY_CODE(box.run(with(drive, {"backup", "-o", "b.json"})), 0);
+        // X is uploaded and switched over, then Y is uploaded.
+        const VirtualDriveProcess other(box, {"--fault", "stores-wrong=3"});
+        const ProgramRun run = box.run(with(other, {"restore", "b.json", "--force", "--json"}));
+        VERIFY_CODE(run, 6);
+        QVERIFY2(
+            run.err.contains("note: what failed has its complete old state"), run.err.constData());
+        QVERIFY2(run.err.contains("note: written before the error: X; not written: Y"),
+            run.err.constData());
+        const QJsonObject context =
+            run.json().value("error").toObject().value("context").toObject();
+        QCOMPARE(context.value("driveHolds").toString(), "old");
+        QCOMPARE(context.value("ofAxis").toInt(), 1);
+    }
+
     void aTableThatNoAxisUsesIsPlannedAndRestoredInWords()
     {
         const Sandbox box;

@@ -514,6 +514,9 @@ private Q_SLOTS:
         VERIFY_CODE(run, 4);
         QVERIFY2(run.err.startsWith("error: CompensationActive: "), run.err.constData());
         QCOMPARE(bench.status().value("table"), table);
+        const ProgramRun same = bench.write("first.csv");
+        VERIFY_CODE(same, 0);
+        QVERIFY2(same.out.contains("Nothing had to be written"), same.out.constData());
     }
 
     void persistencyIsChangedBothWays()

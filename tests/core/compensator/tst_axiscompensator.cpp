@@ -6,6 +6,9 @@
 
 #include <QTest>
 
+#include <map>
+#include <string>
+
 namespace tst_axiscompensator {
 
 using namespace axiscomp;
@@ -590,6 +593,86 @@ private Q_SLOTS:
         const auto status = f.compensator.status(0);
         QCOMPARE(status->setup.persistency, Persistency::Persistent);
         QCOMPARE(status->setup.sources[1].path, masterY);
+    }
+
+    void aRestoreThatFailsInTheMiddleSaysWhatIsWritten()
+    {
+        const auto prepared = [](CompensatorFixture& f) -> Result<DriveBackup> {
+            AXISCOMP_CHECK(f.compensator.write(0, exampleRequest(1)));
+            AXISCOMP_CHECK(f.compensator.write(1, exampleRequest(2)));
+            auto backup = f.compensator.backup();
+            AXISCOMP_CHECK(f.compensator.write(0, exampleRequest(7)));
+            AXISCOMP_CHECK(f.compensator.write(1, exampleRequest(8)));
+            return backup;
+        };
+        CompensatorFixture whole;
+        const auto original = prepared(whole);
+        VERIFY_RESULT(original);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.restore(*original, false));
+        const int exchanges = whole.link.exchanges() - begin;
+        std::map<std::string, int> failures; // by what was written
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            CompensatorFixture f;
+            const auto backup = prepared(f);
+            VERIFY_RESULT(backup);
+            f.link.failAt(exchange, test::LinkFault::Refused);
+            const auto restored = f.compensator.restore(*backup, false);
+            f.link.heal();
+            if (restored || !restored.error().context.contains("written"))
+                continue; // nothing was begun
+            const ErrorContext& context = restored.error().context;
+            const std::string written = context.english("written");
+            ++failures[written];
+            const bool isFirst = f.compensator.readTable(0)->values == exampleTable(2, 1).values;
+            const bool isSecond = f.compensator.readTable(1)->values == exampleTable(2, 2).values;
+            QCOMPARE(isFirst, !written.empty());
+            QCOMPARE(isSecond, written == "X, Y");
+            QCOMPARE(context.contains("lost"), written == "X, Y");
+            QCOMPARE(context.english("notWritten"),
+                std::string(written.empty() ? "X, Y"
+                        : written == "X"    ? "Y"
+                                            : ""));
+            QCOMPARE(context.english("ofAxis"),
+                std::string(written.empty() ? "0"
+                        : written == "X"    ? "1"
+                                            : ""));
+        }
+        QVERIFY(failures[""] > 3 && failures["X"] > 3 && failures["X, Y"] > 0);
+    }
+
+    void anActiveAxisThatHasEverythingIsNoObstacle()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(2)));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(8)));
+        VERIFY_RESULT(f.compensator.activate(0));
+        const WriteRequest same = exampleRequest(1, Persistency::Persistent);
+        QVERIFY(f.compensator.plan(0, same)->changes.empty());
+        VERIFY_ERROR(f.compensator.write(0, same), ErrorCode::NothingToWrite);
+        const auto restored = f.compensator.restore(*backup, false);
+        VERIFY_RESULT(restored);
+        QCOMPARE(restored->axes.size(), std::size_t{1});
+        QCOMPARE(f.compensator.readTable(1)->values, exampleTable(2, 2).values);
+        QVERIFY(f.compensator.status(0)->isOn());
+
+        // Parameters are saved all the same, and what differs is written: neither while it is on.
+        f.link.forgetChange();
+        VERIFY_ERROR(f.compensator.setPersistency(0, Persistency::Persistent),
+            ErrorCode::CompensationActive);
+        WriteRequest saving;
+        saving.dimensionality = 2;
+        saving.persistency = Persistency::Persistent;
+        VERIFY_ERROR(f.compensator.plan(0, saving), ErrorCode::CompensationActive);
+        WriteRequest other = same;
+        std::swap(other.sources[0], other.sources[1]);
+        VERIFY_ERROR(f.compensator.plan(0, other), ErrorCode::CompensationActive);
+        other.dimensionality = 1; // whatever else is wrong with it
+        VERIFY_ERROR(f.compensator.plan(0, other), ErrorCode::CompensationActive);
+        QCOMPARE(f.link.firstChange(), 0);
     }
 
     /// The second axis cannot be restored: the first one is not begun.
