@@ -8405,6 +8405,14 @@
         <source>columns separated by , or ;</source>
         <translation>durch , oder ; getrennte Spalten</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
+        <translation>ein Schreibvorgang, der nicht zu Ende kam, hat Achse {axis} weder im alten noch im neuen Zustand hinterlassen: was sich von ihr lesen lässt, ist ein halber Schreibvorgang. Diesen mit &apos;axiscomp recover --finish&apos; vollenden oder mit &apos;axiscomp recover --undo&apos; rückgängig machen. Der alte Zustand ist aufbewahrt in {backup}</translation>
+    </message>
+    <message>
+        <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
+        <translation>laut ihrem Namen ({table}) korrigieren die Werte der Tabelle {target}, aber bei Achse {axis} gilt: {role}; andere Tabelle oder Achse wählen oder, wenn es dennoch stimmt, die Tabelle zuerst aus ihrer Datei auf diese Achse schreiben und dabei die Zielachse als {statement} angeben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

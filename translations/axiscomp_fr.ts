@@ -8405,6 +8405,14 @@
         <source>columns separated by , or ;</source>
         <translation>des colonnes séparées par , ou&#xa0;;</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
+        <translation>une écriture interrompue a laissé l&apos;axe {axis} ni dans son ancien ni dans son nouvel état&#xa0;: ce qui peut en être lu n&apos;est que la moitié de cette écriture. L&apos;achever avec &apos;axiscomp recover --finish&apos;, ou l&apos;annuler avec &apos;axiscomp recover --undo&apos;. L&apos;ancien état est conservé dans {backup}</translation>
+    </message>
+    <message>
+        <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
+        <translation>selon son nom, {table}, les valeurs de la table corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre table ou un autre axe, ou, si c&apos;est malgré tout exact, écrire d&apos;abord la table sur cet axe à partir de son fichier en indiquant l&apos;axe cible par {statement}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

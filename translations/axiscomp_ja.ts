@@ -8364,6 +8364,14 @@
         <source>columns separated by , or ;</source>
         <translation>, または ; で区切られた列</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
+        <translation>未完了の書き込みにより、軸 {axis} は旧状態でも新状態でもありません。読み取れるのは途中までの書き込みです。&apos;axiscomp recover --finish&apos; で書き込みを完了するか、&apos;axiscomp recover --undo&apos; で取り消してください。旧状態は {backup} に保存されています</translation>
+    </message>
+    <message>
+        <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
+        <translation>テーブルの名前 {table} によると値は {target} を補正しますが、軸 {axis} では次のとおりです: {role}。テーブルまたは軸を選び直すか、それでも正しい場合は、先にファイルからこの軸へテーブルを書き込み、その際に対象軸を {statement} と指定してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

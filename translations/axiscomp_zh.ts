@@ -8364,6 +8364,14 @@
         <source>columns separated by , or ;</source>
         <translation>以 , 或 ; 分隔的列</translation>
     </message>
+    <message>
+        <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
+        <translation>一次未完成的写入使轴 {axis} 既非旧状态也非新状态：读到的只是写了一半的内容。请用 &apos;axiscomp recover --finish&apos; 完成该写入，或用 &apos;axiscomp recover --undo&apos; 撤销。旧状态保存在 {backup}</translation>
+    </message>
+    <message>
+        <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
+        <translation>表的名称 {table} 表明其值修正 {target}，但对轴 {axis} 而言{role}；请选择其他表或轴；如果确实无误，请先从文件将该表写入此轴，并在写入时将目标轴注明为 {statement}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
