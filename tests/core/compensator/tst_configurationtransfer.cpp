@@ -125,7 +125,7 @@ private Q_SLOTS:
         request.table->name = "Y error";
         request.table->target = "#1";
         VERIFY_RESULT(c.compensator.write(0, request));
-        auto parameters = driveParameters(c.compensator);
+        auto parameters = driveParameters(c.compensator, c.storeRoot());
         VERIFY_RESULT(parameters);
         std::swap(parameters->axes[0].sources[0], parameters->axes[0].sources[1]);
         c.link.forgetChange();

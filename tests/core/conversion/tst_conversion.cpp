@@ -496,7 +496,7 @@ private Q_SLOTS:
         const auto rounded = convertTables(
             std::vector{table}, requestFor(calibration_csv::format(), isg_ssfk::format()));
         VERIFY_RESULT(rounded);
-        QVERIFY(std::abs(rounded->tables[0].positionRounding - 3e-5) < 1e-12);
+        QVERIFY(std::abs(rounded->tables[0].positionRounding.at(0) - 3e-5) < 1e-12);
 
         table.sign = SignConvention::Command;
         table.columns[0].values = {1, 0, -1};
