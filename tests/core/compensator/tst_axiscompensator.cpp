@@ -684,6 +684,7 @@ private Q_SLOTS:
         const auto backup = f.compensator.backup();
         VERIFY_RESULT(backup);
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(7)));
+        VERIFY_RESULT(f.compensator.write(1, exampleRequest(8)));
         VERIFY_RESULT(f.compensator.activate(1));
         const auto before = f.state(0);
         f.link.forgetChange();

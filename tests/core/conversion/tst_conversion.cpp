@@ -887,11 +887,11 @@ private Q_SLOTS:
         table.columns[1].values[1] = 2.0 / 3.0;
         TableConversion conversion;
         conversion.result = table;
-        conversion.valueRounding = {2e-5, 0.25};
+        conversion.valueRounding = {0.02, 0.25};
         conversion.positionRounding = {0.5};
         const std::vector<Text> lines = conversionReport(
             {{}, {conversion}, {}}, requestFor(calibration_csv::format(), isg_ssfk::format()));
-        QVERIFY(contains(lines, "values of the file are rounded by up to 20 nm"));
+        QVERIFY(contains(lines, "values of the file are rounded by up to 0.02 mm"));
         QVERIFY(contains(lines, "values of the file are rounded by up to 0.25 arcsec"));
         QVERIFY(contains(lines, "positions of the file are rounded by up to"));
     }
