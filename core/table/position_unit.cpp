@@ -18,88 +18,106 @@ struct NamedUnit {
 constexpr std::array positionUnits{NamedUnit{"None", ""}, NamedUnit{"Meter", "m"},
     NamedUnit{"Millimeter", "mm"}, NamedUnit{"Radian", "rad"}, NamedUnit{"Degree", "deg"}};
 
-/// What sizes are counted in, so that all are whole numbers: of two with one base the factor is the
-/// nearest double, such as 1000 from mm to um.
 enum class Base { TenthOfNanometer, TenthOfArcsecond, Microradian };
+
+/// Whole numbers, so that of two with one base the factor is the nearest double, such as 1000 from
+/// mm to um.
+struct Size {
+    Base base;
+    double number;
+    friend bool operator==(const Size&, const Size&) = default;
+};
+constexpr Size nanometer{Base::TenthOfNanometer, 10.0};
+constexpr Size micrometer{Base::TenthOfNanometer, 1e4};
+constexpr Size millimeter{Base::TenthOfNanometer, 1e7};
+constexpr Size centimeter{Base::TenthOfNanometer, 1e8};
+constexpr Size meter{Base::TenthOfNanometer, 1e10};
+constexpr Size microinch{Base::TenthOfNanometer, 254.0};
+constexpr Size mil{Base::TenthOfNanometer, 254e3};
+constexpr Size inch{Base::TenthOfNanometer, 254e6};
+constexpr Size arcsecond{Base::TenthOfArcsecond, 10.0};
+constexpr Size millidegree{Base::TenthOfArcsecond, 36.0};
+constexpr Size arcminute{Base::TenthOfArcsecond, 600.0};
+constexpr Size degree{Base::TenthOfArcsecond, 36e3};
+constexpr Size turn{Base::TenthOfArcsecond, 12960e3};
+constexpr Size microradian{Base::Microradian, 1.0};
+constexpr Size milliradian{Base::Microradian, 1e3};
+constexpr Size radian{Base::Microradian, 1e6};
 
 struct Unit {
     std::string_view spelling; ///< in small letters
-    Base base;
-    double size;
+    Size size;
 };
-constexpr double degree = 36e3; ///< in tenths of an arcsecond
-constexpr double radian = 1e6;
-
-bool isLength(const Unit& unit)
-{
-    return unit.base == Base::TenthOfNanometer;
-}
-
 constexpr std::array knownUnits{
-    Unit{"nm", Base::TenthOfNanometer, 10.0},
-    Unit{"um", Base::TenthOfNanometer, 1e4},
-    Unit{"\u00b5m", Base::TenthOfNanometer, 1e4}, // micro sign
-    Unit{"\u03bcm", Base::TenthOfNanometer, 1e4}, // Greek letter mu
-    Unit{"mm", Base::TenthOfNanometer, 1e7},
-    Unit{"millimeter", Base::TenthOfNanometer, 1e7},
-    Unit{"cm", Base::TenthOfNanometer, 1e8},
-    Unit{"m", Base::TenthOfNanometer, 1e10},
-    Unit{"meter", Base::TenthOfNanometer, 1e10},
-    Unit{"mil", Base::TenthOfNanometer, 254e3},
-    Unit{"inch", Base::TenthOfNanometer, 254e6},
-    Unit{"in", Base::TenthOfNanometer, 254e6},
-    Unit{"urad", Base::Microradian, 1.0},
-    Unit{"\u00b5rad", Base::Microradian, 1.0},
-    Unit{"\u03bcrad", Base::Microradian, 1.0},
-    Unit{"mrad", Base::Microradian, 1e3},
-    Unit{"rad", Base::Microradian, radian},
-    Unit{"radian", Base::Microradian, radian},
-    Unit{"deg", Base::TenthOfArcsecond, degree},
-    Unit{"degree", Base::TenthOfArcsecond, degree},
-    Unit{"\u00b0", Base::TenthOfArcsecond, degree}, // degree sign
-    Unit{"mdeg", Base::TenthOfArcsecond, 36.0},
-    Unit{"turn", Base::TenthOfArcsecond, 360.0 * degree},
-    Unit{"turns", Base::TenthOfArcsecond, 360.0 * degree},
-    Unit{"rev", Base::TenthOfArcsecond, 360.0 * degree},
-    Unit{"arcmin", Base::TenthOfArcsecond, 600.0},
-    Unit{"arcsec", Base::TenthOfArcsecond, 10.0},
-    Unit{"micrometer", Base::TenthOfNanometer, 1e4},
-    Unit{"micrometers", Base::TenthOfNanometer, 1e4},
-    Unit{"micrometre", Base::TenthOfNanometer, 1e4},
-    Unit{"micrometres", Base::TenthOfNanometer, 1e4},
-    Unit{"micron", Base::TenthOfNanometer, 1e4},
-    Unit{"microns", Base::TenthOfNanometer, 1e4},
-    Unit{"\u339b", Base::TenthOfNanometer, 1e4}, // one character
-    Unit{"\u5fae\u7c73", Base::TenthOfNanometer, 1e4},
-    Unit{"millimeters", Base::TenthOfNanometer, 1e7},
-    Unit{"millimetre", Base::TenthOfNanometer, 1e7},
-    Unit{"millimetres", Base::TenthOfNanometer, 1e7},
-    Unit{"\u339c", Base::TenthOfNanometer, 1e7}, // one character
-    Unit{"\u6beb\u7c73", Base::TenthOfNanometer, 1e7},
-    Unit{"meters", Base::TenthOfNanometer, 1e10},
-    Unit{"metre", Base::TenthOfNanometer, 1e10},
-    Unit{"metres", Base::TenthOfNanometer, 1e10},
-    Unit{"thou", Base::TenthOfNanometer, 254e3},
-    Unit{"mils", Base::TenthOfNanometer, 254e3},
-    Unit{"uin", Base::TenthOfNanometer, 254.0},
-    Unit{"\u00b5in", Base::TenthOfNanometer, 254.0},
-    Unit{"\u03bcin", Base::TenthOfNanometer, 254.0},
-    Unit{"microinch", Base::TenthOfNanometer, 254.0},
-    Unit{"microinches", Base::TenthOfNanometer, 254.0},
-    Unit{"inches", Base::TenthOfNanometer, 254e6},
-    Unit{"zoll", Base::TenthOfNanometer, 254e6},
-    Unit{"radians", Base::Microradian, radian},
-    Unit{"degrees", Base::TenthOfArcsecond, degree},
-    Unit{"'", Base::TenthOfArcsecond, 600.0},
-    Unit{"\u2032", Base::TenthOfArcsecond, 600.0}, // prime
-    Unit{"arcminute", Base::TenthOfArcsecond, 600.0},
-    Unit{"arcminutes", Base::TenthOfArcsecond, 600.0},
-    Unit{"\"", Base::TenthOfArcsecond, 10.0},
-    Unit{"\u2033", Base::TenthOfArcsecond, 10.0}, // double prime
-    Unit{"''", Base::TenthOfArcsecond, 10.0},
-    Unit{"arcsecond", Base::TenthOfArcsecond, 10.0},
-    Unit{"arcseconds", Base::TenthOfArcsecond, 10.0},
+    Unit{"nm", nanometer},
+    Unit{"um", micrometer},
+    Unit{"\u00b5m", micrometer}, // micro sign
+    Unit{"\u03bcm", micrometer}, // Greek letter mu
+    Unit{"mm", millimeter},
+    Unit{"millimeter", millimeter},
+    Unit{"cm", centimeter},
+    Unit{"m", meter},
+    Unit{"meter", meter},
+    Unit{"mil", mil},
+    Unit{"inch", inch},
+    Unit{"in", inch},
+    Unit{"urad", microradian},
+    Unit{"\u00b5rad", microradian},
+    Unit{"\u03bcrad", microradian},
+    Unit{"mrad", milliradian},
+    Unit{"rad", radian},
+    Unit{"radian", radian},
+    Unit{"deg", degree},
+    Unit{"degree", degree},
+    Unit{"\u00b0", degree}, // degree sign
+    Unit{"mdeg", millidegree},
+    Unit{"turn", turn},
+    Unit{"turns", turn},
+    Unit{"rev", turn},
+    Unit{"arcmin", arcminute},
+    Unit{"arcsec", arcsecond},
+    Unit{"micrometer", micrometer},
+    Unit{"micrometers", micrometer},
+    Unit{"micrometre", micrometer},
+    Unit{"micrometres", micrometer},
+    Unit{"micron", micrometer},
+    Unit{"microns", micrometer},
+    Unit{"\u339b", micrometer}, // one character
+    Unit{"\u5fae\u7c73", micrometer},
+    Unit{"millimeters", millimeter},
+    Unit{"millimetre", millimeter},
+    Unit{"millimetres", millimeter},
+    Unit{"\u339c", millimeter}, // one character
+    Unit{"\u6beb\u7c73", millimeter},
+    Unit{"meters", meter},
+    Unit{"metre", meter},
+    Unit{"metres", meter},
+    Unit{"thou", mil},
+    Unit{"mils", mil},
+    Unit{"uin", microinch},
+    Unit{"\u00b5in", microinch},
+    Unit{"\u03bcin", microinch},
+    Unit{"microinch", microinch},
+    Unit{"microinches", microinch},
+    Unit{"inches", inch},
+    Unit{"zoll", inch},
+    Unit{"radians", radian},
+    Unit{"degrees", degree},
+    Unit{"'", arcminute},
+    Unit{"\u2032", arcminute}, // prime
+    Unit{"arcminute", arcminute},
+    Unit{"arcminutes", arcminute},
+    Unit{"\"", arcsecond},
+    Unit{"\u2033", arcsecond}, // double prime
+    Unit{"''", arcsecond},
+    Unit{"arcsecond", arcsecond},
+    Unit{"arcseconds", arcsecond},
 };
+
+bool isLength(const Size& size)
+{
+    return size.base == Base::TenthOfNanometer;
+}
 
 std::string inSmallLetters(std::string_view text)
 {
@@ -148,13 +166,15 @@ std::optional<double> unitFactor(std::string_view from, std::string_view to)
 {
     const Unit* const a = unitNamed(from);
     const Unit* const b = unitNamed(to);
-    if (!a || !b || isLength(*a) != isLength(*b))
+    if (!a || !b || isLength(a->size) != isLength(b->size))
         return std::nullopt;
-    if (a->base == b->base)
-        return a->size / b->size;
-    return a->base == Base::Microradian
-        ? a->size / radian * (180.0 / std::numbers::pi) / (b->size / degree)
-        : a->size / degree * (std::numbers::pi / 180.0) / (b->size / radian);
+    const double numerator = a->size.number;
+    const double denominator = b->size.number;
+    if (a->size.base == b->size.base)
+        return numerator / denominator;
+    return a->size.base == Base::Microradian
+        ? numerator / radian.number * (180.0 / std::numbers::pi) / (denominator / degree.number)
+        : numerator / degree.number * (std::numbers::pi / 180.0) / (denominator / radian.number);
 }
 
 bool isPositionUnit(std::string_view unit)
@@ -202,7 +222,7 @@ bool isSameUnit(std::string_view a, std::string_view b)
     const Unit* const first = unitNamed(a);
     const Unit* const second = unitNamed(b);
     if (first && second)
-        return first->base == second->base && first->size == second->size;
+        return first->size == second->size;
     return inSmallLetters(a) == inSmallLetters(b);
 }
 
