@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/run_selection.h"
 
+#include "core/metrology/header_texts.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
@@ -80,11 +81,24 @@ std::vector<double> allTargets(std::span<const Measurement> measurements)
     return distinctTargets(std::move(targets));
 }
 
-/// The first axis that is said; empty: none is.
-constexpr std::array statedTexts{&MeasurementHeader::machine, &MeasurementHeader::axis,
-    &MeasurementHeader::instrument, &MeasurementHeader::serial, &MeasurementHeader::operatorName,
-    &MeasurementHeader::date, &MeasurementHeader::feed, &MeasurementHeader::dwell};
+/// Numbers that hold for all only where every file says the same.
+struct HeaderNumber {
+    const char* key;
+    std::optional<double> MeasurementHeader::*member;
+};
+constexpr std::array headerNumbers{
+    HeaderNumber{"air temperature", &MeasurementHeader::airTemperature},
+    HeaderNumber{"material temperature", &MeasurementHeader::materialTemperature},
+    HeaderNumber{"expansion", &MeasurementHeader::expansion}};
 
+bool isSaidAlike(std::span<const Measurement> measurements, const HeaderNumber& number)
+{
+    const auto saidBy = [&](const Measurement& one) { return one.header.*number.member; };
+    return std::ranges::all_of(measurements,
+        [&](const Measurement& one) { return saidBy(one) == saidBy(measurements.front()); });
+}
+
+/// Empty: no file says it.
 std::string firstStated(
     std::span<const Measurement> measurements, std::string MeasurementHeader::*text)
 {
@@ -157,58 +171,41 @@ Result<void> checkJoinable(std::span<const Measurement> measurements)
 MeasurementHeader commonHeader(std::span<const Measurement> measurements)
 {
     MeasurementHeader header = measurements.front().header;
-    for (std::string MeasurementHeader::*const text : statedTexts)
-        header.*text = firstStated(measurements, text);
+    for (const HeaderText& text : headerTexts)
+        header.*text.member = firstStated(measurements, text.member);
     const auto states = saidStates(measurements);
     if (states.size() < measurements.size()) {
         header.compensation = {};
         header.compensationOfSome = states.empty() ? MeasuredState{} : states.front();
     }
-    for (const Measurement& measurement : measurements) {
-        if (measurement.header.materialTemperature != header.materialTemperature)
-            header.materialTemperature.reset();
-        if (measurement.header.expansion != header.expansion)
-            header.expansion.reset();
-        if (measurement.header.airTemperature != header.airTemperature)
-            header.airTemperature.reset();
-    }
+    for (const HeaderNumber& number : headerNumbers)
+        if (!isSaidAlike(measurements, number))
+            (header.*number.member).reset();
     return header;
 }
 
-/// Temperatures and expansions of the files, where they are not the same for all.
-void keepTemperatures(Measurement& whole, std::span<const Measurement> measurements)
+/// What cannot be said of all is kept as a note of each.
+void keepNumbers(Measurement& whole, std::span<const Measurement> measurements)
 {
-    const auto keep = [&](std::string_view key, std::optional<double> MeasurementHeader::*member) {
-        const MeasurementHeader& first = measurements.front().header;
-        const bool differs = std::ranges::any_of(measurements,
-            [&](const Measurement& one) { return one.header.*member != first.*member; });
-        for (std::size_t n = 0; differs && n < measurements.size(); ++n) {
-            const auto& value = measurements[n].header.*member;
-            whole.notes.push_back("file " + std::to_string(n + 1) + ", " + std::string(key) + ": "
+    for (const HeaderNumber& number : headerNumbers) {
+        if (isSaidAlike(measurements, number))
+            continue;
+        for (std::size_t n = 0; n < measurements.size(); ++n) {
+            const auto& value = measurements[n].header.*number.member;
+            whole.notes.push_back("file " + std::to_string(n + 1) + ", " + number.key + ": "
                 + (value ? toText(*value) : std::string("not stated")));
         }
-    };
-    keep("air temperature", &MeasurementHeader::airTemperature);
-    keep("material temperature", &MeasurementHeader::materialTemperature);
-    keep("expansion", &MeasurementHeader::expansion);
+    }
 }
 
 /// What a joined file says otherwise than the first one is kept as a note.
 void keepDifferences(Measurement& whole, const Measurement& other)
 {
-    const auto keep = [&whole](std::string_view key, const std::string& first,
-                          const std::string& second) {
-        if (!second.empty() && first != second)
-            whole.notes.push_back(std::string(key) + ": " + second);
-    };
-    keep("machine", whole.header.machine, other.header.machine);
-    keep("axis", whole.header.axis, other.header.axis);
-    keep("instrument", whole.header.instrument, other.header.instrument);
-    keep("serial", whole.header.serial, other.header.serial);
-    keep("operator", whole.header.operatorName, other.header.operatorName);
-    keep("date", whole.header.date, other.header.date);
-    keep("feed", whole.header.feed, other.header.feed);
-    keep("dwell", whole.header.dwell, other.header.dwell);
+    for (const HeaderText& text : headerTexts) {
+        const std::string& said = other.header.*text.member;
+        if (!said.empty() && said != whole.header.*text.member)
+            whole.notes.push_back(std::string(text.key) + ": " + said);
+    }
     for (const std::string& note : other.notes)
         if (std::ranges::find(whole.notes, note) == whole.notes.end())
             whole.notes.push_back(note);
@@ -326,7 +323,7 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
         if (&measurement != &measurements.front())
             keepDifferences(whole, measurement);
     }
-    keepTemperatures(whole, measurements);
+    keepNumbers(whole, measurements);
     sortValues(whole.values);
     return whole;
 }

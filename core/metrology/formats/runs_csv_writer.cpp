@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/formats/measurement_format.h"
+#include "core/metrology/header_texts.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -24,14 +25,8 @@ std::string headerText(const Measurement& measurement)
 {
     const MeasurementHeader& header = measurement.header;
     std::string text = "// axiscomp runs: 1\n";
-    appendStatement(text, "machine", header.machine);
-    appendStatement(text, "axis", header.axis);
-    appendStatement(text, "instrument", header.instrument);
-    appendStatement(text, "serial", header.serial);
-    appendStatement(text, "operator", header.operatorName);
-    appendStatement(text, "date", header.date);
-    appendStatement(text, "feed", header.feed);
-    appendStatement(text, "dwell", header.dwell);
+    for (const HeaderText& said : headerTexts)
+        appendStatement(text, said.key, header.*said.member);
     appendStatement(text, "compensation", measuredStateText(header.compensation));
     appendStatement(text, "air temperature", numberOrNothing(header.airTemperature));
     appendStatement(text, "material temperature", numberOrNothing(header.materialTemperature));

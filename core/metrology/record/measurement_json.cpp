@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/measurement_json.h"
 
+#include "core/metrology/header_texts.h"
 #include "core/metrology/record/record_fields.h"
 #include "core/store/backup_json.h"
 #include "core/text/number_text.h"
@@ -117,14 +118,8 @@ private:
 OrderedJson toJson(const MeasurementHeader& header)
 {
     OrderedJson object = OrderedJson::object();
-    putIfThere(object, "machine", header.machine);
-    putIfThere(object, "axis", header.axis);
-    putIfThere(object, "instrument", header.instrument);
-    putIfThere(object, "serial", header.serial);
-    putIfThere(object, "operator", header.operatorName);
-    putIfThere(object, "date", header.date);
-    putIfThere(object, "feed", header.feed);
-    putIfThere(object, "dwell", header.dwell);
+    for (const HeaderText& text : headerTexts)
+        putIfThere(object, text.key, header.*text.member);
     object["compensation"] = axiscomp::toJson(header.compensation);
     putIfThere(object, "airTemperature", header.airTemperature);
     putIfThere(object, "materialTemperature", header.materialTemperature);
@@ -136,14 +131,8 @@ OrderedJson toJson(const MeasurementHeader& header)
 MeasurementHeader headerFromJson(const JsonNode& node)
 {
     MeasurementHeader header;
-    header.machine = maybeText(node, "machine");
-    header.axis = maybeText(node, "axis");
-    header.instrument = maybeText(node, "instrument");
-    header.serial = maybeText(node, "serial");
-    header.operatorName = maybeText(node, "operator");
-    header.date = maybeText(node, "date");
-    header.feed = maybeText(node, "feed");
-    header.dwell = maybeText(node, "dwell");
+    for (const HeaderText& text : headerTexts)
+        header.*text.member = maybeText(node, text.key);
     header.compensation = measuredStateFromJson(node["compensation"]);
     header.airTemperature = maybeNumber(node, "airTemperature");
     header.materialTemperature = maybeNumber(node, "materialTemperature");
