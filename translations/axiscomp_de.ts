@@ -5046,8 +5046,8 @@
         <translation>{file} nennt seine Einheiten nicht; geben Sie sie mit --unit und --value-unit an</translation>
     </message>
     <message>
-        <source>the readings of the instrument in {file} do not follow the axis one to one</source>
-        <translation>die Anzeigen des Messgeräts in {file} folgen der Achse nicht eins zu eins</translation>
+        <source>the positions in {file} do not follow one another one to one</source>
+        <translation>die Positionen in {file} folgen einander nicht eins zu eins</translation>
     </message>
     <message>
         <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
@@ -8398,12 +8398,8 @@
         <translation>1 auf 1 % genau; berichtigen Sie die Spalte des Gebers oder nehmen Sie sie aus der Datei heraus</translation>
     </message>
     <message>
-        <source>columns separated by tabs</source>
-        <translation>durch Tabulatoren getrennte Spalten</translation>
-    </message>
-    <message>
-        <source>columns separated by , or ;</source>
-        <translation>durch , oder ; getrennte Spalten</translation>
+        <source>columns separated by , or ; instead of tabs</source>
+        <translation>durch , oder ; statt durch Tabulatoren getrennte Spalten</translation>
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
@@ -10474,8 +10470,8 @@
         <translation>es gibt keine Zielposition dieser Nummer</translation>
     </message>
     <message>
-        <source>the instrument does not follow the axis one to one</source>
-        <translation>das Messgerät folgt der Achse nicht eins zu eins</translation>
+        <source>positions do not follow one another one to one</source>
+        <translation>Positionen folgen einander nicht eins zu eins</translation>
     </message>
     <message>
         <source>values are missing</source>

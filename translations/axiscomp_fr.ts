@@ -5046,8 +5046,8 @@
         <translation>{file} n&apos;indique pas ses unités&#xa0;; les indiquer avec --unit et --value-unit</translation>
     </message>
     <message>
-        <source>the readings of the instrument in {file} do not follow the axis one to one</source>
-        <translation>les lectures de l&apos;instrument dans {file} ne suivent pas l&apos;axe dans un rapport de 1 à 1</translation>
+        <source>the positions in {file} do not follow one another one to one</source>
+        <translation>les positions dans {file} ne se suivent pas dans un rapport de 1 à 1</translation>
     </message>
     <message>
         <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
@@ -8398,12 +8398,8 @@
         <translation>1 à 1 % près&#xa0;; corriger la colonne du codeur ou la retirer du fichier</translation>
     </message>
     <message>
-        <source>columns separated by tabs</source>
-        <translation>des colonnes séparées par des tabulations</translation>
-    </message>
-    <message>
-        <source>columns separated by , or ;</source>
-        <translation>des colonnes séparées par , ou&#xa0;;</translation>
+        <source>columns separated by , or ; instead of tabs</source>
+        <translation>des colonnes séparées par , ou&#xa0;; et non par des tabulations</translation>
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
@@ -10474,8 +10470,8 @@
         <translation>il n&apos;y a pas de position cible de ce numéro</translation>
     </message>
     <message>
-        <source>the instrument does not follow the axis one to one</source>
-        <translation>l&apos;instrument ne suit pas l&apos;axe dans un rapport de 1 à 1</translation>
+        <source>positions do not follow one another one to one</source>
+        <translation>des positions ne se suivent pas dans un rapport de 1 à 1</translation>
     </message>
     <message>
         <source>values are missing</source>

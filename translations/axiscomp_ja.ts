@@ -5020,8 +5020,8 @@
         <translation>{file} に単位が示されていません。--unit と --value-unit で指定してください</translation>
     </message>
     <message>
-        <source>the readings of the instrument in {file} do not follow the axis one to one</source>
-        <translation>{file} の測定器の読み値が、軸の動きに 1 対 1 で対応していません</translation>
+        <source>the positions in {file} do not follow one another one to one</source>
+        <translation>{file} の位置どうしが 1 対 1 で対応していません</translation>
     </message>
     <message>
         <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
@@ -8357,12 +8357,8 @@
         <translation>1 (誤差 1 % 以内)。エンコーダの列を修正するか、ファイルから取り除いてください</translation>
     </message>
     <message>
-        <source>columns separated by tabs</source>
-        <translation>タブで区切られた列</translation>
-    </message>
-    <message>
-        <source>columns separated by , or ;</source>
-        <translation>, または ; で区切られた列</translation>
+        <source>columns separated by , or ; instead of tabs</source>
+        <translation>タブではなく , または ; で区切られた列</translation>
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
@@ -10425,8 +10421,8 @@
         <translation>この番号の目標位置はありません</translation>
     </message>
     <message>
-        <source>the instrument does not follow the axis one to one</source>
-        <translation>測定器が軸の動きに 1 対 1 で対応していません</translation>
+        <source>positions do not follow one another one to one</source>
+        <translation>位置どうしが 1 対 1 で対応していません</translation>
     </message>
     <message>
         <source>values are missing</source>

@@ -5020,8 +5020,8 @@
         <translation>{file} 没有注明单位；请用 --unit 和 --value-unit 给出</translation>
     </message>
     <message>
-        <source>the readings of the instrument in {file} do not follow the axis one to one</source>
-        <translation>{file} 中仪器的读数与轴的运动不是一比一</translation>
+        <source>the positions in {file} do not follow one another one to one</source>
+        <translation>{file} 中各位置之间不是一比一</translation>
     </message>
     <message>
         <source>{file} has no targets; the figures of the standard need a measurement of runs over targets</source>
@@ -8357,12 +8357,8 @@
         <translation>1（偏差不超过 1 %）；请更正编码器列，或从文件中删除它</translation>
     </message>
     <message>
-        <source>columns separated by tabs</source>
-        <translation>以制表符分隔的列</translation>
-    </message>
-    <message>
-        <source>columns separated by , or ;</source>
-        <translation>以 , 或 ; 分隔的列</translation>
+        <source>columns separated by , or ; instead of tabs</source>
+        <translation>以 , 或 ; 而不是制表符分隔的列</translation>
     </message>
     <message>
         <source>a write that did not end has left axis {axis} in neither its old nor its new state: what can be read of it is half of that write. Finish it with &apos;axiscomp recover --finish&apos;, or undo it with &apos;axiscomp recover --undo&apos;. The old state is kept in {backup}</source>
@@ -10425,8 +10421,8 @@
         <translation>没有此编号的目标位置</translation>
     </message>
     <message>
-        <source>the instrument does not follow the axis one to one</source>
-        <translation>仪器与轴的运动不是一比一</translation>
+        <source>positions do not follow one another one to one</source>
+        <translation>各位置之间不是一比一</translation>
     </message>
     <message>
         <source>values are missing</source>

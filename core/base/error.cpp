@@ -39,8 +39,7 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT(
             "Error", "{file} does not say its units; state them with --unit and --value-unit")},
     ErrorRow{ErrorCode::InstrumentScale, "InstrumentScale", ErrorClass::InputFile,
-        AXISCOMP_TEXT(
-            "Error", "the readings of the instrument in {file} do not follow the axis one to one")},
+        AXISCOMP_TEXT("Error", "the positions in {file} do not follow one another one to one")},
     ErrorRow{ErrorCode::NoTargets, "NoTargets", ErrorClass::InputFile,
         AXISCOMP_TEXT("Error",
             "{file} has no targets; the figures of the standard need a measurement of runs over "

@@ -3,6 +3,7 @@
 
 #include "core/base/wall_time.h"
 #include "core/csv/fields.h"
+#include "core/metrology/header_texts.h"
 #include "core/table/position_unit.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
@@ -153,9 +154,9 @@ bool MeasurementCsv::readHeader()
         if (!header)
             return false;
         if (header->columns.size() == 1 && line.find('\t') != std::string_view::npos) {
-            m_diagnostics.error(DiagnosticCode::NoHeader, lineNumber, 0,
-                AXISCOMP_TEXT("Error", "columns separated by tabs"),
-                AXISCOMP_TEXT("Error", "columns separated by , or ;"));
+            m_diagnostics.error(DiagnosticCode::MissingColumn, lineNumber, 0,
+                AXISCOMP_COUNTED("Error", "{count} columns", "1 column").with("count", 1),
+                AXISCOMP_TEXT("Error", "columns separated by , or ; instead of tabs"));
             return false;
         }
         for (csv::ColumnName& column : header->columns)
@@ -537,6 +538,10 @@ void MeasurementCsv::checkSaidBefore(
 
 bool MeasurementCsv::takeStatement(std::string_view key, const std::string& value, std::size_t line)
 {
+    if (sameLetters(key, "axis")) {
+        takeAxis(value, line);
+        return true;
+    }
     if (takeText(key, value) || takeNumber(key, value, line))
         return true;
     if (sameLetters(key, "compensation")) {
@@ -548,8 +553,6 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
             m_measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
         else
             refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
-    } else if (sameLetters(key, "axis")) {
-        takeAxis(value, line);
     } else if (sameLetters(key, "values")) {
         takeValues(value, line);
     } else if (sameLetters(key, "sign")) {
@@ -595,22 +598,11 @@ void MeasurementCsv::refuseLate(std::size_t line, std::string_view statement)
 
 bool MeasurementCsv::takeText(std::string_view key, const std::string& value)
 {
-    MeasurementHeader& header = m_measurement.header;
-    struct Entry {
-        std::string_view key;
-        std::string MeasurementHeader::*member;
-    };
-    constexpr std::array entries{Entry{"machine", &MeasurementHeader::machine},
-        Entry{"instrument", &MeasurementHeader::instrument},
-        Entry{"serial", &MeasurementHeader::serial},
-        Entry{"operator", &MeasurementHeader::operatorName},
-        Entry{"date", &MeasurementHeader::date}, Entry{"feed", &MeasurementHeader::feed},
-        Entry{"dwell", &MeasurementHeader::dwell}};
     if (sameLetters(key, "axiscomp runs"))
         return true;
-    for (const Entry& entry : entries)
-        if (sameLetters(key, entry.key)) {
-            header.*entry.member = value;
+    for (const HeaderText& text : headerTexts)
+        if (sameLetters(key, text.key)) {
+            m_measurement.header.*text.member = value;
             return true;
         }
     return false;

@@ -74,6 +74,13 @@ constexpr std::array scaleMistakes{
 };
 constexpr double scaleTolerance = 0.01;
 
+/// The slope of y over x where one does not follow the other.
+std::optional<double> wrongSlope(std::span<const double> x, std::span<const double> y)
+{
+    const auto slope = slopeOf(x, y);
+    return slope && std::abs(*slope - 1.0) > scaleTolerance ? slope : std::nullopt;
+}
+
 Text scaleExplanation(double slope)
 {
     if (std::abs(slope + 1.0) < scaleTolerance)
@@ -104,7 +111,7 @@ public:
 
 private:
     void takeReferences(std::vector<RawRunValue>& values);
-    void checkEncoder(std::span<const RawRunValue> values);
+    [[nodiscard]] bool checkEncoder(std::span<const RawRunValue> values);
     bool findTargets(const std::vector<RawRunValue>& values);
     void countRuns();
     void checkDuplicates();
@@ -120,7 +127,6 @@ private:
 void Assembly::run(std::vector<RawRunValue> values)
 {
     takeReferences(values);
-    checkEncoder(values);
     if (!findTargets(values))
         return;
     for (RawRunValue& raw : values) {
@@ -151,12 +157,13 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
     }
     if (!values.empty())
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
-    if (!reference.empty())
+    if (checkEncoder(values) && !reference.empty())
         checkInstrumentScale(encoder, reference, m_diagnostics);
 }
 
-/// Raw positions of another unit or sign would go into the table whole.
-void Assembly::checkEncoder(std::span<const RawRunValue> values)
+/// Raw positions of another unit or sign would go into the table whole. A reference is not compared
+/// with them then: the sentence would blame it.
+bool Assembly::checkEncoder(std::span<const RawRunValue> values)
 {
     std::vector<double> targets;
     std::vector<double> encoder;
@@ -166,13 +173,15 @@ void Assembly::checkEncoder(std::span<const RawRunValue> values)
         targets.push_back(raw.target);
         encoder.push_back(*raw.value.encoder);
     }
-    const auto slope = slopeOf(targets, encoder);
-    if (slope && std::abs(*slope - 1.0) > scaleTolerance)
-        m_diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
-            AXISCOMP_TEXT("Error", "the encoder moves {slope} times as far as the targets")
-                .with("slope", Quantity{shortNumber(*slope)}),
-            AXISCOMP_TEXT("Error",
-                "1 within 1 %; correct the column of the encoder, or take it out of the file"));
+    const auto slope = wrongSlope(targets, encoder);
+    if (!slope)
+        return true;
+    m_diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
+        AXISCOMP_TEXT("Error", "the encoder moves {slope} times as far as the targets")
+            .with("slope", Quantity{shortNumber(*slope)}),
+        AXISCOMP_TEXT("Error",
+            "1 within 1 %; correct the column of the encoder, or take it out of the file"));
+    return false;
 }
 
 bool Assembly::findTargets(const std::vector<RawRunValue>& values)
@@ -317,8 +326,8 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
 void checkInstrumentScale(
     std::span<const double> encoder, std::span<const double> reference, DiagnosticList& diagnostics)
 {
-    const auto slope = slopeOf(encoder, reference);
-    if (!slope || std::abs(*slope - 1.0) <= scaleTolerance)
+    const auto slope = wrongSlope(encoder, reference);
+    if (!slope)
         return;
     diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")

@@ -327,14 +327,26 @@ private Q_SLOTS:
         QCOMPARE(measurementError("m.csv", reading).code, ErrorCode::InstrumentScale);
     }
 
+    void anEncoderThatIsWrongIsNotBlamedOnTheReference()
+    {
+        std::string text = "target [mm],direction,run,reference [mm],encoder [mm]\n";
+        for (int i = 0; i < 5; ++i)
+            text += std::to_string(25.4 * i) + ",+,1," + std::to_string(25.4 * i) + ","
+                + std::to_string(i) + "\n";
+        const QByteArrayList found = test::describe(test::readAs("runs", text));
+        QCOMPARE(found.size(), 1);
+        QVERIFY2(found.front().startsWith("0:0 InstrumentScale the encoder moves"),
+            found.front().constData());
+    }
+
     void tabsBetweenColumnsAreNamed()
     {
         const MeasurementReading reading = test::readAs(
             "runs", "target [mm]\tdirection\trun\tdeviation [um]\n0\t+\t1\t1.5\n10\t+\t1\t2\n");
         QVERIFY(!reading.measurement);
-        const QByteArrayList found = test::describe(reading);
-        QCOMPARE(found.size(), 1);
-        QVERIFY2(found.front().contains("tabs"), found.front().constData());
+        QCOMPARE(test::describe(reading),
+            QByteArrayList{
+                "1:0 MissingColumn 1 column|columns separated by , or ; instead of tabs"});
     }
 
     void aReferenceIsInvertedWhenAskedFor()
