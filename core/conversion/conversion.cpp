@@ -28,10 +28,9 @@ double largestRounding(const std::vector<double>& before, const std::string& uni
     return largest;
 }
 
-/// Of the positions of each axis; nothing for formats that arrange the points anew: the
-/// conversion's difference tells.
-std::optional<std::vector<double>> positionRounding(
-    const NeutralTable& prepared, const NeutralTable& held)
+/// Of the positions of each axis; empty for formats that arrange the points anew: the conversion's
+/// difference tells.
+std::vector<double> positionRounding(const NeutralTable& prepared, const NeutralTable& held)
 {
     std::vector<double> positions;
     for (std::size_t n = 0; n < held.axes.size(); ++n) {
@@ -53,10 +52,9 @@ void notePoints(const NeutralTable& prepared, NeutralTable& held, TableConversio
 {
     for (CompensationColumn& column : held.columns)
         column.filled.clear();
-    auto positions = positionRounding(prepared, held);
-    if (!positions)
+    conversion.positionRounding = positionRounding(prepared, held);
+    if (conversion.positionRounding.empty())
         return;
-    conversion.positionRounding = *std::move(positions);
     for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
         const CompensationColumn& from = prepared.columns[n];
         CompensationColumn& to = held.columns[n];
