@@ -156,8 +156,8 @@ Result<ExitCode> lookUpForController(
             options.input.command);
     if (options.as.empty() && table.sign == SignConvention::Command)
         environment.console().note(displayName(options.input.file)
-            + ": the value is the command value of the controller of " + std::string(as->facts.name)
-            + "; what the drive computes says --as csv");
+            + ": this is the command value of " + std::string(as->facts.name)
+            + "; --as csv gives what the drive would compute");
     return answer(environment, options,
         controllerEvaluation(table, as->facts.behaviour, positionUnits),
         {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},
@@ -196,8 +196,7 @@ void addLookupCommand(CommandLine& line)
     CLI::App* command = line.add("lookup", fileCommands,
         AXISCOMP_HELP("Help",
             "Print the interpolated value at a position, as the drive or the controller of the "
-            "file "
-            "computes it"),
+            "file computes it"),
         [options](Environment& environment) {
             options->conversion.lookupAt = lookupNamed(options->lookupAt);
             return runLookup(environment, *options);

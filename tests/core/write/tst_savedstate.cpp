@@ -27,6 +27,15 @@ WriteRequest swapped(int seed, Persistency persistency)
     return request;
 }
 
+WriteRequest detaching()
+{
+    WriteRequest none;
+    none.withoutTable = true;
+    none.sources = {"", "", ""};
+    none.dimensionality = 3;
+    return none;
+}
+
 WriteRequest into(WriteRequest request, const char* slot)
 {
     request.slot = slot;
@@ -281,10 +290,7 @@ private Q_SLOTS:
 
     void whatARebootBringsBackIsSaidOfATableThatIsOnlyDetached()
     {
-        WriteRequest none;
-        none.withoutTable = true;
-        none.sources = {"", "", ""};
-        none.dimensionality = 3;
+        const WriteRequest none = detaching();
         CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(1), "Small1")));
         QVERIFY(f.compensator.plan(0, none)->warnings.empty()); // a reboot takes it away
@@ -314,10 +320,7 @@ private Q_SLOTS:
 
     void aDetachedTableThatARebootBringsBackIsSaidAgainAndCanBeDeleted()
     {
-        WriteRequest none;
-        none.withoutTable = true;
-        none.sources = {"", "", ""};
-        none.dimensionality = 3;
+        const WriteRequest none = detaching();
         CompensatorFixture f;
         VERIFY_RESULT(
             f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
@@ -352,10 +355,7 @@ private Q_SLOTS:
     /// The saved parameters name its slot, which is empty after a reboot.
     void aDetachedTableThatARebootTakesAwayIsNotSaid()
     {
-        WriteRequest none;
-        none.withoutTable = true;
-        none.sources = {"", "", ""};
-        none.dimensionality = 3;
+        const WriteRequest none = detaching();
         CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(1), "Small1")));
         VERIFY_RESULT(
