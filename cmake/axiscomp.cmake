@@ -124,6 +124,17 @@ function(axiscomp_add_sources name)
   endif()
 endfunction()
 
+# Lets CMake run moc for the files of TARGET.
+function(axiscomp_moc target)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON)
+  if(CMAKE_HOST_UNIX)
+    set(script ${PROJECT_BINARY_DIR}/moc.sh)
+    get_target_property(moc Qt6::moc LOCATION)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/moc.sh.in ${script} @ONLY USE_SOURCE_PERMISSIONS)
+    set_target_properties(${target} PROPERTIES AUTOMOC_EXECUTABLE ${script})
+  endif()
+endfunction()
+
 # The program test_NAME, which runs one of the tests of a part: `test_NAME tst_thing [FUNCTION ...]`.
 # One program, since a test links in less time than it compiles and both add up. WINDOW: for tests with
 # widgets. RUNS_PROGRAMS: its tests start the programs of app.
@@ -131,7 +142,7 @@ function(axiscomp_add_test_program name)
   cmake_parse_arguments(arg "WINDOW;RUNS_PROGRAMS" "" "SOURCES;DEPS" ${ARGN})
   set(target test_${name})
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp ${arg_SOURCES})
-  set_target_properties(${target} PROPERTIES AUTOMOC ON)
+  axiscomp_moc(${target})
   target_link_libraries(${target} PRIVATE axiscomp_options axiscomp_test_support ${arg_DEPS})
   # The product that the tests call is checked.
   axiscomp_leave_unchecked(${target} undefined,float-cast-overflow)
