@@ -11,7 +11,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
-#include "ui/fields/button_keys.h"
+#include "ui/fields/shortcut_keys.h"
 #include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
 #include "ui/judging/judge_page.h"
@@ -181,7 +181,7 @@ CompensationWizard::Private::Private(
     , messages(controller, *page->messages)
 {
     new PlainToolTips(wizard); // which owns it
-    new ButtonKeys(wizard); // likewise
+    new ShortcutKeys(wizard); // likewise
     menu->showLanguage(settings.language());
     page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
     menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());
