@@ -42,6 +42,8 @@ struct RunValue {
     std::optional<double> temperature = {}; ///< in deg C
     bool isUsed = true; ///< false: kept in the file, left out of every figure
     std::size_t line = 0; ///< of the file, from 1; 0: not known
+    /// What corrections have put to the deviation, in mm or deg: without it, it is as it was read.
+    double correction = 0.0;
 
     friend bool operator==(const RunValue&, const RunValue&) = default;
 };
