@@ -156,6 +156,14 @@ struct Measurement {
 /// "mm" or "deg"
 [[nodiscard]] std::string_view positionUnit(const Measurement& measurement);
 
+/// The lowest and the highest temperature of values in use, in deg C; nothing where one of them has
+/// none. What has it, the air or the machine, no file says.
+struct TemperatureRange {
+    double lowest = 0.0;
+    double highest = 0.0;
+};
+[[nodiscard]] std::optional<TemperatureRange> temperaturesOfValues(const Measurement& measurement);
+
 /// Each position once, ascending: those that are closer than 1e-9 of the range are one.
 [[nodiscard]] std::vector<double> distinctTargets(std::vector<double> positions);
 /// The target nearest to a position. Not for an empty list.
