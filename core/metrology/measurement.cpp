@@ -99,9 +99,9 @@ std::optional<TemperatureRange> temperaturesOfValues(const Measurement& measurem
         if (!value.temperature)
             return std::nullopt;
         const double celsius = *value.temperature;
-        range = range ? TemperatureRange{std::min(range->lowest, celsius),
-                            std::max(range->highest, celsius)}
-                      : TemperatureRange{celsius, celsius};
+        range = range
+            ? TemperatureRange{std::min(range->lowest, celsius), std::max(range->highest, celsius)}
+            : TemperatureRange{celsius, celsius};
     }
     return range;
 }

@@ -116,8 +116,8 @@ Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     return wrongUsage(reason, options.command);
 }
 
-Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions& options,
-    const FormatSettings& settings)
+Result<TableInput> inspectCsv(
+    Environment& environment, const TableInputOptions& options, const FormatSettings& settings)
 {
     std::optional<std::string> text;
     if (options.file == standardStream) {

@@ -538,8 +538,8 @@ double correctionAt(const FitInput& input, const FitKnot& knot)
     const auto value = std::ranges::min_element(fitted.values, {},
         [&](const MeasuredValue& one) { return std::abs(one.target - knot.target); });
     const auto index = fitted.indices[static_cast<std::size_t>(value - fitted.values.begin())];
-    const TargetMeans corrections(measurement, input.settings.direction,
-        [](const RunValue& one) { return one.correction; });
+    const TargetMeans corrections(
+        measurement, input.settings.direction, [](const RunValue& one) { return one.correction; });
     return corrections.at(measurement.values[index].target);
 }
 
@@ -674,8 +674,8 @@ Result<FitReport> fitRuns(const FitInput& input)
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
     AXISCOMP_CHECK(addHeldOut(heldOutOf(tables, input.stop), report));
-    report.sign = signOfTables(
-        {settled, settings, input.state, input.lookupAt, input.stop}, tables, report);
+    report.sign =
+        signOfTables({settled, settings, input.state, input.lookupAt, input.stop}, tables, report);
     addRunsRemarks(input, outlierCount(judgement), tables.front().fit, report);
     std::vector<CompensationTable> made;
     for (const FittedTable& one : report.tables)

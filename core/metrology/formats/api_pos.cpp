@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 3> rules{
     "or Reverse Directional Avg Error; lines of position and error in mm follow. The file holds "
     "means, so nothing can be said of repeatability and accuracy.",
     "Where there is no block for the reverse direction, its mean is 2 x bidirectional - forward.",
-    "A line Unit or Units with another unit than mm, such as Units: inch, does not say whether it is "
-    "that of positions or errors, so both have to be stated: --unit and --value-unit.",
+    "A line Unit or Units with another unit than mm, such as Units: inch, does not say whether it "
+    "is that of positions or errors, so both have to be stated: --unit and --value-unit.",
 };
 constexpr std::array<std::string_view, 1> assumptions{
     "An error is the measured position minus the target. Everything else in the file becomes a "

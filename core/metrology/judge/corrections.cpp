@@ -121,8 +121,7 @@ Result<Measurement> correctedForDeadPath(
                 "temperature and humidity of every run")
                                       .with("run", value.run)
                                       .with("direction", approachText(value.direction)));
-        const double change =
-            -correction.lengthMm * (refractiveIndex(air->second) / atZero - 1.0);
+        const double change = -correction.lengthMm * (refractiveIndex(air->second) / atZero - 1.0);
         value.deviation += change;
         value.correction += change;
     }

@@ -209,7 +209,8 @@ private:
             ? AXISCOMP_TEXT("Report",
                 "air {air}, material {material}, of the values {values}, expansion {expansion}")
                   .with("values", rangeText(*values))
-            : Text(AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}"));
+            : Text(
+                AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}"));
         return std::move(text)
             .with("air", temperature(header.airTemperature))
             .with("material", temperature(header.materialTemperature))

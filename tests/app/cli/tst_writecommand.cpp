@@ -382,8 +382,8 @@ private Q_SLOTS:
             bench.write("x.csv", {"--dry-run", "--value-unit", "um", "--position-unit", "m"});
         VERIFY_CODE(stated, 0);
         QVERIFY2(!stated.err.contains(steep), stated.err.constData());
-        const ProgramRun set = bench.write("x.csv",
-            {"--dry-run", "--set-in", "value-unit=um", "--set-in", "position-unit=m"});
+        const ProgramRun set = bench.write(
+            "x.csv", {"--dry-run", "--set-in", "value-unit=um", "--set-in", "position-unit=m"});
         VERIFY_CODE(set, 0);
         QVERIFY2(!set.err.contains(steep), set.err.constData());
     }

@@ -732,8 +732,7 @@ private Q_SLOTS:
             const auto whole = test::readAs("api-pos", line + blocks, options);
             VERIFY_MEASUREMENT(whole);
             QVERIFY(std::abs(whole.measurement->targets.back() - 101.6) < 1e-12);
-            QVERIFY(
-                std::abs(valueAt(*whole.measurement, Approach::Up, 1, 1) - 0.00254) < 1e-12);
+            QVERIFY(std::abs(valueAt(*whole.measurement, Approach::Up, 1, 1) - 0.00254) < 1e-12);
             QVERIFY(whole.measurement->notes.back().starts_with("values: unit stated as mil, "));
         }
         for (const char* line : {"Units: mm\n", "Units Millimeter\n", "Unit 4\n"})

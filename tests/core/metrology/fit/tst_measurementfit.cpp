@@ -717,9 +717,9 @@ private Q_SLOTS:
     void theSignSentenceNamesTheReferenceBeforeCorrections()
     {
         const Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.001; });
-        const CorrectionsBefore warm{.temperature = TemperatureCorrection{.materialCelsius = 25.0,
-                                         .expansionPerKelvin = 11.5e-6,
-                                         .isConfirmed = true}};
+        const CorrectionsBefore warm{
+            .temperature = TemperatureCorrection{
+                .materialCelsius = 25.0, .expansionPerKelvin = 11.5e-6, .isConfirmed = true}};
         const auto atTwenty = corrected(runs, warm);
         VERIFY_RESULT(atTwenty);
         const auto report = fitMeasurement(atTwenty->measurement, keeping(), measuredOff());
@@ -756,8 +756,7 @@ private Q_SLOTS:
         const auto report = fitMeasurement(runs, settings, measuredOff());
         VERIFY_RESULT(report);
         const std::string sign = report->sign.english();
-        QVERIFY2(
-            sign.find("where the encoder reads 100 mm the reference said 100.01 mm (100.00")
+        QVERIFY2(sign.find("where the encoder reads 100 mm the reference said 100.01 mm (100.00")
                     != std::string::npos
                 && sign.find("mm after corrections), measured once") != std::string::npos,
             sign.c_str());
