@@ -139,6 +139,7 @@ void Import::readCsv()
 {
     CsvOptions options;
     options.dimensions = m_request.dimensions;
+    options.units = statedUnits(m_request.choices.settings, m_request.choices.units);
     options.missing = m_request.choices.missing;
     options.snap = m_request.choices.snap;
     options.stop = m_request.stop;

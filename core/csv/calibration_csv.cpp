@@ -127,6 +127,14 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
     return data;
 }
 
+/// What is stated counts for all that is said of the numbers.
+void takeUnits(const StatedUnits& stated, csv::Scan& scan)
+{
+    const auto dimensions = static_cast<std::size_t>(scan.dimensions);
+    for (std::size_t i = 0; i < scan.columns.size(); ++i)
+        takeStatedUnit(scan.columns[i].unit, i < dimensions ? stated.positions : stated.values);
+}
+
 void parse(
     std::string_view text, const CsvOptions& options, DiagnosticList& diagnostics, CsvReading& out)
 {
@@ -138,6 +146,7 @@ void parse(
     if (diagnostics.hasErrors())
         return;
     csv::Scan scan = csv::scan(inspection, options, diagnostics);
+    takeUnits(options.units, scan);
     out.cancelled = scan.cancelled;
     if (scan.cancelled)
         return;

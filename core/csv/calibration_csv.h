@@ -3,6 +3,7 @@
 
 #include "core/table/compensation_table.h"
 #include "core/table/missing_points.h"
+#include "core/table/table_units.h"
 #include "core/text/diagnostic.h"
 
 #include <cstddef>
@@ -31,6 +32,7 @@ struct CsvOptions {
     /// With another choice than Refuse a point may have no line, and a value may be an empty cell,
     /// nan or `#N/A`.
     MissingPoints missing = MissingPoints::Refuse;
+    StatedUnits units = {}; ///< in place of those of the header
     /// How far positions may be off the grid, in their unit: closer ones are one. 0: half of the
     /// last decimal printed.
     double snap = 0.0;

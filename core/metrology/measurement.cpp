@@ -90,6 +90,22 @@ std::string_view positionUnit(const Measurement& measurement)
     return measurement.isAngular ? "deg" : "mm";
 }
 
+std::optional<TemperatureRange> temperaturesOfValues(const Measurement& measurement)
+{
+    std::optional<TemperatureRange> range;
+    for (const RunValue& value : measurement.values) {
+        if (!value.isUsed)
+            continue;
+        if (!value.temperature)
+            return std::nullopt;
+        const double celsius = *value.temperature;
+        range = range
+            ? TemperatureRange{std::min(range->lowest, celsius), std::max(range->highest, celsius)}
+            : TemperatureRange{celsius, celsius};
+    }
+    return range;
+}
+
 std::vector<double> distinctTargets(std::vector<double> positions)
 {
     std::ranges::sort(positions);

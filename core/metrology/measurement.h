@@ -42,6 +42,8 @@ struct RunValue {
     std::optional<double> temperature = {}; ///< in deg C
     bool isUsed = true; ///< false: kept in the file, left out of every figure
     std::size_t line = 0; ///< of the file, from 1; 0: not known
+    /// What corrections have put to the deviation, in mm or deg: without it, it is as it was read.
+    double correction = 0.0;
 
     friend bool operator==(const RunValue&, const RunValue&) = default;
 };
@@ -153,6 +155,14 @@ struct Measurement {
 
 /// "mm" or "deg"
 [[nodiscard]] std::string_view positionUnit(const Measurement& measurement);
+
+/// The lowest and the highest temperature of values in use, in deg C; nothing where one of them has
+/// none. What has it, the air or the machine, no file says.
+struct TemperatureRange {
+    double lowest = 0.0;
+    double highest = 0.0;
+};
+[[nodiscard]] std::optional<TemperatureRange> temperaturesOfValues(const Measurement& measurement);
 
 /// Each position once, ascending: those that are closer than 1e-9 of the range are one.
 [[nodiscard]] std::vector<double> distinctTargets(std::vector<double> positions);

@@ -46,7 +46,8 @@ bool losesTable(const CalibrationRecord& there, const CalibrationRecord& made)
     if (there.tables.empty() || (!there.write && there.after.empty()))
         return false;
     return std::ranges::none_of(there.tables, [&](const RecordedTable& table) {
-        return std::ranges::find(made.tables, table.crc, &RecordedTable::crc) != made.tables.end();
+        return std::ranges::any_of(made.tables,
+            [&table](const RecordedTable& other) { return isSameTable(table, other); });
     });
 }
 

@@ -72,6 +72,7 @@ Result<TableInput> readData(
     inputOptions = options.input;
     inputOptions.profile = options.drive.profile;
     inputOptions.acceptsUneven = options.conversion.resamples();
+    inputOptions.units = options.conversion.units;
     return readInput(environment, inputOptions);
 }
 

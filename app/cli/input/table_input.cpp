@@ -34,7 +34,7 @@ MissingPoints missingPoints(const TableInputOptions& options)
 }
 
 CsvReading readCsv(Environment& environment, const TableInputOptions& input,
-    const std::optional<std::string>& text, int dimensions)
+    const StatedUnits& units, const std::optional<std::string>& text, int dimensions)
 {
     const std::string& file = input.file;
     CsvOptions options;
@@ -42,6 +42,7 @@ CsvReading readCsv(Environment& environment, const TableInputOptions& input,
     options.acceptsUneven = input.acceptsUneven;
     options.missing = missingPoints(input);
     options.snap = input.snap;
+    options.units = units;
     options.stop = environment.stopToken();
     options.progress = [&](double fraction) {
         environment.console().progress("reading " + file, fraction);
@@ -90,11 +91,12 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
 
 /// The number of dimensions is the user's to choose, but when only one fits it can be named.
 Result<CsvReading> refuseWithoutDimensions(Environment& environment,
-    const TableInputOptions& options, const std::optional<std::string>& text)
+    const TableInputOptions& options, const StatedUnits& units,
+    const std::optional<std::string>& text)
 {
     std::vector<int> fitting;
     for (int dimensions = 1; dimensions <= 3; ++dimensions) {
-        CsvReading reading = readCsv(environment, options, text, dimensions);
+        CsvReading reading = readCsv(environment, options, units, text, dimensions);
         if (reading.cancelled)
             return fail(ErrorCode::Cancelled);
         if (isUnreadable(reading))
@@ -114,7 +116,8 @@ Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     return wrongUsage(reason, options.command);
 }
 
-Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions& options)
+Result<TableInput> inspectCsv(
+    Environment& environment, const TableInputOptions& options, const FormatSettings& settings)
 {
     std::optional<std::string> text;
     if (options.file == standardStream) {
@@ -122,10 +125,11 @@ Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions&
             auto all, readStandardInput(environment.interrupt(), CsvOptions{}.maximumBytes));
         text = std::move(all);
     }
+    const StatedUnits units = statedUnits(settings, options.units);
     AXISCOMP_TRY(auto reading,
         options.dimensions == 0
-            ? refuseWithoutDimensions(environment, options, text)
-            : Result<CsvReading>(readCsv(environment, options, text, options.dimensions)));
+            ? refuseWithoutDimensions(environment, options, units, text)
+            : Result<CsvReading>(readCsv(environment, options, units, text, options.dimensions)));
     if (reading.cancelled)
         return fail(ErrorCode::Cancelled);
     environment.diagnose(displayName(options.file), reading.diagnostics);
@@ -292,7 +296,7 @@ Result<TableInput> inspectInput(Environment& environment, const TableInputOption
     AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
     if (!isTriamec(*format))
         return inspectOther(environment, *format, options);
-    auto input = format == &calibration_csv::format() ? inspectCsv(environment, options)
+    auto input = format == &calibration_csv::format() ? inspectCsv(environment, options, settings)
                                                       : inspectTamTable(environment, options);
     if (input && input->data)
         stateUnits(*input->data, settings);

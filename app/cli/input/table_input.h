@@ -23,6 +23,7 @@ struct TableInputOptions {
     std::string fill; ///< nearest, plane, smooth; empty: points without a value are an error
     bool crops = false;
     double snap = 0.0; ///< see CsvOptions
+    StatedUnits units; ///< likewise; they come before the settings
     std::string table; ///< name or number; empty: the only one
     std::string profile; ///< path; empty: the built-in one
 };

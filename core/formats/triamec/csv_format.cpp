@@ -46,6 +46,7 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     csv.dimensions = options.dimensions;
     csv.acceptsUneven = true;
     csv.missing = options.missing;
+    csv.units = statedUnits(options.settings);
     csv.snap = options.snap;
     csv.maximumDiagnostics = options.maximumDiagnostics;
     csv.stop = options.stop;

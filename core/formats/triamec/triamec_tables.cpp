@@ -85,6 +85,18 @@ NeutralTable neutralTable(
     return neutral;
 }
 
+StatedUnits statedUnits(const FormatSettings& settings, StatedUnits stated)
+{
+    const auto take = [&settings](std::string_view key, std::string& unit) {
+        const auto setting = settings.find(key);
+        if (unit.empty() && setting != settings.end())
+            unit = setting->second;
+    };
+    take("position-unit", stated.positions);
+    take("value-unit", stated.values);
+    return stated;
+}
+
 void stateUnits(CalibrationData& data, const FormatSettings& settings)
 {
     const auto positions = settings.find("position-unit");

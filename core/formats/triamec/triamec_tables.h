@@ -20,6 +20,9 @@ namespace axiscomp {
 /// side, and numbers that no float32 is.
 [[nodiscard]] Result<CalibrationData> calibrationData(const NeutralTable& table);
 
+/// What is stated before a calibration file is read: stated, else what the settings position-unit
+/// and value-unit say.
+[[nodiscard]] StatedUnits statedUnits(const FormatSettings& settings, StatedUnits stated = {});
 /// What the settings position-unit and value-unit say comes before what the file says.
 void stateUnits(CalibrationData& data, const FormatSettings& settings);
 

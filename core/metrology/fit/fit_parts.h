@@ -64,7 +64,8 @@ struct AxisNames {
 [[nodiscard]] bool correctsAnother(const FitInput& input);
 /// What is asked of a table of runs. Errors: InvalidArgument for what the settings leave open.
 [[nodiscard]] Result<TableFitRequest> requestOfRuns(const FitInput& input);
-/// What the drive will add where, at the knot where the table has its largest value.
+/// What the drive will add where, at the knot where the table has its largest value. The reference
+/// is said as it was read: input has what was fitted, with its corrections and without its drift.
 [[nodiscard]] Text signOfRuns(
     const FitInput& input, const TableFit& fit, const CompensationTable& table);
 /// Tracks, and points of two or three axes.
@@ -74,6 +75,7 @@ struct AxisNames {
 struct SignBeside {
     std::vector<Text> position; ///< of each axis
     double measured = 0.0;
+    double correction = 0.0; ///< what corrections have put to it
     std::string table;
     double removed = 0.0;
     double added = 0.0;
@@ -81,6 +83,8 @@ struct SignBeside {
 };
 [[nodiscard]] Text positionAlong(const std::string& axis, double position, bool isAngular);
 [[nodiscard]] Text signBeside(SignBeside sign, bool isAngular);
+/// What was read, and beside it what corrections have made of that where it shows.
+[[nodiscard]] Argument readAndCorrected(Quantity read, Quantity corrected);
 
 /// The values as a drive has them. rounding: the largest change by that.
 [[nodiscard]] FittedTable fittedTable(std::vector<double> values, Grid grid, std::string name,

@@ -343,7 +343,7 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
         position.push_back(
             positionAlong(scatter.axes[axis], scatter.positions[axis][largest], isAngular));
-    return signBeside({std::move(position), column.read[largest], made.table.name,
+    return signBeside({std::move(position), column.read[largest], 0.0, made.table.name,
                           column.body[largest] + made.removedConstant, lookup.at(place(largest)),
                           input.settings.remove != BodyRemoval::None},
         isAngular);
@@ -437,6 +437,15 @@ Text positionAlong(const std::string& axis, double position, bool isAngular)
         .with("position", placeOf(position, isAngular));
 }
 
+Argument readAndCorrected(Quantity read, Quantity corrected)
+{
+    if (read == corrected)
+        return read;
+    return AXISCOMP_TEXT("Measurement", "{read} ({corrected} after corrections)")
+        .with("read", std::move(read))
+        .with("corrected", std::move(corrected));
+}
+
 Text signBeside(SignBeside sign, bool isAngular)
 {
     const TextPattern pattern = sign.removed == 0.0
@@ -452,7 +461,9 @@ Text signBeside(SignBeside sign, bool isAngular)
             "was taken out for how the artefact lay and for the zero of the table, so the drive "
             "will add {added}");
     return pattern.with("position", std::move(sign.position))
-        .with("measured", fineQuantity(sign.measured, isAngular))
+        .with("measured",
+            readAndCorrected(fineQuantity(sign.measured - sign.correction, isAngular),
+                fineQuantity(sign.measured, isAngular)))
         .with("table", std::move(sign.table))
         .with("removed", fineQuantity(sign.removed, isAngular))
         .with("added", fineQuantity(sign.added, isAngular));

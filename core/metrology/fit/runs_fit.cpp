@@ -13,18 +13,18 @@ namespace axiscomp {
 
 namespace {
 
-/// Where the axis stood on average at a target, by its raw positions.
-class RawPlaces {
+/// The mean at a target of what values have beside their deviations.
+class TargetMeans {
 public:
-    RawPlaces(const Measurement& measurement, FitDirection direction)
+    template <typename Part>
+    TargetMeans(const Measurement& measurement, FitDirection direction, Part part)
         : m_up(measurement.targets.size())
         , m_down(measurement.targets.size())
         , m_direction(direction)
     {
         for (const RunValue& value : measurement.values)
             if (value.isUsed)
-                (value.direction == Approach::Up ? m_up : m_down)[value.target].add(
-                    value.encoder.value_or(0.0));
+                (value.direction == Approach::Up ? m_up : m_down)[value.target].add(part(value));
     }
 
     /// In the way in which deviations are averaged.
@@ -68,7 +68,9 @@ FitValues fitValues(const Measurement& measurement, const FitInput& input)
 {
     const bool isRaw = input.state.kind == FoundState::Kind::Irrelevant;
     const bool hasRawPlaces = isRaw || isPlacedByReadings(input);
-    const RawPlaces places(measurement, input.settings.direction);
+    // Where the axis stood, by its raw positions
+    const TargetMeans places(measurement, input.settings.direction,
+        [](const RunValue& value) { return value.encoder.value_or(0.0); });
     FitValues result;
     for (std::size_t i = 0; i < measurement.values.size(); ++i) {
         const RunValue& value = measurement.values[i];
@@ -526,6 +528,23 @@ Result<Measurement> predictMeasurement(const Measurement& measurement,
     return result;
 }
 
+namespace {
+
+/// What corrections have put to the value of a knot, on average.
+double correctionAt(const FitInput& input, const FitKnot& knot)
+{
+    const Measurement& measurement = input.measurement;
+    const FitValues fitted = fitValues(measurement, input);
+    const auto value = std::ranges::min_element(fitted.values, {},
+        [&](const MeasuredValue& one) { return std::abs(one.target - knot.target); });
+    const auto index = fitted.indices[static_cast<std::size_t>(value - fitted.values.begin())];
+    const TargetMeans corrections(
+        measurement, input.settings.direction, [](const RunValue& one) { return one.correction; });
+    return corrections.at(measurement.values[index].target);
+}
+
+} // namespace
+
 Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTable& table)
 {
     const bool isAngular = input.measurement.isAngular;
@@ -548,10 +567,11 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
         if (isAtTarget)
             reading -= before;
     }
+    const double correction = correctionAt(input, *largest);
     if (correctsAnother(input))
         return signBeside(
             {{positionAlong(table.grid.axes.front().name, largest->position, isAngular)}, whole,
-                table.name, removed, added},
+                correction, table.name, removed, added},
             isAngular);
     const double reference = reading + whole;
     Quantity signedAmount = fineQuantity(added, isAngular);
@@ -570,7 +590,9 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
             "where the encoder reads {reading} the reference said {reference}, measured once; "
             "{removed} was taken out for the zero of the table, so the drive will add {added}");
     return pattern.with("reading", placeOf(reading, isAngular))
-        .with("reference", placeOf(reference, isAngular))
+        .with("reference",
+            readAndCorrected(
+                placeOf(reference - correction, isAngular), placeOf(reference, isAngular)))
         .with("count", static_cast<std::int64_t>(largest->weight))
         .with("removed", fineQuantity(removed, isAngular))
         .with("added", std::move(signedAmount));
@@ -609,7 +631,7 @@ FittedTable describe(const FitInput& input, const RunsTable& one)
     return made;
 }
 
-/// Of two tables that of the one with the larger value.
+/// Of two tables that of the one with the larger value. input: with what was fitted.
 Text signOfTables(
     const FitInput& input, const std::vector<RunsTable>& tables, const FitReport& report)
 {
@@ -618,7 +640,7 @@ Text signOfTables(
         return std::max(std::abs(values.minimum), std::abs(values.maximum));
     };
     const std::size_t n = tables.size() == 2 && largest(1) > largest(0) ? 1 : 0;
-    Text sign = signOfRuns(input, tables[n].fit, report.tables[n].table);
+    Text sign = signOfRuns(tables[n].input(input), tables[n].fit, report.tables[n].table);
     if (tables.size() == 1)
         return sign;
     return (n == 0 ? AXISCOMP_TEXT("Measurement", "approached upwards: {sentence}")
@@ -652,7 +674,8 @@ Result<FitReport> fitRuns(const FitInput& input)
     report.predicted = iso230Figures(predicted);
     report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
     AXISCOMP_CHECK(addHeldOut(heldOutOf(tables, input.stop), report));
-    report.sign = signOfTables(input, tables, report);
+    report.sign =
+        signOfTables({settled, settings, input.state, input.lookupAt, input.stop}, tables, report);
     addRunsRemarks(input, outlierCount(judgement), tables.front().fit, report);
     std::vector<CompensationTable> made;
     for (const FittedTable& one : report.tables)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/formats/measurement_formats.h"
 #include "core/metrology/formats/run_assembly.h"
+#include "core/table/position_unit.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
@@ -14,11 +15,13 @@ namespace {
 
 constexpr std::array<std::string_view, 1> extensions{".pos"};
 constexpr std::array kinds{MeasurementKind::Averages};
-constexpr std::array<std::string_view, 2> rules{
+constexpr std::array<std::string_view, 3> rules{
     "Blocks begin with a line Position and Bidirectional Avg Error, Forward Directional Avg Error "
     "or Reverse Directional Avg Error; lines of position and error in mm follow. The file holds "
     "means, so nothing can be said of repeatability and accuracy.",
     "Where there is no block for the reverse direction, its mean is 2 x bidirectional - forward.",
+    "A line Unit or Units with another unit than mm, such as Units: inch, does not say whether it "
+    "is that of positions or errors, so both have to be stated: --unit and --value-unit.",
 };
 constexpr std::array<std::string_view, 1> assumptions{
     "An error is the measured position minus the target. Everything else in the file becomes a "
@@ -70,6 +73,7 @@ public:
     [[nodiscard]] std::vector<RawRunValue> values();
 
 private:
+    void takeUnit(const Token& content);
     [[nodiscard]] std::vector<Entry>& entries()
     {
         return m_blocks[static_cast<std::size_t>(m_block)];
@@ -88,7 +92,24 @@ private:
     Block m_block = Block::None;
     bool m_isAmongPairs = false; ///< since the head of the block or a pair no line of words
     std::array<std::vector<Entry>, 4> m_blocks;
+    Token m_unitLine; ///< that says another unit than that of the format
+    std::string m_unit = "mm";
 };
+
+/// "Units: inch", the first that is not mm.
+void Reader::takeUnit(const Token& content)
+{
+    std::vector<Token> words;
+    splitTokens(content, " \t:=", words);
+    if (m_unitLine || words.size() != 2
+        || !(sameLetters(words[0].text, "Unit") || sameLetters(words[0].text, "Units")))
+        return;
+    std::string unit = toUtf8(words[1].text, m_encoding);
+    if (!isPositionUnit(unit) || isSameUnit(unit, m_unit))
+        return;
+    m_unit = std::move(unit);
+    m_unitLine = content;
+}
 
 void Reader::takeLine(const Token& line)
 {
@@ -119,6 +140,7 @@ void Reader::takeLine(const Token& line)
                 "thousands"));
         return;
     }
+    takeUnit(content);
     // Behind a line of words another table may stand, of which nothing is known.
     if (content && content.text.find_first_not_of("+-._= \t") != std::string_view::npos)
         m_isAmongPairs = false;
@@ -158,13 +180,21 @@ void Reader::addFollowing(std::vector<RawRunValue>& values)
     }
 }
 
-/// The format has mm for both.
+/// The format has mm for both; another unit may be that of one of them.
 void Reader::inUnits(std::vector<RawRunValue>& values)
 {
+    if (m_unitLine && (m_options.unit.empty() || m_options.valueUnit.empty())) {
+        m_diagnostics.error(DiagnosticCode::UnitMissing, m_unitLine.line, 0,
+            Verbatim{excerpt(m_unitLine.text, m_encoding)},
+            AXISCOMP_TEXT("Error",
+                "mm, or both units stated: that of the positions (--unit) and that of the errors "
+                "(--value-unit)"));
+        return;
+    }
     const auto targets =
-        unitOfFormat("targets", m_options.unit, "mm", m_measurement, m_diagnostics);
+        unitOfFormat("targets", m_options.unit, m_unit, m_measurement, m_diagnostics);
     const auto errors =
-        unitOfFormat("values", m_options.valueUnit, "mm", m_measurement, m_diagnostics);
+        unitOfFormat("values", m_options.valueUnit, m_unit, m_measurement, m_diagnostics);
     if (!targets || !errors || !areSameKind(*targets, *errors, m_diagnostics))
         return;
     m_measurement.isAngular = targets->isAngular;

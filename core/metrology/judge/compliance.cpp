@@ -33,7 +33,8 @@ public:
         checkDirections();
         checkPeriod();
         checkRecord("environment", AXISCOMP_TEXT("Measurement", "the file states the temperature"),
-            m_measurement.header.airTemperature || m_measurement.header.materialTemperature);
+            m_measurement.header.airTemperature || m_measurement.header.materialTemperature
+                || temperaturesOfValues(m_measurement));
         checkRecord("instrument", AXISCOMP_TEXT("Measurement", "the file states the instrument"),
             !m_measurement.header.instrument.empty());
         checkRecord("feed", AXISCOMP_TEXT("Measurement", "the file states the feed"),

@@ -91,7 +91,9 @@ Result<Measurement> correctedForTemperature(
     for (RunValue& value : measurement.values) {
         // (P_ij - P_0) f - (P_i - P_0), written so that nothing is lost beside a large position.
         const double distance = measurement.targets[value.target] - datum;
-        value.deviation = value.deviation * factor + distance * (factor - 1.0);
+        const double before = value.deviation;
+        value.deviation = before * factor + distance * (factor - 1.0);
+        value.correction += value.deviation - before;
     }
     measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
     return measurement;
@@ -119,7 +121,9 @@ Result<Measurement> correctedForDeadPath(
                 "temperature and humidity of every run")
                                       .with("run", value.run)
                                       .with("direction", approachText(value.direction)));
-        value.deviation -= correction.lengthMm * (refractiveIndex(air->second) / atZero - 1.0);
+        const double change = -correction.lengthMm * (refractiveIndex(air->second) / atZero - 1.0);
+        value.deviation += change;
+        value.correction += change;
     }
     return measurement;
 }

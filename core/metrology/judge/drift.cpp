@@ -156,9 +156,11 @@ Measurement withoutDrift(Measurement measurement, DriftRemoval removal)
             const auto run = std::ranges::find(drift.runs, value.run);
             if (value.direction != direction || run == drift.runs.end())
                 continue;
-            value.deviation -= removal == DriftRemoval::Offset
+            const double ofRun = removal == DriftRemoval::Offset
                 ? drift.offset[static_cast<std::size_t>(run - drift.runs.begin())]
                 : *drift.trendPerRun * (value.run - meanRun);
+            value.deviation -= ofRun;
+            value.correction -= ofRun;
         }
     }
     return measurement;

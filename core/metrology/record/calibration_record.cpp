@@ -6,7 +6,9 @@
 #include "core/metrology/record/measurement_json.h"
 #include "core/metrology/record/record_fields.h"
 #include "core/store/backup_json.h"
+#include "core/table/position_unit.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace axiscomp {
@@ -415,6 +417,16 @@ Result<DeadPathCorrection> deadPathFromText(std::string_view text, const std::st
                     .with("file", Verbatim{fileName})
                     .with("reason", json.problem()->reason)}});
     return correction;
+}
+
+bool isSameTable(const RecordedTable& a, const RecordedTable& b)
+{
+    const auto hasUnitOf = [](const GridAxis& one, const GridAxis& other) {
+        return isSameUnit(one.unit, other.unit);
+    };
+    return isSameTable(TableIdentity{a.crc, a.table.grid}, TableIdentity{b.crc, b.table.grid})
+        && isSameUnit(a.table.unit, b.table.unit)
+        && std::ranges::equal(a.table.grid.axes, b.table.grid.axes, hasUnitOf);
 }
 
 const RecordedAfter* lastAfter(const CalibrationRecord& record)

@@ -87,6 +87,9 @@ struct RecordedTable {
 
     friend bool operator==(const RecordedTable&, const RecordedTable&) = default;
 };
+/// Whether it is one table: the same values over the same positions (isSameTable of the
+/// identities), in the same units. Whatever the names.
+[[nodiscard]] bool isSameTable(const RecordedTable& a, const RecordedTable& b);
 /// CRC-32 of the values as little-endian float32, dimension 1 fastest: what a drive shows for its
 /// table, by the generic layout.
 [[nodiscard]] std::uint32_t tableCrc(const CompensationTable& table);

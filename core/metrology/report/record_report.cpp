@@ -173,6 +173,24 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
     }
 }
 
+/// What the first measurement does not state may be in the second one.
+void takeMachine(ReportContent& content)
+{
+    const auto take = [](const std::string& stated, std::string& text) {
+        if (!stated.empty())
+            text = stated;
+    };
+    for (const auto* one : {&content.after, &content.before}) {
+        if (!*one)
+            continue;
+        const Measurement& measurement = (*one)->measurement;
+        content.isAngular = measurement.isAngular;
+        take(measurement.header.machine, content.machine);
+        take(measurement.header.axis, content.axis);
+        take(measurement.header.serial, content.serial);
+    }
+}
+
 void addTolerances(ReportContent& content, const CalibrationRecord& record)
 {
     RecordedJudging judging = judgingOf(record);
@@ -195,14 +213,7 @@ Result<ReportContent> reportContent(
         AXISCOMP_TRY(content.after, measured(after->measurement));
         addInputs(content.inputs, after->measurement);
     }
-    for (const auto* one : {&content.after, &content.before}) {
-        if (!*one)
-            continue;
-        content.isAngular = (*one)->measurement.isAngular;
-        content.machine = (*one)->measurement.header.machine;
-        content.axis = (*one)->measurement.header.axis;
-        content.serial = (*one)->measurement.header.serial;
-    }
+    takeMachine(content);
     if (record.drive) {
         content.drive = record.drive->name;
         content.driveSerial = std::to_string(record.drive->serialNumber);

@@ -181,7 +181,7 @@ private:
             return listText({statedText(header(one).feed), statedText(header(one).dwell)});
         });
         row(AXISCOMP_TEXT("Report", "Environment"),
-            [&](const ReportMeasurement& one) { return environmentText(header(one)); });
+            [&](const ReportMeasurement& one) { return environmentText(one.measurement); });
         row(AXISCOMP_TEXT("Report", "Compensation"),
             [&](const ReportMeasurement& one) { return stateText(header(one).compensation); });
         row(AXISCOMP_TEXT("Report", "Corrections"),
@@ -198,17 +198,38 @@ private:
         return Text({"", "{items}", nullptr}, {{"items", std::move(items)}});
     }
 
-    [[nodiscard]] static Text environmentText(const MeasurementHeader& header)
+    [[nodiscard]] static Text environmentText(const Measurement& measurement)
     {
+        const MeasurementHeader& header = measurement.header;
         const auto temperature = [](const std::optional<double>& value) {
             return value ? quantityText(roundedText(*value), "°C") : notStated();
         };
-        return AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}")
+        const auto values = temperaturesOfValues(measurement);
+        Text text = values
+            ? AXISCOMP_TEXT("Report",
+                "air {air}, material {material}, of the values {values}, expansion {expansion}")
+                  .with("values", rangeText(*values))
+            : Text(
+                AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}"));
+        return std::move(text)
             .with("air", temperature(header.airTemperature))
             .with("material", temperature(header.materialTemperature))
             .with("expansion",
                 header.expansion ? quantityText(roundedText(*header.expansion * 1e6), "µm/(m·K)")
                                  : notStated());
+    }
+
+    [[nodiscard]] static Text rangeText(const TemperatureRange& range)
+    {
+        // A degree Fahrenheit or a kelvin is seldom one of whole tenths.
+        const auto digits = [](double celsius) {
+            return roundedText(std::round(celsius * 100.0) / 100.0);
+        };
+        if (digits(range.lowest) == digits(range.highest))
+            return quantityText(digits(range.lowest), "°C");
+        return AXISCOMP_TEXT("Report", "{from} to {to}")
+            .with("from", quantityText(digits(range.lowest), ""))
+            .with("to", quantityText(digits(range.highest), "°C"));
     }
 
     [[nodiscard]] static Text stateText(const MeasuredState& state)

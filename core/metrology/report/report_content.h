@@ -52,9 +52,9 @@ struct ReportedTable {
 struct ReportContent {
     bool isAngular = false; ///< lengths are degrees
     bool isByTemperature = false; ///< the figures are those of a fit by temperature
-    std::string machine;
+    std::string machine; ///< as a measurement's file says it, likewise axis and serial
     std::string axis;
-    std::string serial; ///< as the measurement's file says it
+    std::string serial;
     std::string drive;
     std::string driveSerial;
     std::string firmwareProfile;

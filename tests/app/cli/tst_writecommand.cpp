@@ -371,6 +371,23 @@ private Q_SLOTS:
         QVERIFY2(asItStands.out.contains("from -1 mm to +2.1 mm"), asItStands.out.constData());
     }
 
+    /// 5.5 um over 100 mm are no mistake of units.
+    void theUnitsThatAreStatedCountForTheWarningsOfTheFile()
+    {
+        const Fixture bench;
+        bench.box.file("x.csv", "X,T\n0,1.5\n0.1,-2.5\n0.2,3\n");
+        const QByteArray steep = "the table is very steep";
+        QVERIFY(bench.write("x.csv", {"--dry-run"}).err.contains(steep));
+        const ProgramRun stated =
+            bench.write("x.csv", {"--dry-run", "--value-unit", "um", "--position-unit", "m"});
+        VERIFY_CODE(stated, 0);
+        QVERIFY2(!stated.err.contains(steep), stated.err.constData());
+        const ProgramRun set = bench.write(
+            "x.csv", {"--dry-run", "--set-in", "value-unit=um", "--set-in", "position-unit=m"});
+        VERIFY_CODE(set, 0);
+        QVERIFY2(!set.err.contains(steep), set.err.constData());
+    }
+
     void anAngleForALengthIsRefused()
     {
         const Fixture bench;

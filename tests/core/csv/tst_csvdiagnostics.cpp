@@ -264,6 +264,23 @@ private Q_SLOTS:
         QVERIFY(reading.diagnostics[0].line >= firstSteep + 2);
     }
 
+    /// 5.5 um over 100 mm in the units that are stated.
+    void theGradientIsLookedAtInTheUnitsThatAreStated()
+    {
+        const QByteArray text = "X [mm];dX [mm]\n0;1,5\n0,1;-2,5\n0,2;3\n";
+        QCOMPARE(parse(text, 1).diagnostics.size(), 1U);
+        CsvOptions options;
+        options.units = {"um", "m"};
+        const CsvReading stated = parse(text, 1, options);
+        QVERIFY2(stated.diagnostics.empty(), describe(stated).join('\n').constData());
+        QCOMPARE(stated.data->grid.axes[0].unit, "m");
+        QCOMPARE(stated.data->tables[0].grid.axes[0].unit, "m");
+        QCOMPARE(stated.data->tables[0].unit, "um");
+        options.units = {"m", {}};
+        QCOMPARE(parse(text, 1, options).diagnostics.size(), 1U);
+        QCOMPARE(parse(text, 1, options).data->tables[0].grid.axes[0].unit, "mm");
+    }
+
     void theFirstHundredProblemsAreShownTheRestCounted_data()
     {
         QTest::addColumn<std::size_t>("maximum");

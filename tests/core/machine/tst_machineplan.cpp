@@ -183,6 +183,30 @@ private Q_SLOTS:
             ofDrive.table.has_value() || ofDrive.problem->code == ErrorCode::SignNotConvertible);
     }
 
+    /// 5.5 um over 100 mm are no mistake of units.
+    void unitsThatAreStatedCountForTheWarningsOfAFile()
+    {
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "x.csv") << "X;dX\n0;1,5\n0,1;-2,5\n0,2;3\n";
+        MachineAxis axis;
+        axis.file = "x.csv";
+        axis.sources = std::vector<std::string>{test::masterX};
+        axis.choices.format = &calibration_csv::format();
+        const auto problems = [&] {
+            return readMachineTable(axis, folder, genericTableLayout(), std::nullopt).problems;
+        };
+        QCOMPARE(problems().size(), std::size_t{1});
+        axis.choices.units = {"um", "m"};
+        QVERIFY(problems().empty());
+        axis.choices.units = {};
+        axis.choices.settings = {{"position-unit", "m"}, {"value-unit", "um"}};
+        QVERIFY(problems().empty());
+        // The units come before the settings.
+        axis.choices.units = {"m", {}};
+        QCOMPARE(problems().size(), std::size_t{1});
+    }
+
     /// "value_unit" left the numbers in the unit of the axis: 0.2 mm in place of 0.2 um.
     void aSettingThatTheFormatDoesNotHaveIsAnError_data()
     {

@@ -412,6 +412,27 @@ private Q_SLOTS:
         QCOMPARE(metOf(conditions(good, {}), "bidirectional"), std::optional(false));
     }
 
+    /// Of every value that figures are made of.
+    void temperaturesOfTheValuesAreStated()
+    {
+        Measurement measurement = noisy(9, 400.0, 5);
+        const auto isStated = [&measurement] {
+            return metOf(complianceOf(measurement, iso230Figures(measurement), {}), "environment");
+        };
+        QCOMPARE(isStated(), std::optional(false));
+        for (std::size_t i = 1; i < measurement.values.size(); ++i)
+            measurement.values[i].temperature = 20.0 + 0.01 * static_cast<double>(i);
+        QCOMPARE(isStated(), std::optional(false));
+        measurement.values[0].isUsed = false;
+        QCOMPARE(isStated(), std::optional(true));
+        const auto range = temperaturesOfValues(measurement);
+        QVERIFY(range && range->lowest == 20.01);
+        QCOMPARE(range->highest, 20.0 + 0.01 * static_cast<double>(measurement.values.size() - 1));
+        measurement.header.airTemperature = 20.0;
+        measurement.values.back().temperature.reset();
+        QCOMPARE(isStated(), std::optional(true));
+    }
+
     void resultsInAFileAreCompared()
     {
         Measurement measurement = publicRuns("b02_x.csv");

@@ -717,6 +717,28 @@ private Q_SLOTS:
         QCOMPARE(reading.measurement->notes.size(), std::size_t{9});
     }
 
+    /// 4 inch are 101.6 mm, and 0.1 mil is 0.00254 mm.
+    void aUnitThatMeansOfApiSayHasToBeStatedOfBoth()
+    {
+        const std::string blocks = "Position Forward Directional Avg Error\n0 0\n4 0.1\n"
+                                   "Position Reverse Directional Avg Error\n0 0\n4 0.1\n";
+        for (const char* line : {"Units: inch\n", "UNIT=Inch\n", "Units in\n"}) {
+            MeasurementReadOptions options;
+            options.unit = "inch";
+            const auto half = test::readAs("api-pos", line + blocks, options);
+            QVERIFY(!half.measurement && half.diagnostics.size() == 1);
+            QCOMPARE(half.diagnostics[0].code, DiagnosticCode::UnitMissing);
+            options.valueUnit = "mil";
+            const auto whole = test::readAs("api-pos", line + blocks, options);
+            VERIFY_MEASUREMENT(whole);
+            QVERIFY(std::abs(whole.measurement->targets.back() - 101.6) < 1e-12);
+            QVERIFY(std::abs(valueAt(*whole.measurement, Approach::Up, 1, 1) - 0.00254) < 1e-12);
+            QVERIFY(whole.measurement->notes.back().starts_with("values: unit stated as mil, "));
+        }
+        for (const char* line : {"Units: mm\n", "Units Millimeter\n", "Unit 4\n"})
+            VERIFY_MEASUREMENT(test::readAs("api-pos", line + blocks));
+    }
+
     void aReportIsReadAsPrinted()
     {
         const MeasurementReading reading = test::readAs("ecmc-report",

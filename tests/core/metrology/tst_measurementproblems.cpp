@@ -188,6 +188,8 @@ private Q_SLOTS:
             {"7:0 Syntax 900 0.1 .1|", "8:0 Syntax -.5* 0|"});
         row("a mean of both alone", "api-pos", both + "900 0.001\n" + forward,
             {"4:0 CountMismatch a position without a forward mean|the same positions in both"});
+        row("another unit", "api-pos", "Units: mm\nUnits: inch\n" + forward,
+            {"2:0 UnitMissing Units: inch|mm, or both units stated"});
         row("cycles", "ecmc",
             "CYCLES=2\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=1\n",
             {"0:0 CountMismatch CYCLES: 2, but 1 are there|"});

@@ -488,6 +488,27 @@ private Q_SLOTS:
         QCOMPARE(loaded(path).tables.front().crc, record.tables.front().crc);
     }
 
+    /// The same values, which have the same CRC-32.
+    void theTableIsAnotherOneOverOtherPositionsOrInAnotherUnit()
+    {
+        for (const bool isMoved : {true, false}) {
+            Bench bench;
+            CalibrationRecord record = test::recordOfFit();
+            record.write = RecordedWrite{*record.time, "Small1", true, record.tables.front().crc};
+            const QString path = bench.saved(QStringLiteral("x.axcal"), record);
+            QVERIFY(bench.open(path));
+            CalibrationRecord other = test::recordOfFit();
+            CompensationTable& table = other.tables.front().table;
+            if (isMoved)
+                table.grid.axes.front().start += 5.0;
+            else
+                table.unit = "um";
+            bench.record.setCalibration(std::make_shared<const CalibrationRecord>(other));
+            QVERIFY(!bench.save(path));
+            QCOMPARE(bench.obstacle, std::optional(RecordFile::Obstacle::OtherTable));
+        }
+    }
+
     void whatCannotBeReadLeavesTheRecordAsItIs_data()
     {
         QTest::addColumn<QByteArray>("content");

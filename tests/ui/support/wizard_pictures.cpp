@@ -2,8 +2,8 @@
 // Renders every state of the page into PNG files, for a person to look at: in each language, in one
 // whose texts are a third longer, light and dark, on three sizes of screen.
 //
-//   wizard-pictures FOLDER [STATE...]      those screens that have the scale of QT_SCALE_FACTOR
-//   wizard-pictures --sheet FOLDER         FOLDER/index.html, with all pictures of the folder
+//   axiscomp-wizard-pictures FOLDER [STATE...]   the screens that have the scale of QT_SCALE_FACTOR
+//   axiscomp-wizard-pictures --sheet FOLDER      FOLDER/index.html, with all pictures of the folder
 #include "tests/ui/support/long_texts.h"
 #include "tests/ui/support/scene_states.h"
 #include "tests/ui/support/window_test.h"
@@ -15,6 +15,9 @@
 #include <QStyleFactory>
 #include <QTextStream>
 
+#include <algorithm>
+#include <string_view>
+
 using namespace axiscomp;
 using namespace axiscomp::ui;
 using axiscomp::test::PageScene;
@@ -24,6 +27,7 @@ using axiscomp::test::ScreenSize;
 namespace {
 
 const QLatin1StringView longTexts("long");
+const QLatin1StringView usage("usage: axiscomp-wizard-pictures [--sheet] FOLDER [STATE...]");
 
 /// While it is there the program speaks a language; longTexts is English that is longer.
 class Spoken {
@@ -111,12 +115,19 @@ void writeSheet(const QDir& folder)
 
 int main(int argc, char** argv)
 {
+    const auto isHelp = [](std::string_view text) { return text == "--help" || text == "-h"; };
+    if (std::any_of(argv + 1, argv + argc, isHelp)) { // without a screen, too
+        QTextStream(stdout) << usage << Qt::endl;
+        return 0;
+    }
     QApplication application(argc, argv);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QStringList arguments = QApplication::arguments().mid(1);
     const bool isSheet = arguments.removeAll(QStringLiteral("--sheet")) > 0;
-    if (arguments.isEmpty())
-        qFatal("usage: wizard-pictures [--sheet] FOLDER [STATE...]");
+    if (arguments.isEmpty() || arguments.front().startsWith(u'-')) { // a folder may be ./-x
+        QTextStream(stderr) << usage << Qt::endl;
+        return 2;
+    }
     const QDir folder(arguments.front());
     if (!folder.mkpath(QStringLiteral(".")))
         qFatal("cannot make %s", qPrintable(folder.path()));

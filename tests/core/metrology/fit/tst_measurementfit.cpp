@@ -2,6 +2,7 @@
 #include "core/metrology/fit/fit_parts.h"
 #include "core/metrology/fit/fitted_points.h"
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/metrology/judge/corrections.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -709,6 +710,56 @@ private Q_SLOTS:
                      "will add +1.999 um")
                 != std::string::npos,
             report->sign.english().c_str());
+    }
+
+    /// 5 K too warm: 100.001 mm as read are 100.001 / (1 + 57.5e-6) at 20 deg C. The sentence is
+    /// compared with the machine, which shows what was read.
+    void theSignSentenceNamesTheReferenceBeforeCorrections()
+    {
+        const Measurement runs = runsOver(0.0, 10.0, 11, [](double) { return 0.001; });
+        const CorrectionsBefore warm{
+            .temperature = TemperatureCorrection{
+                .materialCelsius = 25.0, .expansionPerKelvin = 11.5e-6, .isConfirmed = true}};
+        const auto atTwenty = corrected(runs, warm);
+        VERIFY_RESULT(atTwenty);
+        const auto report = fitMeasurement(atTwenty->measurement, keeping(), measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY2(report->sign.english().find(
+                     "where the encoder reads 100 mm the reference said 100.001 mm (99.99525 mm "
+                     "after corrections) on average of 2 values; the drive will add -4.75")
+                != std::string::npos,
+            report->sign.english().c_str());
+        Measurement beside = runs;
+        beside.header.axis = "X";
+        const auto besideAtTwenty = corrected(beside, warm);
+        VERIFY_RESULT(besideAtTwenty);
+        const auto another = fitMeasurement(besideAtTwenty->measurement, keeping(), offForY());
+        VERIFY_RESULT(another);
+        QVERIFY2(another->sign.english().find("the reference was 1.000 um (-4.750 um after "
+                                              "corrections) beside the encoder")
+                != std::string::npos,
+            another->sign.english().c_str());
+    }
+
+    /// The last target has a value of the second run alone, which lies 10 um above the first.
+    void theSignSentenceNamesTheReferenceWithItsDrift()
+    {
+        Measurement runs;
+        for (std::size_t i = 0; i <= 10; ++i) {
+            runs.targets.push_back(10.0 * static_cast<double>(i));
+            runs.values.push_back({i, Approach::Up, 1, 0.0});
+            runs.values.back().isUsed = i < 10;
+            runs.values.push_back({i, Approach::Up, 2, 0.010});
+        }
+        FitSettings settings = keeping();
+        settings.drift = DriftRemoval::Offset;
+        const auto report = fitMeasurement(runs, settings, measuredOff());
+        VERIFY_RESULT(report);
+        const std::string sign = report->sign.english();
+        QVERIFY2(sign.find("where the encoder reads 100 mm the reference said 100.01 mm (100.00")
+                    != std::string::npos
+                && sign.find("mm after corrections), measured once") != std::string::npos,
+            sign.c_str());
     }
 
     /// Every 0.5 mm; the spline through them is met within 0.01 um, straight lines between the

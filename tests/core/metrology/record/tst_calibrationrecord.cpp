@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
+
 namespace tst_calibrationrecord {
 
 using namespace axiscomp;
@@ -96,6 +98,25 @@ private Q_SLOTS:
         record.verdict->figures = {{{Iso230Figure::R, 0.002}, 0.001, 0.0005}};
         QCOMPARE(judgingOf(record).tolerances.front().value, 0.002);
         QCOMPARE(judgingOf(record).uncertainty, std::optional(0.0005));
+    }
+
+    void aTableIsItsValuesItsPositionsAndItsUnits()
+    {
+        const RecordedTable table = test::fullRecord().tables.front();
+        const auto isOther = [&table](const std::function<void(RecordedTable&)>& change) {
+            RecordedTable other = table;
+            change(other);
+            return !isSameTable(table, other);
+        };
+        QVERIFY(!isOther([](RecordedTable& other) {
+            other.table.name = "Table 2";
+            other.table.unit = "Millimeter";
+            other.table.grid.axes[0].name = "A";
+        }));
+        QVERIFY(isOther([](RecordedTable& other) { other.crc ^= 1U; }));
+        QVERIFY(isOther([](RecordedTable& other) { other.table.grid.axes[0].start += 5.0; }));
+        QVERIFY(isOther([](RecordedTable& other) { other.table.grid.axes[0].unit = "m"; }));
+        QVERIFY(isOther([](RecordedTable& other) { other.table.unit = "um"; }));
     }
 
     void singlesStandInTheFileWithTheirShortestDigits()

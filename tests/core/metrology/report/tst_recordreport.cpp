@@ -125,6 +125,27 @@ private Q_SLOTS:
         QCOMPARE(content->table.crc, std::optional<std::uint32_t>(0x00c0ffee));
     }
 
+    void whatTheFirstMeasurementDoesNotStateIsTakenFromTheSecond()
+    {
+        CalibrationRecord record = plainRecord();
+        RecordedAfter after;
+        after.measurement = *record.before;
+        MeasurementHeader& second = after.measurement.files[0].measurement.header;
+        second.axis = "X";
+        second.machine = "M2";
+        second.serial = "S2";
+        record.after = {after};
+        MeasurementHeader& first = record.before->files[0].measurement.header;
+        first.axis.clear();
+        first.machine = "M1";
+        first.serial.clear();
+        const auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->axis, std::string("X"));
+        QCOMPARE(content->machine, std::string("M1"));
+        QCOMPARE(content->serial, std::string("S2"));
+    }
+
     void runsOfOneDirectionAreNoMeanOfBoth()
     {
         CalibrationRecord record = plainRecord();

@@ -195,6 +195,24 @@ private Q_SLOTS:
             (lines({"range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"})));
     }
 
+    void temperaturesOfTheValuesAreToldByTheirRange()
+    {
+        ReportContent content = wholeContent();
+        double celsius = 18.0;
+        for (RunValue& value : content.before->measurement.values)
+            value.temperature = celsius += 0.1;
+        content.before->measurement.values.front().temperature = (64.5 - 32.0) / 1.8;
+        for (RunValue& value : content.after->measurement.values)
+            value.temperature = 21.5;
+        content.after->measurement.header = {};
+        QCOMPARE(rowOf(htmlOf(content), QStringLiteral("Environment")),
+            (QStringList{QStringLiteral("Environment"),
+                QStringLiteral("air 20.4 °C, material 20.9 °C, of the values 18.06 to 23 °C, "
+                               "expansion 11.5 µm/(m·K)"),
+                QStringLiteral("air not stated, material not stated, of the values 21.5 °C, "
+                               "expansion not stated")}));
+    }
+
     void aVerdictIsThatOfTheLastMeasurement()
     {
         const QString text = textsOf(htmlOf(wholeContent())).join(u'|');
