@@ -8409,6 +8409,10 @@
         <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
         <translation>laut ihrem Namen ({table}) korrigieren die Werte der Tabelle {target}, aber bei Achse {axis} gilt: {role}; andere Tabelle oder Achse wählen oder, wenn es dennoch stimmt, die Tabelle zuerst aus ihrer Datei auf diese Achse schreiben und dabei die Zielachse als {statement} angeben</translation>
     </message>
+    <message>
+        <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
+        <translation>mm, oder beide Einheiten angegeben: die der Positionen (--unit) und die der Fehler (--value-unit)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10160,6 +10164,10 @@
         <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
         <translation>die erste Zielposition ist {first}; die Tabelle ist für eine Achse, die von {from} bis {to} zählt: wo sie anders zählt, hält der Antrieb die Werte an den Enden</translation>
     </message>
+    <message>
+        <source>{read} ({corrected} after corrections)</source>
+        <translation>{read} (nach Korrekturen {corrected})</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11039,6 +11047,14 @@
     <message>
         <source>Each figure is the largest of a thermal state and of all runs together.</source>
         <translation>Jeder Kennwert ist der größte eines thermischen Zustands und aller Durchläufe zusammen.</translation>
+    </message>
+    <message>
+        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
+        <translation>Luft {air}, Material {material}, der Werte {values}, Ausdehnung {expansion}</translation>
+    </message>
+    <message>
+        <source>{from} to {to}</source>
+        <translation>{from} bis {to}</translation>
     </message>
 </context>
 <context>

@@ -8409,6 +8409,10 @@
         <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
         <translation>selon son nom, {table}, les valeurs de la table corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre table ou un autre axe, ou, si c&apos;est malgré tout exact, écrire d&apos;abord la table sur cet axe à partir de son fichier en indiquant l&apos;axe cible par {statement}</translation>
     </message>
+    <message>
+        <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
+        <translation>mm, ou les deux unités indiquées&#xa0;: celle des positions (--unit) et celle des erreurs (--value-unit)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10160,6 +10164,10 @@
         <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
         <translation>la première position cible est {first}&#xa0;; la table est pour un axe qui compte de {from} à {to}&#xa0;: là où il compte autrement, le variateur maintient les valeurs des extrémités</translation>
     </message>
+    <message>
+        <source>{read} ({corrected} after corrections)</source>
+        <translation>{read} ({corrected} après corrections)</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11039,6 +11047,14 @@
     <message>
         <source>Each figure is the largest of a thermal state and of all runs together.</source>
         <translation>Chaque caractéristique est la plus grande d&apos;un état thermique et de toutes les passes ensemble.</translation>
+    </message>
+    <message>
+        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
+        <translation>air {air}, matériau {material}, des valeurs {values}, dilatation {expansion}</translation>
+    </message>
+    <message>
+        <source>{from} to {to}</source>
+        <translation>{from} à {to}</translation>
     </message>
 </context>
 <context>

@@ -8368,6 +8368,10 @@
         <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
         <translation>テーブルの名前 {table} によると値は {target} を補正しますが、軸 {axis} では次のとおりです: {role}。テーブルまたは軸を選び直すか、それでも正しい場合は、先にファイルからこの軸へテーブルを書き込み、その際に対象軸を {statement} と指定してください</translation>
     </message>
+    <message>
+        <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
+        <translation>mm、または両方の単位の指定: 位置の単位 (--unit) と誤差の単位 (--value-unit)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10111,6 +10115,10 @@
         <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
         <translation>最初の目標位置は {first} です。テーブルは {from} から {to} まで数える軸のものです。それ以外では、ドライブが端の値を保持します</translation>
     </message>
+    <message>
+        <source>{read} ({corrected} after corrections)</source>
+        <translation>{read}（補正後 {corrected}）</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10988,6 +10996,14 @@
     <message>
         <source>Each figure is the largest of a thermal state and of all runs together.</source>
         <translation>各特性値は、各熱状態と全走行一括のうち最大の値です。</translation>
+    </message>
+    <message>
+        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
+        <translation>空気 {air}、材料 {material}、測定値 {values}、膨張係数 {expansion}</translation>
+    </message>
+    <message>
+        <source>{from} to {to}</source>
+        <translation>{from}～{to}</translation>
     </message>
 </context>
 <context>

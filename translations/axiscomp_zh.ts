@@ -8368,6 +8368,10 @@
         <source>the name of the table, {table}, says that its values correct {target}, but for axis {axis} {role}; choose another table or axis, or, if it is right all the same, write the table to this axis from its file first, and state the target as {statement} there</source>
         <translation>表的名称 {table} 表明其值修正 {target}，但对轴 {axis} 而言{role}；请选择其他表或轴；如果确实无误，请先从文件将该表写入此轴，并在写入时将目标轴注明为 {statement}</translation>
     </message>
+    <message>
+        <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
+        <translation>mm，或同时给出两个单位：位置的单位 (--unit) 和误差的单位 (--value-unit)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10111,6 +10115,10 @@
         <source>the first target is {first}; the table is for an axis that counts from {from} to {to}: where it counts otherwise, the drive holds the values at the ends</source>
         <translation>第一个目标位置为 {first}；该表格适用于从 {from} 计数到 {to} 的轴：在其他计数处，驱动器保持端点值</translation>
     </message>
+    <message>
+        <source>{read} ({corrected} after corrections)</source>
+        <translation>{read}（修正后 {corrected}）</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -10988,6 +10996,14 @@
     <message>
         <source>Each figure is the largest of a thermal state and of all runs together.</source>
         <translation>各项指标均取各热状态以及全部各趟合计中的最大值。</translation>
+    </message>
+    <message>
+        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
+        <translation>空气 {air}，材料 {material}，测量值 {values}，膨胀系数 {expansion}</translation>
+    </message>
+    <message>
+        <source>{from} to {to}</source>
+        <translation>{from} 至 {to}</translation>
     </message>
 </context>
 <context>
