@@ -11049,8 +11049,8 @@
         <translation>Jeder Kennwert ist der größte eines thermischen Zustands und aller Durchläufe zusammen.</translation>
     </message>
     <message>
-        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
-        <translation>Luft {air}, Material {material}, der Werte {values}, Ausdehnung {expansion}</translation>
+        <source>air {air}, material {material}, values measured at {values}, expansion {expansion}</source>
+        <translation>Luft {air}, Material {material}, Werte gemessen bei {values}, Ausdehnung {expansion}</translation>
     </message>
     <message>
         <source>{from} to {to}</source>

@@ -11049,8 +11049,8 @@
         <translation>Chaque caractéristique est la plus grande d&apos;un état thermique et de toutes les passes ensemble.</translation>
     </message>
     <message>
-        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
-        <translation>air {air}, matériau {material}, des valeurs {values}, dilatation {expansion}</translation>
+        <source>air {air}, material {material}, values measured at {values}, expansion {expansion}</source>
+        <translation>air {air}, matériau {material}, valeurs mesurées à {values}, dilatation {expansion}</translation>
     </message>
     <message>
         <source>{from} to {to}</source>

@@ -10998,8 +10998,8 @@
         <translation>各特性値は、各熱状態と全走行一括のうち最大の値です。</translation>
     </message>
     <message>
-        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
-        <translation>空気 {air}、材料 {material}、測定値 {values}、膨張係数 {expansion}</translation>
+        <source>air {air}, material {material}, values measured at {values}, expansion {expansion}</source>
+        <translation>空気 {air}、材料 {material}、値の測定時 {values}、膨張係数 {expansion}</translation>
     </message>
     <message>
         <source>{from} to {to}</source>

@@ -10998,8 +10998,8 @@
         <translation>各项指标均取各热状态以及全部各趟合计中的最大值。</translation>
     </message>
     <message>
-        <source>air {air}, material {material}, of the values {values}, expansion {expansion}</source>
-        <translation>空气 {air}，材料 {material}，测量值 {values}，膨胀系数 {expansion}</translation>
+        <source>air {air}, material {material}, values measured at {values}, expansion {expansion}</source>
+        <translation>空气 {air}，材料 {material}，测量各值时 {values}，膨胀系数 {expansion}</translation>
     </message>
     <message>
         <source>{from} to {to}</source>

@@ -205,12 +205,12 @@ private:
             return value ? quantityText(roundedText(*value), "°C") : notStated();
         };
         const auto values = temperaturesOfValues(measurement);
-        Text text = values
-            ? AXISCOMP_TEXT("Report",
-                "air {air}, material {material}, of the values {values}, expansion {expansion}")
-                  .with("values", rangeText(*values))
-            : Text(
-                AXISCOMP_TEXT("Report", "air {air}, material {material}, expansion {expansion}"));
+        Text text = values ? AXISCOMP_TEXT("Report",
+                        "air {air}, material {material}, values measured at {values}, expansion "
+                        "{expansion}")
+                                 .with("values", rangeText(*values))
+                           : Text(AXISCOMP_TEXT(
+                               "Report", "air {air}, material {material}, expansion {expansion}"));
         return std::move(text)
             .with("air", temperature(header.airTemperature))
             .with("material", temperature(header.materialTemperature))

@@ -207,9 +207,9 @@ private Q_SLOTS:
         content.after->measurement.header = {};
         QCOMPARE(rowOf(htmlOf(content), QStringLiteral("Environment")),
             (QStringList{QStringLiteral("Environment"),
-                QStringLiteral("air 20.4 °C, material 20.9 °C, of the values 18.06 to 23 °C, "
+                QStringLiteral("air 20.4 °C, material 20.9 °C, values measured at 18.06 to 23 °C, "
                                "expansion 11.5 µm/(m·K)"),
-                QStringLiteral("air not stated, material not stated, of the values 21.5 °C, "
+                QStringLiteral("air not stated, material not stated, values measured at 21.5 °C, "
                                "expansion not stated")}));
     }
 
