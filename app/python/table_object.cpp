@@ -4,6 +4,7 @@
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
 #include "core/csv/calibration_csv.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
@@ -141,6 +142,27 @@ Values valuesFrom(const py::object& given)
     return Values(given);
 }
 
+/// Errors: ValueError for what a file would have as a line of its own, which might state something.
+void refuseControl(const std::string& text, const char* what)
+{
+    if (std::ranges::any_of(text, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
+        throw py::value_error(std::string(what) + " has a line break or another control character");
+}
+
+void refuseControls(const TableObject& object)
+{
+    const CompensationTable& table = object.table;
+    refuseControl(table.name, "the name");
+    refuseControl(table.unit, "the unit");
+    refuseControl(table.target, "the target");
+    for (const GridAxis& axis : table.grid.axes) {
+        refuseControl(axis.name, "the name of an axis");
+        refuseControl(axis.unit, "the unit of an axis");
+    }
+    for (const std::string& note : object.notes)
+        refuseControl(note, "a note");
+}
+
 /// Errors: ValueError for "#2" of one dimension, which no file could say.
 void checkTarget(const std::string& target, py::ssize_t dimensions)
 {
@@ -166,9 +188,13 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     CompensationTable& table = object->table;
     table.name = name;
     table.unit = unit;
-    table.target = target;
-    for (py::ssize_t n = 0; n < values.ndim(); ++n)
+    std::vector<std::string> sources;
+    for (py::ssize_t n = 0; n < values.ndim(); ++n) {
         table.grid.axes.push_back(axisFrom(axes[static_cast<std::size_t>(n)], values.shape(n)));
+        sources.push_back(table.grid.axes.back().name);
+    }
+    table.target = statedOrInHeader(target, name, sources);
+    refuseControls(*object);
     table.values.assign(values.data(), values.data() + values.size());
     table.filled = filled;
     std::ranges::sort(table.filled);
@@ -217,6 +243,15 @@ py::tuple stateOf(const py::object& self)
         object.table.unit, object.table.target, filled, pythonTexts(object.notes));
 }
 
+/// Errors: ValueError, since in one file the notes of one table are those of all.
+void checkSameLookup(const TableObject& one, const TableObject& other)
+{
+    if (valueOf(lookupInNotes(one.notes)) != valueOf(lookupInNotes(other.notes)))
+        throw py::value_error("the tables of one file say the same in their notes of where they are "
+                              "looked up (lookup: encoder, lookup: set, or nothing): give each "
+                              "alone, or make them with the same notes");
+}
+
 CalibrationData dataOf(const std::vector<TablePointer>& tables)
 {
     if (tables.empty())
@@ -225,6 +260,8 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
     for (const TablePointer& object : tables) {
         if (object->table.grid != data.grid)
             throw py::value_error("the tables of one file have the same axes and units");
+        if (object != tables.front())
+            checkSameLookup(*tables.front(), *object);
         data.tables.push_back(object->table);
         if (object == tables.front() || object->notes != tables.front()->notes)
             data.notes.insert(data.notes.end(), object->notes.begin(), object->notes.end());
@@ -255,14 +292,9 @@ std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
         reading = parseCalibrationCsv(text, options);
     }
     if (!reading.data) {
-        Json diagnostics = Json::array();
-        for (const Diagnostic& diagnostic : reading.diagnostics)
-            diagnostics.push_back(
-                {{"code", diagnosticName(diagnostic.code)}, {"line", diagnostic.line},
-                    {"column", diagnostic.column}, {"message", message(diagnostic)}});
         raiseError({ErrorCode::InvalidCalibration,
                        {{"file", Verbatim{"table"}}, {"count", reading.diagnostics.size()}}, {}},
-            diagnostics);
+            diagnosticsJson(reading.diagnostics));
     }
     std::vector<TablePointer> tables;
     for (CompensationTable& table : reading.data->tables) {

@@ -71,6 +71,40 @@ class Tables(unittest.TestCase):
                 axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target=target)
         self.assertEqual(axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target="#1").target, "#1")
 
+    def test_a_name_says_the_target_as_in_a_file(self):
+        table = axiscomp.Table([0, 0.002], [(0, 10, "mm", "X")], name="Y error", unit="mm")
+        self.assertEqual(table.target, "Y")
+        same = axiscomp.resample(table, points=2)
+        self.assertEqual((same, same.notes), (table, []))
+        self.assertEqual(axiscomp.Table([0, 1], [(0, 1, "mm")], name="Y error").target, "")
+
+    def test_a_text_is_one_line(self):
+        axes = [(0, 10, "mm", "X")]
+        for words in (
+            {"target": "X\n// lookup: set"},
+            {"name": "X\r"},
+            {"unit": "mm\t"},
+            {"notes": ["a", "b\nlookup: set"]},
+            {"axes": [(0, 10, "mm", "X\0")]},
+            {"axes": [(0, 10, "mm\n", "X")]},
+        ):
+            with self.assertRaisesRegex(ValueError, "control character", msg=str(words)):
+                axiscomp.Table([0, 0.002], **{"axes": axes, **words})
+
+    def test_tables_of_one_file_are_looked_up_at_the_same_side(self):
+        axes = [(0, 10, "mm", "X")]
+        one, other = (
+            axiscomp.Table([0, 0.002], axes, name=name, unit="mm", target="X", notes=notes)
+            for name, notes in (("A", []), ("S", ["lookup: set"]))
+        )
+        file = self.folder / "x.csv"
+        for tables in ([one, other], [other, one]):
+            with self.assertRaisesRegex(ValueError, "lookup: encoder, lookup: set, or nothing"):
+                axiscomp.write(tables, file)
+        self.assertFalse(file.exists())
+        axiscomp.write([other, axiscomp.Table(other.values, axes, "T", "mm", "X", notes=["a", "Lookup: set"])], file)
+        self.assertEqual(len(axiscomp.read_all(file, dims=1)), 2)
+
     def test_positions_are_those_of_the_grid(self):
         numpy.testing.assert_array_equal(plane().positions(2), [-30, -10, 10, 30])
         with self.assertRaises(IndexError):

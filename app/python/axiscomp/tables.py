@@ -73,11 +73,11 @@ Table.__doc__ = """Compensation values on an even grid of 1 to 3 dimensions; it 
 Table(values, axes, name="Table", unit="", target="", filled=[], notes=[]) copies the values once, as float32:
     values  shape (n1,), (n1, n2) or (n1, n2, n3), reference - encoder, in `unit`
     axes    one (start, distance[, unit[, name]]) per dimension, distance > 0
-    target  the axis that is corrected, as in a file; empty: not said
+    target  the axis that is corrected; empty: what the name says, as in a file: "Y" of "Y error" over X
     filled  indices, dimension 1 fastest, of values that were made up
     notes   comments of the file: "lookup: encoder" or "lookup: set" says for which side a fit made the table, and
-            a write to a source on the other side is refused
-Raises Error (InvalidArgument) for a value that is not finite.
+            a write to a source on the other side is refused; tables of one file say the same
+Raises Error (InvalidArgument) for a value that is not finite, ValueError for a text with a control character.
 """
 Table.values.__doc__ = "float32, shape (n1[, n2[, n3]]): the table's own memory, which nobody can write to."
 Table.axes.__doc__ = "One Axis(start, distance, unit, name, size) per dimension."
