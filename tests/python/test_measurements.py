@@ -162,6 +162,12 @@ class Measurements(unittest.TestCase):
             with self.assertRaises(axiscomp.RequestError) as raised:
                 axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
             self.assertIn("is a table over Y, but what was measured is over X", raised.exception.message)
+        # Only the name says it, as in a file.
+        named = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], name="Y error", unit="mm")
+        for measurement, table, active in ((made(), named, None), (on, own, named)):
+            with self.assertRaises(axiscomp.RequestError) as raised:
+                axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
+            self.assertIn("axis X was measured, but", raised.exception.message)
 
     def test_a_fit_does_not_guess(self):
         with self.assertRaises(axiscomp.RequestError):
@@ -206,6 +212,31 @@ class Measurements(unittest.TestCase):
         ):
             with self.assertRaises(ValueError, msg=str(arguments)):
                 axiscomp.Measurement(**arguments)
+
+    def test_what_is_wrong_is_named(self):
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.Measurement([5], [1])
+        self.assertEqual([one["code"] for one in raised.exception.diagnostics], ["TooFewTargets"])
+
+    def test_means_stay_means(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / name for name in ("a.pos", "b.pos")]
+            for n, file in enumerate(files):
+                lines = "".join(f"{x} {(x + n) * 1e-4}\n" for x in (0, 100, 200))
+                file.write_text("".join(f"Position {d} Directional Avg Error\n{lines}\n" for d in ("Forward", "Reverse")))
+            means = list(map(axiscomp.read_measurement, files))
+            self.assertEqual([axiscomp.runs(one)["kind"] for one in (*files, *means)], ["averages"] * 4)
+            self.assertEqual(means[0].kind, "averages")
+            for together in (files, means):
+                with self.assertRaisesRegex(axiscomp.RequestError, "only runs over targets can be joined"):
+                    axiscomp.judge(together)
+        again = axiscomp.Measurement(means[0].targets, means[0].up, means[0].down, kind=means[0].kind)
+        self.assertIsNone(axiscomp.judge(again)["axis"]["A"])
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.Measurement([0, 10], up=[[0, 1], [0, 1]], kind="averages")
+        self.assertEqual(raised.exception.diagnostics[0]["code"], "DuplicateValue")
+        with self.assertRaises(ValueError):
+            axiscomp.Measurement([0, 10], up=[[0, 1]], kind="means")
 
     def test_a_measurement_goes_through_pickle(self):
         self.assertEqual(pickle.loads(pickle.dumps(made())), made())

@@ -21,9 +21,11 @@ class Measurement:
              NaN or masked where nothing was measured
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
-    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
+    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off"),
+             kind: "averages" where each value is a mean of runs, of which nothing says how they repeat ("runs")
 
-    A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down, ...).
+    A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down,
+    kind=m.kind, ...).
     """
 
     def __init__(
@@ -57,6 +59,7 @@ class Measurement:
         self.up: numpy.ndarray = parts["up"]
         self.down: numpy.ndarray = parts["down"]
         self.unit: str = parts["unit"]
+        self.kind: str = parts["kind"]  #: "runs", or "averages" of a file of means
         for array in (self.targets, self.up, self.down):
             array.setflags(write=False)  # the file would not change with it
 
