@@ -162,8 +162,12 @@ Json periodsJson(const FittedTable& made)
 
 Json columnJson(const FittedTable& made, std::uint32_t crc)
 {
+    std::vector<std::size_t> sizes;
+    for (const GridAxis& axis : made.table.grid.axes)
+        sizes.push_back(axis.size);
     return {{"name", made.table.name}, {"target", made.table.target},
         {"direction", directionName(made.direction)}, {"crc", crc},
+        {"filled", filledJson(made.table.filled, sizes)},
         {"smoothness", jsonOf(made.smoothness)},
         {"residual", {{"rms", made.residualRms}, {"largest", made.residualLargest}}},
         {"crossValidation", jsonOf(made.crossValidation)},
@@ -234,7 +238,7 @@ Json fitJson(const Measurement& measurement, const FitSettings& settings, const 
     for (std::size_t i = 0; i < report.tables.size(); ++i)
         columns.push_back(columnJson(report.tables[i], crcs[i]));
     return {{"table", tableJson(first, crcs.front())}, {"columns", std::move(columns)},
-        {"method", isFittedOnGrid(measurement, settings) ? "grid" : fitMethodName(settings.method)},
+        {"method", madeBy(report, settings)},
         {"direction", fitDirectionName(settings.direction)},
         {"smoothness", jsonOf(first.smoothness)}, {"periods", periodsJson(first)},
         {"knots", first.knots},
