@@ -266,6 +266,14 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
         if (object == tables.front() || object->notes != tables.front()->notes)
             data.notes.insert(data.notes.end(), object->notes.begin(), object->notes.end());
     }
+    for (const CompensationTable& table : data.tables) {
+        if (table.filled.empty())
+            continue;
+        const std::string note =
+            filledNote(table.name, table.filled.size(), table.values.size());
+        if (std::ranges::find(data.notes, note) == data.notes.end())
+            data.notes.push_back(note);
+    }
     return data;
 }
 

@@ -91,6 +91,20 @@ class Measurements(unittest.TestCase):
         self.assertIsNone(fit["output"])
         self.assertNotIn("/tmp/", fit.text)
 
+    def test_a_fit_says_what_was_filled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "points.csv"
+            places = [(x, y) for x in range(0, 101, 10) for y in (0, 10, 20) if x <= 40 or x == 100]
+            file.write_text("X [mm],Y [mm],dX [um],dY [um]\n" + "".join(f"{x},{y},1,2\n" for x, y in places))
+            fit = axiscomp.fit(
+                file, points=[11, 3], smoothness=1, fill="smooth", lookup_at="encoder", measured_with="off"
+            )
+        for table, column in zip(fit.tables, fit["columns"]):
+            self.assertEqual(len(table.filled), column["nodes"]["filled"])
+            # Beyond 40 mm, where nothing is beside a point.
+            numpy.testing.assert_array_less(45, table.positions(1)[numpy.array(table.filled) % 11])
+            self.assertIn(f"{len(table.filled)} of 33 points of {table.name} are filled, not measured", table.notes)
+
     def test_a_prediction_takes_what_the_table_adds(self):
         # Twice the error: half of it is left. Looked up at the encoder, which is 1e-4 beside the target.
         table = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], unit="mm")

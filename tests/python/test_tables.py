@@ -243,6 +243,22 @@ class Tables(unittest.TestCase):
         tables = axiscomp.read_all(file, dims=1, fill="nearest", points=7)
         self.assertEqual([table.filled for table in tables], [[], []])
 
+    def test_what_was_filled_of_a_table_is_known_while_the_points_stay(self):
+        table = axiscomp.Table([0, 0.002, 0.001], [(0, 10, "mm", "X")], name="E", unit="mm", filled=[1])
+        other = axiscomp.Table([0, 0.001, 0.001], [(0, 10, "mm", "X")], name="F", unit="mm")
+        for options, filled in (({}, [1]), ({"points": 3}, [1]), ({"scale": 2}, [1]), ({"points": 5}, [])):
+            self.assertEqual(axiscomp.resample(table, **options).filled, filled, options)
+        self.assertEqual([one.filled for one in axiscomp.read_all([other, table], scale=2)], [[], [1]])
+        self.assertEqual(axiscomp.read([other, table], scale=2, table="E").filled, [1])
+        file = self.folder / "filled.csv"
+        axiscomp.write([other, table], file)
+        note = "1 of 3 points of E are filled, not measured"
+        self.assertIn(f"// {note}\n", file.read_text())
+        (_, again) = axiscomp.read_all(file, dims=1)
+        self.assertEqual(again.notes, [note])
+        axiscomp.write(axiscomp.Table(again.values, [(0, 10, "mm", "X")], "E", "mm", filled=[1], notes=again.notes), file)
+        self.assertEqual(file.read_text().count(note), 1)
+
     def test_missing_points_are_filled_only_on_demand(self):
         file = self.folder / "gap.csv"
         file.write_text("X [mm],E [mm]\n0,0.001\n10,\n20,0.003\n")

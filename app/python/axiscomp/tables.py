@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, call, one
+from ._call import Document, call, one, with_filled, with_points
 
 
 class Axis(NamedTuple):
@@ -32,21 +32,32 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     """
     document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
     tables = _axiscomp.tables_of_csv(output, document["dimensions"])
+    given = [file] if isinstance(file, Table) else file
+    if isinstance(given, (list, tuple)) and all(isinstance(table, Table) for table in given):
+        return [_with_filled_of(table, n, given, len(tables)) for n, table in enumerate(tables)]
     # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
     said = [column for group in document["tables"] for column in group.get("columns", [group])]
-    return list(map(_with_filled, tables, said)) if len(said) == len(tables) else tables
+    if len(said) != len(tables):
+        return tables
+    return [with_filled(table, column.get("filled")) for table, column in zip(tables, said)]
 
 
-def _with_filled(table: Table, said: dict[str, Any]) -> Table:
-    """A CSV file does not say which values were made up; the document does."""
-    if not said.get("filled"):
+def _with_filled_of(table: Table, number: int, given: Sequence[Table], count: int) -> Table:
+    """A table that was made of one of those given has its filled points while the points stay."""
+    same = [given[number]] if count == len(given) else [one for one in given if one.name == table.name]
+    if len(same) != 1 or not same[0].filled or not _have_same_points(table.axes, same[0].axes):
         return table
-    strides = [1]
-    for axis in table.axes[:-1]:
-        strides.append(strides[-1] * axis.size)
-    filled = [sum(i * stride for i, stride in zip(index, strides)) for index in said["filled"]]
-    axes = [axis[:4] for axis in table.axes]
-    return Table(table.values, axes, table.name, table.unit, table.target, filled, table.notes)
+    return with_points(table, same[0].filled)
+
+
+def _have_same_points(axes: list[Axis], others: list[Axis]) -> bool:
+    def are_close(one: Axis, other: Axis) -> bool:
+        most = 1e-6 * other.distance  # a position may have been rounded on its way through a file
+        return abs(one.start - other.start) <= most and abs(one.last - other.last) <= most
+
+    return len(axes) == len(others) and all(
+        one.size == other.size and are_close(one, other) for one, other in zip(axes, others)
+    )
 
 
 def read(file: Any, **options: Any) -> Table:
