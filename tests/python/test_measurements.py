@@ -31,6 +31,15 @@ class Measurements(unittest.TestCase):
         numpy.testing.assert_array_equal(again.up, measurement.up)
         numpy.testing.assert_array_equal(again.down, measurement.down)
 
+    def test_what_looks_wrong_in_a_file_is_a_warning(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "positions.csv"
+            lines = "".join(f"{x},{d},1,{x + 0.001}\n" for d in "+-" for x in (0, 10, 20, 30))
+            file.write_text("target [mm],direction,run,deviation [mm]\n" + lines)
+            with self.assertWarnsRegex(axiscomp.FileWarning, "ValuesLookLikePositions") as warned:
+                axiscomp.read_measurement(file)
+            self.assertEqual(warned.filename, __file__)
+
     def test_what_is_left_out_is_nan(self):
         measurement = axiscomp.read_measurement(RUNS, exclude="up:1:1")
         self.assertEqual(numpy.count_nonzero(numpy.isnan(measurement.up)), 1)

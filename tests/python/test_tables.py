@@ -5,6 +5,7 @@ import gc
 import pickle
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import numpy
@@ -178,6 +179,22 @@ class Tables(unittest.TestCase):
         axiscomp.write(table, file, to="linuxcnc")
         back = axiscomp.read(file, from_="linuxcnc", target="#1")
         numpy.testing.assert_allclose(back.lookup([0, 10, 20]), table.lookup([0, 10, 20]), atol=2e-5)
+
+    def test_what_a_file_leaves_open_is_a_warning(self):
+        file = self.folder / "x.comp"
+        file.write_text("".join(f"{x} {x * 1.0001 + 0.001} {x * 1.0001 + 0.001}\n" for x in (0, 10, 20, 30)))
+        for read in (axiscomp.read, axiscomp.read_all):
+            with self.assertWarns(axiscomp.FileWarning) as warned:
+                read(file, target="#1")
+            self.assertEqual(warned.filename, __file__)
+            said = "\n".join(str(one.message) for one in warned.warnings)
+            for code in ("(Assumption)", "(UnitNotGiven)"):
+                self.assertIn(code, said)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            plain = axiscomp.Table([0.001, 0.001], [(0, 10, "mm", "X")], unit="mm")  # of which a file would get one
+            axiscomp.write(plain, self.folder / "x.csv")
+            axiscomp.resample(plain, points=3)
 
     def test_the_unit_of_the_values_is_stated_and_not_ignored(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -7,13 +7,14 @@ import functools
 import math
 import os
 import sys
+import warnings
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Callable, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from .errors import Error, RequestError
+from .errors import Error, FileWarning, RequestError
 
 Echo = Callable[[str], None]
 
@@ -238,6 +239,17 @@ def call(
         error.document = result
         raise error
     return (result, output) if raw else result
+
+
+def give_warnings(notes: Sequence[str]) -> None:
+    """Warnings among notes as those of Python, where the caller of this package stands."""
+    here = os.path.dirname(__file__)
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == here:
+        frame, level = frame.f_back, level + 1
+    for note in notes:
+        if note.startswith("warning: ") or ": warning: " in note:
+            warnings.warn(note, FileWarning, stacklevel=level)
 
 
 def with_points(table: Table, filled: Sequence[int]) -> Table:

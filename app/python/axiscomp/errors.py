@@ -6,6 +6,13 @@ from __future__ import annotations
 from typing import Any
 
 
+class FileWarning(UserWarning):
+    """What a file leaves open and is taken for granted, or what looks wrong in it: a line of `axiscomp` with "warning:".
+
+    Given by read, read_all and read_measurement, whose answer has no place for it; others have it in their notes.
+    """
+
+
 class Error(Exception):
     """What `axiscomp` prints as "error: CODE: sentence".
 

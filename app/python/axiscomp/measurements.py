@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import _Files, call, flat
+from ._call import _Files, call, flat, give_warnings
 
 if TYPE_CHECKING:
     import numpy
@@ -90,9 +90,10 @@ def read_measurement(files: Any, **options: Any) -> Measurement:
     """One measurement of one file or several, of any format that `axiscomp runs` reads.
 
     options: those of `axiscomp runs`, such as from_="renishaw", unit="mm", exclude="down:1:1". Values that
-    are left out are NaN. Raises Error.
+    are left out are NaN. Raises Error, and warns (FileWarning) of what looks wrong.
     """
-    _, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
+    document, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
+    give_warnings(document.notes)
     return Measurement.of_file(output)
 
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, call, one, with_filled, with_points
+from ._call import Document, call, give_warnings, one, with_filled, with_points
 
 
 class Axis(NamedTuple):
@@ -28,13 +28,14 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     """All tables of a file of any format, in the sign of the drive.
 
     options: those of `axiscomp convert`, such as dims=1, from_="softmc", fill="plane", within=0.01. A CSV
-    file needs dims. Raises Error.
+    file needs dims. Raises Error, and warns (FileWarning) of what a file leaves open.
     """
     document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
     tables = _axiscomp.tables_of_csv(output, document["dimensions"])
     given = [file] if isinstance(file, Table) else file
     if isinstance(given, (list, tuple)) and all(isinstance(table, Table) for table in given):
         return [_with_filled_of(table, n, given, len(tables)) for n, table in enumerate(tables)]
+    give_warnings(document.notes)
     # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
     said = [column for group in document["tables"] for column in group.get("columns", [group])]
     if len(said) != len(tables):
