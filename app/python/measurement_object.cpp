@@ -105,8 +105,7 @@ void takeStatements(Measurement& measurement, const std::map<std::string, std::s
         if (key == "kind") {
             if (value != "runs" && value != "averages")
                 throw py::value_error("kind is runs or averages");
-            measurement.kind =
-                value == "runs" ? MeasurementKind::Runs : MeasurementKind::Averages;
+            measurement.kind = value == "runs" ? MeasurementKind::Runs : MeasurementKind::Averages;
             continue;
         }
         const auto field = fields.find(key);
@@ -154,8 +153,7 @@ Measurement measurementOf(const py::bytes& file)
         reading = (*format)->read(text, {});
     }
     if (!reading.measurement)
-        raiseError(
-            measurementError("measurement", reading), diagnosticsJson(reading.diagnostics));
+        raiseError(measurementError("measurement", reading), diagnosticsJson(reading.diagnostics));
     return *std::move(reading.measurement);
 }
 

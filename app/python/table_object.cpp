@@ -77,11 +77,20 @@ void refuseMasked(const py::object& given, const char* reason)
         throw py::value_error(reason);
 }
 
+/// Errors: TypeError for what numpy would make real numbers of, and drop a part or give a unit.
+void refuseOtherNumbers(const py::object& given)
+{
+    const py::object type = py::module_::import("numpy").attr("asarray")(given).attr("dtype");
+    if (std::string("cMm").find(type.attr("kind").cast<std::string>()) != std::string::npos)
+        throw py::type_error("real numbers are needed, not " + py::str(type).cast<std::string>());
+}
+
 /// One value for each position, on all processors and without the interpreter's lock.
 py::array_t<double> lookedUp(
     const TableObject& object, const py::object& given, const std::string& outside)
 {
     refuseMasked(given, "a position is masked: nothing is looked up there");
+    refuseOtherNumbers(given);
     const Numbers positions(given);
     const CompensationTable& table = object.table;
     const Lookup lookup(table, outsideNamed(outside));
@@ -135,10 +144,11 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
     return axis;
 }
 
-/// Errors: of numpy, and ValueError for masked values.
+/// Errors: of numpy, ValueError for masked values, TypeError for complex ones and times.
 Values valuesFrom(const py::object& given)
 {
     refuseMasked(given, "a value is masked: a table has a value at each point");
+    refuseOtherNumbers(given);
     return Values(given);
 }
 
@@ -207,6 +217,14 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     return object;
 }
 
+/// Of the notes only the side counts: with it the values are others.
+bool isSame(const TableObject& one, const TableObject& other)
+{
+    return one.table == other.table
+        && lookupInNotes(one.notes).value_or(std::nullopt)
+        == lookupInNotes(other.notes).value_or(std::nullopt);
+}
+
 py::list axesOf(const TableObject& object)
 {
     const py::object type = py::module_::import("axiscomp.tables").attr("Axis");
@@ -247,9 +265,10 @@ py::tuple stateOf(const py::object& self)
 void checkSameLookup(const TableObject& one, const TableObject& other)
 {
     if (valueOf(lookupInNotes(one.notes)) != valueOf(lookupInNotes(other.notes)))
-        throw py::value_error("the tables of one file say the same in their notes of where they are "
-                              "looked up (lookup: encoder, lookup: set, or nothing): give each "
-                              "alone, or make them with the same notes");
+        throw py::value_error(
+            "the tables of one file say the same in their notes of where they are "
+            "looked up (lookup: encoder, lookup: set, or nothing): give each "
+            "alone, or make them with the same notes");
 }
 
 CalibrationData dataOf(const std::vector<TablePointer>& tables)
@@ -269,8 +288,7 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
     for (const CompensationTable& table : data.tables) {
         if (table.filled.empty())
             continue;
-        const std::string note =
-            filledNote(table.name, table.filled.size(), table.values.size());
+        const std::string note = filledNote(table.name, table.filled.size(), table.values.size());
         if (std::ranges::find(data.notes, note) == data.notes.end())
             data.notes.push_back(note);
     }
@@ -344,7 +362,7 @@ void addTables(py::module_& module)
             [](const TableObject& self, const py::object& other) -> py::object {
                 if (!py::isinstance<TableObject>(other))
                     return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-                return py::bool_(self.table == other.cast<const TableObject&>().table);
+                return py::bool_(isSame(self, other.cast<const TableObject&>()));
             })
         .def("__reduce__", [](const py::object& self) {
             return py::make_tuple(self.attr("__class__"), stateOf(self));

@@ -236,6 +236,11 @@ class Measurements(unittest.TestCase):
             with self.assertRaises(ValueError, msg=str(arguments)):
                 axiscomp.Measurement(**arguments)
 
+    def test_numbers_are_real(self):
+        for arguments in ({"targets": [0, 10j], "up": [[0, 1]]}, {"targets": [0, 10], "up": [[0, 1j]]}):
+            with self.assertRaises(TypeError):
+                axiscomp.Measurement(**arguments)
+
     def test_what_is_wrong_is_named(self):
         with self.assertRaises(axiscomp.InputFileError) as raised:
             axiscomp.Measurement([5], [1])

@@ -141,6 +141,24 @@ class Tables(unittest.TestCase):
             with self.assertRaises((ValueError, TypeError), msg=repr(given)):
                 axiscomp.Table(given, [(0, 1)])
 
+    def test_numbers_are_real(self):
+        axes = [(0, 1, "mm")]
+        line = axiscomp.Table([0, 1], axes)
+        for given in ([0, 1j], numpy.array([0, 1 + 0j]), numpy.array(["2026-01-01", "2026-01-02"], "M8[s]")):
+            with self.assertRaises(TypeError, msg=repr(given)):
+                axiscomp.Table(given, axes)
+            with self.assertRaises(TypeError, msg=repr(given)):
+                line.lookup(given)
+
+    def test_tables_for_two_sides_are_not_equal(self):
+        (encoder, same, other, none) = (
+            axiscomp.Table([0, 1], [(0, 1, "mm")], notes=notes)
+            for notes in (["lookup: encoder"], ["a note", "lookup: encoder"], ["lookup: set"], [])
+        )
+        self.assertEqual(encoder, same)
+        self.assertNotEqual(encoder, other)
+        self.assertNotEqual(encoder, none)
+
     def test_what_is_written_reads_back(self):
         for name in ("plane.csv", "plane.TAMtbl"):
             file = self.folder / name

@@ -26,7 +26,7 @@ class Document(dict):
              "ProblemsFound" (doctor)
     text     what the command prints for people
     notes    warnings and notes, one line each
-    tables   of fit, where it writes no file
+    tables   of fit, where it writes no file; none with direction="both", whose pair is for a file of a controller
     """
 
     def __init__(self, content: Any, outcome: str, text: str, notes: list[str]) -> None:

@@ -18,7 +18,8 @@ class Error(Exception):
 
     code         the name that programs compare: "LargeCorrection", "NotConnected", ...
     message      the sentence, in English
-    context      what the sentence names, by its keys: {"file": ...}; counts are int, all else is str
+    context      what the sentence names, by its keys: {"file": ...}; whole numbers are int (a count, a size, an axis by its
+                 index), all else is str
     diagnostics  the places in files that are wrong: {"file", "code", "line", "column", "message"}
     notes        warnings and notes that came before it, and other errors of the same command
     document     the Document of a command that went on after it: apply, plan, axes; else None

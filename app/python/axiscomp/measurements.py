@@ -37,6 +37,8 @@ class Measurement:
             raise ValueError(f"the unit is mm or deg, not {unit}")
 
         def floats(given: Any) -> numpy.ndarray:
+            if numpy.asarray(given).dtype.kind in "cmM":
+                raise TypeError("targets and deviations are real numbers")  # numpy would drop a part of them
             # What is masked was not measured.
             return numpy.ma.filled(numpy.ma.asarray(given, dtype=float), numpy.nan)
 

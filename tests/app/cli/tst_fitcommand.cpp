@@ -587,8 +587,8 @@ private Q_SLOTS:
                 if (x <= 40 || x == 100)
                     text += QByteArray::number(x) + ',' + QByteArray::number(y) + ",1,2\n";
         box.file("points.csv", text);
-        const QStringList fit = QStringList{"fit", "points.csv", "--points", "11,3",
-                                    "--smoothness", "1", "--json", "-o", "table.csv"}
+        const QStringList fit = QStringList{"fit", "points.csv", "--points", "11,3", "--smoothness",
+                                    "1", "--json", "-o", "table.csv"}
             + offAtEncoder;
         const ProgramRun run = box.run(fit + QStringList{"--fill", "smooth"});
         VERIFY_CODE(run, 0);
@@ -602,9 +602,9 @@ private Q_SLOTS:
         QVERIFY2(csv.contains("\n// method grid\n"), csv.constData());
         QVERIFY2(csv.contains("\n// " + note + "dX are filled, not measured\n"), csv.constData());
         QVERIFY2(csv.contains("\n// " + note + "dY are filled, not measured\n"), csv.constData());
-        VERIFY_CODE(box.run(QStringList{"fit", publicFile("b02_x.csv"), "--zero", "keep", "-o",
-                        "runs.csv"}
-                        + offAtEncoder),
+        VERIFY_CODE(
+            box.run(QStringList{"fit", publicFile("b02_x.csv"), "--zero", "keep", "-o", "runs.csv"}
+                + offAtEncoder),
             0);
         const QByteArray runs = box.content("runs.csv");
         QVERIFY2(runs.contains("\n// method linear\n"), runs.constData());

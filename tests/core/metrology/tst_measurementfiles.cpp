@@ -707,8 +707,8 @@ private Q_SLOTS:
     void meansStayMeansInAFileOfRuns()
     {
         const std::string block = " Directional Avg Error\n0 0.001\n100 0.002\n200 0.004\n";
-        const MeasurementReading means = test::readAs("api-pos",
-            "Position Forward" + block + "Position Reverse" + block);
+        const MeasurementReading means =
+            test::readAs("api-pos", "Position Forward" + block + "Position Reverse" + block);
         VERIFY_MEASUREMENT(means);
         const std::string text = writeRunsCsv(*means.measurement);
         QVERIFY(text.find("\n// kind: averages\n") != std::string::npos);

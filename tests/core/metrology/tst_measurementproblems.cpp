@@ -101,8 +101,7 @@ private Q_SLOTS:
             {"8:0 DuplicateValue target 0 mm, up, run 2 in line 2 and in line 8|one mean"});
         row("no kind", "runs", "// kind: means\n" + head + "0,+,1,1\n1,+,1,1\n",
             {"1:0 Syntax means|kind: runs, or kind: averages"});
-        row("two kinds", "runs",
-            "// kind: averages\n// kind: runs\n" + head + "0,+,1,1\n1,+,1,1\n",
+        row("two kinds", "runs", "// kind: averages\n// kind: runs\n" + head + "0,+,1,1\n1,+,1,1\n",
             {"2:0 Contradiction kind: runs, and kind: averages in line 1|one statement of it"});
         row("one target", "runs", head + "5,+,1,1\n5,+,2,1\n5,-,1,1\n",
             {"0:0 TooFewTargets 1 target|at least 2 different positions"});
