@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/json_object.h"
 
+#include "app/cli/output/json_output.h"
+
 #include <cmath>
 
 namespace axiscomp::app {
 
 namespace py = pybind11;
+
+Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics)
+{
+    Json list = Json::array();
+    for (const Diagnostic& diagnostic : diagnostics)
+        list.push_back(toJson(diagnostic));
+    return list;
+}
 
 py::str pythonText(std::string_view text)
 {

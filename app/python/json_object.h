@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/output/json.h"
+#include "core/text/diagnostic.h"
 
 #include <pybind11/pybind11.h>
 
@@ -14,6 +15,9 @@ namespace axiscomp::app {
 /// Dictionaries, lists, text, numbers, True, False and None; a number that is not finite is None,
 /// as in a document of --json. The interpreter's lock is held.
 [[nodiscard]] pybind11::object pythonObject(const Json& json);
+
+/// What is wrong with a file, as an error has it.
+[[nodiscard]] Json diagnosticsJson(const std::vector<Diagnostic>& diagnostics);
 
 /// Text of a file or a drive; bytes that are not UTF-8 are replaced.
 [[nodiscard]] pybind11::str pythonText(std::string_view text);

@@ -80,8 +80,9 @@ void takeTargets(Measurement& measurement, const Numbers& targets)
             throw py::value_error("the targets are finite and ascend");
 }
 
-void takeStatements(MeasurementHeader& header, const std::map<std::string, std::string>& statements)
+void takeStatements(Measurement& measurement, const std::map<std::string, std::string>& statements)
 {
+    MeasurementHeader& header = measurement.header;
     const std::map<std::string, std::string MeasurementHeader::*> fields{
         {"machine", &MeasurementHeader::machine}, {"axis", &MeasurementHeader::axis},
         {"instrument", &MeasurementHeader::instrument}, {"serial", &MeasurementHeader::serial},
@@ -101,6 +102,12 @@ void takeStatements(MeasurementHeader& header, const std::map<std::string, std::
                 value == "off" ? MeasuredState::Kind::Off : MeasuredState::Kind::On;
             continue;
         }
+        if (key == "kind") {
+            if (value != "runs" && value != "averages")
+                throw py::value_error("kind is runs or averages");
+            measurement.kind = value == "runs" ? MeasurementKind::Runs : MeasurementKind::Averages;
+            continue;
+        }
         const auto field = fields.find(key);
         if (field == fields.end())
             throw py::value_error("a measurement has no statement " + key);
@@ -117,7 +124,7 @@ py::bytes csvOfRuns(const Numbers& targets, const Numbers& up, const Numbers& do
     addRuns(measurement, Approach::Up, up);
     addRuns(measurement, Approach::Down, down);
     checkIsMeasured(measurement, up, down);
-    takeStatements(measurement.header, statements);
+    takeStatements(measurement, statements);
     return py::bytes(writeRunsCsv(measurement));
 }
 
@@ -146,7 +153,7 @@ Measurement measurementOf(const py::bytes& file)
         reading = (*format)->read(text, {});
     }
     if (!reading.measurement)
-        raiseError(measurementError("measurement", reading));
+        raiseError(measurementError("measurement", reading), diagnosticsJson(reading.diagnostics));
     return *std::move(reading.measurement);
 }
 
@@ -157,6 +164,7 @@ py::dict arraysOf(const Measurement& measurement)
         static_cast<py::ssize_t>(measurement.targets.size()), measurement.targets.data());
     parts["up"] = runsOf(measurement, Approach::Up);
     parts["down"] = runsOf(measurement, Approach::Down);
+    parts["kind"] = pythonText(measurementKindName(measurement.kind));
     parts["unit"] = measurement.isAngular ? "deg" : "mm";
     return parts;
 }

@@ -4,6 +4,7 @@
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
 #include "core/csv/calibration_csv.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
@@ -76,11 +77,20 @@ void refuseMasked(const py::object& given, const char* reason)
         throw py::value_error(reason);
 }
 
+/// Errors: TypeError for what numpy would make real numbers of, and drop a part or give a unit.
+void refuseOtherNumbers(const py::object& given)
+{
+    const py::object type = py::module_::import("numpy").attr("asarray")(given).attr("dtype");
+    if (std::string("cMm").find(type.attr("kind").cast<std::string>()) != std::string::npos)
+        throw py::type_error("real numbers are needed, not " + py::str(type).cast<std::string>());
+}
+
 /// One value for each position, on all processors and without the interpreter's lock.
 py::array_t<double> lookedUp(
     const TableObject& object, const py::object& given, const std::string& outside)
 {
     refuseMasked(given, "a position is masked: nothing is looked up there");
+    refuseOtherNumbers(given);
     const Numbers positions(given);
     const CompensationTable& table = object.table;
     const Lookup lookup(table, outsideNamed(outside));
@@ -134,11 +144,33 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
     return axis;
 }
 
-/// Errors: of numpy, and ValueError for masked values.
+/// Errors: of numpy, ValueError for masked values, TypeError for complex ones and times.
 Values valuesFrom(const py::object& given)
 {
     refuseMasked(given, "a value is masked: a table has a value at each point");
+    refuseOtherNumbers(given);
     return Values(given);
+}
+
+/// Errors: ValueError for what a file would have as a line of its own, which might state something.
+void refuseControl(const std::string& text, const char* what)
+{
+    if (std::ranges::any_of(text, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
+        throw py::value_error(std::string(what) + " has a line break or another control character");
+}
+
+void refuseControls(const TableObject& object)
+{
+    const CompensationTable& table = object.table;
+    refuseControl(table.name, "the name");
+    refuseControl(table.unit, "the unit");
+    refuseControl(table.target, "the target");
+    for (const GridAxis& axis : table.grid.axes) {
+        refuseControl(axis.name, "the name of an axis");
+        refuseControl(axis.unit, "the unit of an axis");
+    }
+    for (const std::string& note : object.notes)
+        refuseControl(note, "a note");
 }
 
 /// Errors: ValueError for "#2" of one dimension, which no file could say.
@@ -166,9 +198,13 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     CompensationTable& table = object->table;
     table.name = name;
     table.unit = unit;
-    table.target = target;
-    for (py::ssize_t n = 0; n < values.ndim(); ++n)
+    std::vector<std::string> sources;
+    for (py::ssize_t n = 0; n < values.ndim(); ++n) {
         table.grid.axes.push_back(axisFrom(axes[static_cast<std::size_t>(n)], values.shape(n)));
+        sources.push_back(table.grid.axes.back().name);
+    }
+    table.target = statedOrInHeader(target, name, sources);
+    refuseControls(*object);
     table.values.assign(values.data(), values.data() + values.size());
     table.filled = filled;
     std::ranges::sort(table.filled);
@@ -179,6 +215,14 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
         if (!pointsAreDistinct(axis))
             throw py::value_error("the distance of an axis is below the resolution of numbers");
     return object;
+}
+
+/// Of the notes only the side counts: with it the values are others.
+bool isSame(const TableObject& one, const TableObject& other)
+{
+    return one.table == other.table
+        && lookupInNotes(one.notes).value_or(std::nullopt)
+        == lookupInNotes(other.notes).value_or(std::nullopt);
 }
 
 py::list axesOf(const TableObject& object)
@@ -217,6 +261,16 @@ py::tuple stateOf(const py::object& self)
         object.table.unit, object.table.target, filled, pythonTexts(object.notes));
 }
 
+/// Errors: ValueError, since in one file the notes of one table are those of all.
+void checkSameLookup(const TableObject& one, const TableObject& other)
+{
+    if (valueOf(lookupInNotes(one.notes)) != valueOf(lookupInNotes(other.notes)))
+        throw py::value_error(
+            "the tables of one file say the same in their notes of where they are "
+            "looked up (lookup: encoder, lookup: set, or nothing): give each "
+            "alone, or make them with the same notes");
+}
+
 CalibrationData dataOf(const std::vector<TablePointer>& tables)
 {
     if (tables.empty())
@@ -225,9 +279,18 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
     for (const TablePointer& object : tables) {
         if (object->table.grid != data.grid)
             throw py::value_error("the tables of one file have the same axes and units");
+        if (object != tables.front())
+            checkSameLookup(*tables.front(), *object);
         data.tables.push_back(object->table);
         if (object == tables.front() || object->notes != tables.front()->notes)
             data.notes.insert(data.notes.end(), object->notes.begin(), object->notes.end());
+    }
+    for (const CompensationTable& table : data.tables) {
+        if (table.filled.empty())
+            continue;
+        const std::string note = filledNote(table.name, table.filled.size(), table.values.size());
+        if (std::ranges::find(data.notes, note) == data.notes.end())
+            data.notes.push_back(note);
     }
     return data;
 }
@@ -255,14 +318,9 @@ std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
         reading = parseCalibrationCsv(text, options);
     }
     if (!reading.data) {
-        Json diagnostics = Json::array();
-        for (const Diagnostic& diagnostic : reading.diagnostics)
-            diagnostics.push_back(
-                {{"code", diagnosticName(diagnostic.code)}, {"line", diagnostic.line},
-                    {"column", diagnostic.column}, {"message", message(diagnostic)}});
         raiseError({ErrorCode::InvalidCalibration,
                        {{"file", Verbatim{"table"}}, {"count", reading.diagnostics.size()}}, {}},
-            diagnostics);
+            diagnosticsJson(reading.diagnostics));
     }
     std::vector<TablePointer> tables;
     for (CompensationTable& table : reading.data->tables) {
@@ -304,7 +362,7 @@ void addTables(py::module_& module)
             [](const TableObject& self, const py::object& other) -> py::object {
                 if (!py::isinstance<TableObject>(other))
                     return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-                return py::bool_(self.table == other.cast<const TableObject&>().table);
+                return py::bool_(isSame(self, other.cast<const TableObject&>()));
             })
         .def("__reduce__", [](const py::object& self) {
             return py::make_tuple(self.attr("__class__"), stateOf(self));

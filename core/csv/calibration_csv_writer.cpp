@@ -101,8 +101,11 @@ std::string targetLine(const CalibrationData& data, bool hasOtherStatement)
     std::vector<std::string> targets;
     bool isNeeded = false;
     for (const CompensationTable& table : data.tables) {
-        const std::string target = portableTarget(table.target, headers);
-        isNeeded = isNeeded || target != targetInHeader(oneLine(table.name), headers)
+        const std::string name = oneLine(table.name);
+        // Where nothing is stated a reader takes what the name says.
+        const std::string target =
+            statedOrInHeader(portableTarget(table.target, headers), name, headers);
+        isNeeded = isNeeded || target != targetInHeader(name, headers)
             || (hasOtherStatement && !target.empty());
         targets.push_back(target);
     }

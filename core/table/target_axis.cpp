@@ -247,6 +247,12 @@ std::string targetInHeader(std::string_view header, std::span<const std::string>
                                                                                      : target;
 }
 
+std::string statedOrInHeader(
+    std::string statement, std::string_view header, std::span<const std::string> sourceHeaders)
+{
+    return statement.empty() ? targetInHeader(header, sourceHeaders) : statement;
+}
+
 std::string_view axisOfColumn(std::string_view header)
 {
     const std::string_view word = letterInHeader(header);

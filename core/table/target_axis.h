@@ -75,6 +75,10 @@ struct CompensationTable;
 [[nodiscard]] std::string targetInHeader(
     std::string_view header, std::span<const std::string> sourceHeaders);
 
+/// The statement of a table, or where there is none that of the header of its column.
+[[nodiscard]] std::string statedOrInHeader(
+    std::string statement, std::string_view header, std::span<const std::string> sourceHeaders);
+
 /// The axis of the machine that the header of a column of values names, whatever its sources are
 /// called: "Y" for "Y error". Empty: none, or a single A, B or C, since columns are also counted by
 /// letters, or nothing but U, V or W, which are symbols of values.

@@ -156,6 +156,22 @@ class Drives(unittest.TestCase):
         with self.assertRaises(axiscomp.AddressError):
             axiscomp.Drive("nonsense:1:2").status()
 
+    def test_a_drive_is_never_that_of_the_environment(self):
+        for endpoint in (None, "", 5, ["http://127.0.0.1:9"]):
+            with self.assertRaises(TypeError, msg=repr(endpoint)):
+                axiscomp.Drive(endpoint)
+        environment = mock.patch.dict(os.environ, {"AXISCOMP_DRIVE": self.drive.endpoint})
+        environment.start()
+        self.addCleanup(environment.stop)
+        away = axiscomp.Drive("http://127.0.0.1:9", timeout=2)
+        for ask in (
+            lambda: away.status("X", drive=None),
+            lambda: away.run("status", axis="X", drive=None, timeout=None),
+            lambda: away.plan(table(), axis="X", source1=SOURCE, drive=None),
+        ):
+            with self.assertRaises(axiscomp.NotConnectedError):
+                ask()
+
     def test_the_lock_is_released_while_a_drive_is_waited_for(self):
         longest = 0.0
         done = threading.Event()

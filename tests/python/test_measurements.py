@@ -31,6 +31,15 @@ class Measurements(unittest.TestCase):
         numpy.testing.assert_array_equal(again.up, measurement.up)
         numpy.testing.assert_array_equal(again.down, measurement.down)
 
+    def test_what_looks_wrong_in_a_file_is_a_warning(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "positions.csv"
+            lines = "".join(f"{x},{d},1,{x + 0.001}\n" for d in "+-" for x in (0, 10, 20, 30))
+            file.write_text("target [mm],direction,run,deviation [mm]\n" + lines)
+            with self.assertWarnsRegex(axiscomp.FileWarning, "ValuesLookLikePositions") as warned:
+                axiscomp.read_measurement(file)
+            self.assertEqual(warned.filename, __file__)
+
     def test_what_is_left_out_is_nan(self):
         measurement = axiscomp.read_measurement(RUNS, exclude="up:1:1")
         self.assertEqual(numpy.count_nonzero(numpy.isnan(measurement.up)), 1)
@@ -90,6 +99,20 @@ class Measurements(unittest.TestCase):
         self.assertLess(fit["predicted"]["E"], 1e-6)
         self.assertIsNone(fit["output"])
         self.assertNotIn("/tmp/", fit.text)
+
+    def test_a_fit_says_what_was_filled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "points.csv"
+            places = [(x, y) for x in range(0, 101, 10) for y in (0, 10, 20) if x <= 40 or x == 100]
+            file.write_text("X [mm],Y [mm],dX [um],dY [um]\n" + "".join(f"{x},{y},1,2\n" for x, y in places))
+            fit = axiscomp.fit(
+                file, points=[11, 3], smoothness=1, fill="smooth", lookup_at="encoder", measured_with="off"
+            )
+        for table, column in zip(fit.tables, fit["columns"]):
+            self.assertEqual(len(table.filled), column["nodes"]["filled"])
+            # Beyond 40 mm, where nothing is beside a point.
+            numpy.testing.assert_array_less(45, table.positions(1)[numpy.array(table.filled) % 11])
+            self.assertIn(f"{len(table.filled)} of 33 points of {table.name} are filled, not measured", table.notes)
 
     def test_a_prediction_takes_what_the_table_adds(self):
         # Twice the error: half of it is left. Looked up at the encoder, which is 1e-4 beside the target.
@@ -162,6 +185,12 @@ class Measurements(unittest.TestCase):
             with self.assertRaises(axiscomp.RequestError) as raised:
                 axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
             self.assertIn("is a table over Y, but what was measured is over X", raised.exception.message)
+        # Only the name says it, as in a file.
+        named = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], name="Y error", unit="mm")
+        for measurement, table, active in ((made(), named, None), (on, own, named)):
+            with self.assertRaises(axiscomp.RequestError) as raised:
+                axiscomp.predict(measurement, table, lookup_at="encoder", measured_with=active)
+            self.assertIn("axis X was measured, but", raised.exception.message)
 
     def test_a_fit_does_not_guess(self):
         with self.assertRaises(axiscomp.RequestError):
@@ -206,6 +235,36 @@ class Measurements(unittest.TestCase):
         ):
             with self.assertRaises(ValueError, msg=str(arguments)):
                 axiscomp.Measurement(**arguments)
+
+    def test_numbers_are_real(self):
+        for arguments in ({"targets": [0, 10j], "up": [[0, 1]]}, {"targets": [0, 10], "up": [[0, 1j]]}):
+            with self.assertRaises(TypeError):
+                axiscomp.Measurement(**arguments)
+
+    def test_what_is_wrong_is_named(self):
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.Measurement([5], [1])
+        self.assertEqual([one["code"] for one in raised.exception.diagnostics], ["TooFewTargets"])
+
+    def test_means_stay_means(self):
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / name for name in ("a.pos", "b.pos")]
+            for n, file in enumerate(files):
+                lines = "".join(f"{x} {(x + n) * 1e-4}\n" for x in (0, 100, 200))
+                file.write_text("".join(f"Position {d} Directional Avg Error\n{lines}\n" for d in ("Forward", "Reverse")))
+            means = list(map(axiscomp.read_measurement, files))
+            self.assertEqual([axiscomp.runs(one)["kind"] for one in (*files, *means)], ["averages"] * 4)
+            self.assertEqual(means[0].kind, "averages")
+            for together in (files, means):
+                with self.assertRaisesRegex(axiscomp.RequestError, "only runs over targets can be joined"):
+                    axiscomp.judge(together)
+        again = axiscomp.Measurement(means[0].targets, means[0].up, means[0].down, kind=means[0].kind)
+        self.assertIsNone(axiscomp.judge(again)["axis"]["A"])
+        with self.assertRaises(axiscomp.InputFileError) as raised:
+            axiscomp.Measurement([0, 10], up=[[0, 1], [0, 1]], kind="averages")
+        self.assertEqual(raised.exception.diagnostics[0]["code"], "DuplicateValue")
+        with self.assertRaises(ValueError):
+            axiscomp.Measurement([0, 10], up=[[0, 1]], kind="means")
 
     def test_a_measurement_goes_through_pickle(self):
         self.assertEqual(pickle.loads(pickle.dumps(made())), made())

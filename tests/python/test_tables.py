@@ -5,6 +5,7 @@ import gc
 import pickle
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import numpy
@@ -71,6 +72,40 @@ class Tables(unittest.TestCase):
                 axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target=target)
         self.assertEqual(axiscomp.Table([0, 0.002], [(0, 10, "mm")], unit="mm", target="#1").target, "#1")
 
+    def test_a_name_says_the_target_as_in_a_file(self):
+        table = axiscomp.Table([0, 0.002], [(0, 10, "mm", "X")], name="Y error", unit="mm")
+        self.assertEqual(table.target, "Y")
+        same = axiscomp.resample(table, points=2)
+        self.assertEqual((same, same.notes), (table, []))
+        self.assertEqual(axiscomp.Table([0, 1], [(0, 1, "mm")], name="Y error").target, "")
+
+    def test_a_text_is_one_line(self):
+        axes = [(0, 10, "mm", "X")]
+        for words in (
+            {"target": "X\n// lookup: set"},
+            {"name": "X\r"},
+            {"unit": "mm\t"},
+            {"notes": ["a", "b\nlookup: set"]},
+            {"axes": [(0, 10, "mm", "X\0")]},
+            {"axes": [(0, 10, "mm\n", "X")]},
+        ):
+            with self.assertRaisesRegex(ValueError, "control character", msg=str(words)):
+                axiscomp.Table([0, 0.002], **{"axes": axes, **words})
+
+    def test_tables_of_one_file_are_looked_up_at_the_same_side(self):
+        axes = [(0, 10, "mm", "X")]
+        one, other = (
+            axiscomp.Table([0, 0.002], axes, name=name, unit="mm", target="X", notes=notes)
+            for name, notes in (("A", []), ("S", ["lookup: set"]))
+        )
+        file = self.folder / "x.csv"
+        for tables in ([one, other], [other, one]):
+            with self.assertRaisesRegex(ValueError, "lookup: encoder, lookup: set, or nothing"):
+                axiscomp.write(tables, file)
+        self.assertFalse(file.exists())
+        axiscomp.write([other, axiscomp.Table(other.values, axes, "T", "mm", "X", notes=["a", "Lookup: set"])], file)
+        self.assertEqual(len(axiscomp.read_all(file, dims=1)), 2)
+
     def test_positions_are_those_of_the_grid(self):
         numpy.testing.assert_array_equal(plane().positions(2), [-30, -10, 10, 30])
         with self.assertRaises(IndexError):
@@ -105,6 +140,24 @@ class Tables(unittest.TestCase):
         for given in (None, [], "x", [[0, 1], [2]]):
             with self.assertRaises((ValueError, TypeError), msg=repr(given)):
                 axiscomp.Table(given, [(0, 1)])
+
+    def test_numbers_are_real(self):
+        axes = [(0, 1, "mm")]
+        line = axiscomp.Table([0, 1], axes)
+        for given in ([0, 1j], numpy.array([0, 1 + 0j]), numpy.array(["2026-01-01", "2026-01-02"], "M8[s]")):
+            with self.assertRaises(TypeError, msg=repr(given)):
+                axiscomp.Table(given, axes)
+            with self.assertRaises(TypeError, msg=repr(given)):
+                line.lookup(given)
+
+    def test_tables_for_two_sides_are_not_equal(self):
+        (encoder, same, other, none) = (
+            axiscomp.Table([0, 1], [(0, 1, "mm")], notes=notes)
+            for notes in (["lookup: encoder"], ["a note", "lookup: encoder"], ["lookup: set"], [])
+        )
+        self.assertEqual(encoder, same)
+        self.assertNotEqual(encoder, other)
+        self.assertNotEqual(encoder, none)
 
     def test_what_is_written_reads_back(self):
         for name in ("plane.csv", "plane.TAMtbl"):
@@ -144,6 +197,22 @@ class Tables(unittest.TestCase):
         axiscomp.write(table, file, to="linuxcnc")
         back = axiscomp.read(file, from_="linuxcnc", target="#1")
         numpy.testing.assert_allclose(back.lookup([0, 10, 20]), table.lookup([0, 10, 20]), atol=2e-5)
+
+    def test_what_a_file_leaves_open_is_a_warning(self):
+        file = self.folder / "x.comp"
+        file.write_text("".join(f"{x} {x * 1.0001 + 0.001} {x * 1.0001 + 0.001}\n" for x in (0, 10, 20, 30)))
+        for read in (axiscomp.read, axiscomp.read_all):
+            with self.assertWarns(axiscomp.FileWarning) as warned:
+                read(file, target="#1")
+            self.assertEqual(warned.filename, __file__)
+            said = "\n".join(str(one.message) for one in warned.warnings)
+            for code in ("(Assumption)", "(UnitNotGiven)"):
+                self.assertIn(code, said)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            plain = axiscomp.Table([0.001, 0.001], [(0, 10, "mm", "X")], unit="mm")  # of which a file would get one
+            axiscomp.write(plain, self.folder / "x.csv")
+            axiscomp.resample(plain, points=3)
 
     def test_the_unit_of_the_values_is_stated_and_not_ignored(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -208,6 +277,22 @@ class Tables(unittest.TestCase):
             self.assertEqual([table.filled for table in tables], [[1], [2]], options)
         tables = axiscomp.read_all(file, dims=1, fill="nearest", points=7)
         self.assertEqual([table.filled for table in tables], [[], []])
+
+    def test_what_was_filled_of_a_table_is_known_while_the_points_stay(self):
+        table = axiscomp.Table([0, 0.002, 0.001], [(0, 10, "mm", "X")], name="E", unit="mm", filled=[1])
+        other = axiscomp.Table([0, 0.001, 0.001], [(0, 10, "mm", "X")], name="F", unit="mm")
+        for options, filled in (({}, [1]), ({"points": 3}, [1]), ({"scale": 2}, [1]), ({"points": 5}, [])):
+            self.assertEqual(axiscomp.resample(table, **options).filled, filled, options)
+        self.assertEqual([one.filled for one in axiscomp.read_all([other, table], scale=2)], [[], [1]])
+        self.assertEqual(axiscomp.read([other, table], scale=2, table="E").filled, [1])
+        file = self.folder / "filled.csv"
+        axiscomp.write([other, table], file)
+        note = "1 of 3 points of E are filled, not measured"
+        self.assertIn(f"// {note}\n", file.read_text())
+        (_, again) = axiscomp.read_all(file, dims=1)
+        self.assertEqual(again.notes, [note])
+        axiscomp.write(axiscomp.Table(again.values, [(0, 10, "mm", "X")], "E", "mm", filled=[1], notes=again.notes), file)
+        self.assertEqual(file.read_text().count(note), 1)
 
     def test_missing_points_are_filled_only_on_demand(self):
         file = self.folder / "gap.csv"

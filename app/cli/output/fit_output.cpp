@@ -162,9 +162,12 @@ Json periodsJson(const FittedTable& made)
 
 Json columnJson(const FittedTable& made, std::uint32_t crc)
 {
+    std::vector<std::size_t> sizes;
+    for (const GridAxis& axis : made.table.grid.axes)
+        sizes.push_back(axis.size);
     return {{"name", made.table.name}, {"target", made.table.target},
         {"direction", directionName(made.direction)}, {"crc", crc},
-        {"smoothness", jsonOf(made.smoothness)},
+        {"filled", filledJson(made.table.filled, sizes)}, {"smoothness", jsonOf(made.smoothness)},
         {"residual", {{"rms", made.residualRms}, {"largest", made.residualLargest}}},
         {"crossValidation", jsonOf(made.crossValidation)},
         {"nodes", {{"measured", made.measuredNodes}, {"filled", made.filledNodes}}},
@@ -234,8 +237,7 @@ Json fitJson(const Measurement& measurement, const FitSettings& settings, const 
     for (std::size_t i = 0; i < report.tables.size(); ++i)
         columns.push_back(columnJson(report.tables[i], crcs[i]));
     return {{"table", tableJson(first, crcs.front())}, {"columns", std::move(columns)},
-        {"method", isFittedOnGrid(measurement, settings) ? "grid" : fitMethodName(settings.method)},
-        {"direction", fitDirectionName(settings.direction)},
+        {"method", madeBy(report, settings)}, {"direction", fitDirectionName(settings.direction)},
         {"smoothness", jsonOf(first.smoothness)}, {"periods", periodsJson(first)},
         {"knots", first.knots},
         {"residual", {{"rms", first.residualRms}, {"largest", first.residualLargest}}},

@@ -7,13 +7,14 @@ import functools
 import math
 import os
 import sys
+import warnings
 from contextlib import ExitStack
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from .errors import Error, RequestError
+from .errors import Error, FileWarning, RequestError
 
 Echo = Callable[[str], None]
 
@@ -25,7 +26,7 @@ class Document(dict):
              "ProblemsFound" (doctor)
     text     what the command prints for people
     notes    warnings and notes, one line each
-    tables   of fit, where it writes no file
+    tables   of fit, where it writes no file; none with direction="both", whose pair is for a file of a controller
     """
 
     def __init__(self, content: Any, outcome: str, text: str, notes: list[str]) -> None:
@@ -240,6 +241,33 @@ def call(
     return (result, output) if raw else result
 
 
+def give_warnings(notes: Sequence[str]) -> None:
+    """Warnings among notes as those of Python, where the caller of this package stands."""
+    here = os.path.dirname(__file__)
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == here:
+        frame, level = frame.f_back, level + 1
+    for note in notes:
+        if note.startswith("warning: ") or ": warning: " in note:
+            warnings.warn(note, FileWarning, stacklevel=level)
+
+
+def with_points(table: Table, filled: Sequence[int]) -> Table:
+    """The table whose values at these points were made up."""
+    axes = [axis[:4] for axis in table.axes]
+    return Table(table.values, axes, table.name, table.unit, table.target, filled, table.notes)
+
+
+def with_filled(table: Table, said: list[list[int]] | None) -> Table:
+    """A CSV file does not say which values were made up; a document does, by indices in each dimension."""
+    if not said:
+        return table
+    strides = [1]
+    for axis in table.axes[:-1]:
+        strides.append(strides[-1] * axis.size)
+    return with_points(table, [sum(i * stride for i, stride in zip(index, strides)) for index in said])
+
+
 def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo: Echo | None = None) -> Document:
     """fit; the tables are in the document where the options name no file, and are of one direction or both."""
     if any(options.get(name) is not None for name in ("output", "to")) or options.get("direction") == "both":
@@ -248,7 +276,9 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
         file = files.put(b"", "table.csv")
         document = call(command, positionals, {**options, "output": file, "to": "csv"}, echo)
         with open(file, "rb") as stream:
-            document.tables = _axiscomp.tables_of_csv(stream.read(), len(document["table"]["axes"]))
+            tables = _axiscomp.tables_of_csv(stream.read(), len(document["table"]["axes"]))
+    filled = {column["name"]: column.get("filled") for column in document["columns"]}
+    document.tables = [with_filled(table, filled.get(table.name)) for table in tables]
     document["output"] = None
     document.notes = files.named(document.notes)
     document.text = "".join(line for line in document.text.splitlines(True) if file not in line).rstrip("\n") + "\n"

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import weakref
 from typing import Any, Iterator
 
@@ -65,6 +66,9 @@ class Drive:
     ) -> None:
         """profile: file in place of the built-in one. timeout: of one exchange, in s (5). echo: is called with
         what a command says while it works, such as print."""
+        if not isinstance(endpoint, (str, os.PathLike)) or not os.fspath(endpoint):
+            # Without an address it would be the drive of AXISCOMP_DRIVE.
+            raise TypeError(f"a drive needs its address as a text, not {endpoint!r}")
         self.endpoint = endpoint
         self.echo = echo
         self._connection = {
@@ -78,8 +82,9 @@ class Drive:
         return f"<axiscomp.Drive {self.endpoint}>"
 
     def _call(self, command: str, options: dict[str, Any], *positionals: Any) -> Document:
-        # In the order of the options, the way to the drive behind them.
-        return call(command, list(positionals), options | self._connection | options, self.echo)
+        # In the order of the options, the way to the drive behind them. None takes nothing of it away.
+        said = {name: value for name, value in options.items() if value is not None or name not in self._connection}
+        return call(command, list(positionals), said | self._connection | said, self.echo)
 
     def axes(self) -> Document:
         """The axes of the drive: what `axiscomp axes` says."""

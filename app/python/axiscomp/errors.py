@@ -6,12 +6,20 @@ from __future__ import annotations
 from typing import Any
 
 
+class FileWarning(UserWarning):
+    """What a file leaves open and is taken for granted, or what looks wrong in it: a line of `axiscomp` with "warning:".
+
+    Given by read, read_all and read_measurement, whose answer has no place for it; others have it in their notes.
+    """
+
+
 class Error(Exception):
     """What `axiscomp` prints as "error: CODE: sentence".
 
     code         the name that programs compare: "LargeCorrection", "NotConnected", ...
     message      the sentence, in English
-    context      what the sentence names, by its keys: {"file": ...}; counts are int, all else is str
+    context      what the sentence names, by its keys: {"file": ...}; whole numbers are int (a count, a size, an axis by its
+                 index), all else is str
     diagnostics  the places in files that are wrong: {"file", "code", "line", "column", "message"}
     notes        warnings and notes that came before it, and other errors of the same command
     document     the Document of a command that went on after it: apply, plan, axes; else None

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import _Files, call, flat
+from ._call import _Files, call, flat, give_warnings
 
 if TYPE_CHECKING:
     import numpy
@@ -21,9 +21,11 @@ class Measurement:
              NaN or masked where nothing was measured
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
-    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
+    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off"),
+             kind: "averages" where each value is a mean of runs, of which nothing says how they repeat ("runs")
 
-    A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down, ...).
+    A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down,
+    kind=m.kind, ...).
     """
 
     def __init__(
@@ -35,6 +37,8 @@ class Measurement:
             raise ValueError(f"the unit is mm or deg, not {unit}")
 
         def floats(given: Any) -> numpy.ndarray:
+            if numpy.asarray(given).dtype.kind in "cmM":
+                raise TypeError("targets and deviations are real numbers")  # numpy would drop a part of them
             # What is masked was not measured.
             return numpy.ma.filled(numpy.ma.asarray(given, dtype=float), numpy.nan)
 
@@ -57,6 +61,7 @@ class Measurement:
         self.up: numpy.ndarray = parts["up"]
         self.down: numpy.ndarray = parts["down"]
         self.unit: str = parts["unit"]
+        self.kind: str = parts["kind"]  #: "runs", or "averages" of a file of means
         for array in (self.targets, self.up, self.down):
             array.setflags(write=False)  # the file would not change with it
 
@@ -87,9 +92,10 @@ def read_measurement(files: Any, **options: Any) -> Measurement:
     """One measurement of one file or several, of any format that `axiscomp runs` reads.
 
     options: those of `axiscomp runs`, such as from_="renishaw", unit="mm", exclude="down:1:1". Values that
-    are left out are NaN. Raises Error.
+    are left out are NaN. Raises Error, and warns (FileWarning) of what looks wrong.
     """
-    _, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
+    document, output = call("runs", flat([files]), {**options, "output": "-"}, raw=True)
+    give_warnings(document.notes)
     return Measurement.of_file(output)
 
 

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, call, one
+from ._call import Document, call, give_warnings, one, with_filled, with_points
 
 
 class Axis(NamedTuple):
@@ -28,25 +28,37 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     """All tables of a file of any format, in the sign of the drive.
 
     options: those of `axiscomp convert`, such as dims=1, from_="softmc", fill="plane", within=0.01. A CSV
-    file needs dims. Raises Error.
+    file needs dims. Raises Error, and warns (FileWarning) of what a file leaves open.
     """
     document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
     tables = _axiscomp.tables_of_csv(output, document["dimensions"])
+    given = [file] if isinstance(file, Table) else file
+    if isinstance(given, (list, tuple)) and all(isinstance(table, Table) for table in given):
+        return [_with_filled_of(table, n, given, len(tables)) for n, table in enumerate(tables)]
+    give_warnings(document.notes)
     # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
     said = [column for group in document["tables"] for column in group.get("columns", [group])]
-    return list(map(_with_filled, tables, said)) if len(said) == len(tables) else tables
+    if len(said) != len(tables):
+        return tables
+    return [with_filled(table, column.get("filled")) for table, column in zip(tables, said)]
 
 
-def _with_filled(table: Table, said: dict[str, Any]) -> Table:
-    """A CSV file does not say which values were made up; the document does."""
-    if not said.get("filled"):
+def _with_filled_of(table: Table, number: int, given: Sequence[Table], count: int) -> Table:
+    """A table that was made of one of those given has its filled points while the points stay."""
+    same = [given[number]] if count == len(given) else [one for one in given if one.name == table.name]
+    if len(same) != 1 or not same[0].filled or not _have_same_points(table.axes, same[0].axes):
         return table
-    strides = [1]
-    for axis in table.axes[:-1]:
-        strides.append(strides[-1] * axis.size)
-    filled = [sum(i * stride for i, stride in zip(index, strides)) for index in said["filled"]]
-    axes = [axis[:4] for axis in table.axes]
-    return Table(table.values, axes, table.name, table.unit, table.target, filled, table.notes)
+    return with_points(table, same[0].filled)
+
+
+def _have_same_points(axes: list[Axis], others: list[Axis]) -> bool:
+    def are_close(one: Axis, other: Axis) -> bool:
+        most = 1e-6 * other.distance  # a position may have been rounded on its way through a file
+        return abs(one.start - other.start) <= most and abs(one.last - other.last) <= most
+
+    return len(axes) == len(others) and all(
+        one.size == other.size and are_close(one, other) for one, other in zip(axes, others)
+    )
 
 
 def read(file: Any, **options: Any) -> Table:
@@ -73,11 +85,11 @@ Table.__doc__ = """Compensation values on an even grid of 1 to 3 dimensions; it 
 Table(values, axes, name="Table", unit="", target="", filled=[], notes=[]) copies the values once, as float32:
     values  shape (n1,), (n1, n2) or (n1, n2, n3), reference - encoder, in `unit`
     axes    one (start, distance[, unit[, name]]) per dimension, distance > 0
-    target  the axis that is corrected, as in a file; empty: not said
+    target  the axis that is corrected; empty: what the name says, as in a file: "Y" of "Y error" over X
     filled  indices, dimension 1 fastest, of values that were made up
     notes   comments of the file: "lookup: encoder" or "lookup: set" says for which side a fit made the table, and
-            a write to a source on the other side is refused
-Raises Error (InvalidArgument) for a value that is not finite.
+            a write to a source on the other side is refused; tables of one file say the same
+Raises Error (InvalidArgument) for a value that is not finite, ValueError for a text with a control character.
 """
 Table.values.__doc__ = "float32, shape (n1[, n2[, n3]]): the table's own memory, which nobody can write to."
 Table.axes.__doc__ = "One Axis(start, distance, unit, name, size) per dimension."

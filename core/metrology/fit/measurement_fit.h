@@ -123,6 +123,7 @@ struct FitRemark {
 
 struct FitReport {
     std::vector<FittedTable> tables; ///< at least one, all over the same grid
+    bool isOnGrid = false; ///< isFittedOnGrid()
     LookupAt lookupAt = LookupAt::Encoder;
     FoundState state; ///< what it points to must live as long as that is used
     std::optional<FitMerge> merge = {};
@@ -167,6 +168,9 @@ struct FitReport {
 /// Whether the values are fitted on the grid itself, without a curve through them: points, and
 /// tracks unless a curve is asked for.
 [[nodiscard]] bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings);
+
+/// What the tables are made by: the name of the method, or "grid".
+[[nodiscard]] std::string_view madeBy(const FitReport& report, const FitSettings& settings);
 
 /// What the values in use are of: the direction that was asked for, or the only one that was
 /// measured in place of a mean.

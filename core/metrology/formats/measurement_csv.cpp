@@ -505,6 +505,8 @@ std::string MeasurementCsv::meaningOf(std::string_view key, const std::string& v
         return header.corrected == MeasurementHeader::Corrected::NotSaid
             ? std::string()
             : std::to_string(static_cast<int>(header.corrected));
+    if (key == "kind")
+        return std::string(measurementKindName(m_measurement.kind));
     if (key == "values")
         return m_comments.holdsReference.value_or(false) ? "reference" : "deviation";
     if (key == "sign")
@@ -553,6 +555,8 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
             m_measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
         else
             refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
+    } else if (sameLetters(key, "kind")) {
+        takeKind(value, line);
     } else if (sameLetters(key, "values")) {
         takeValues(value, line);
     } else if (sameLetters(key, "sign")) {
@@ -561,6 +565,17 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
         return false;
     }
     return true;
+}
+
+/// Tracks and points say theirs by their columns.
+void MeasurementCsv::takeKind(const std::string& value, std::size_t line)
+{
+    for (const MeasurementKind kind : {MeasurementKind::Runs, MeasurementKind::Averages})
+        if (sameLetters(value, measurementKindName(kind))) {
+            m_measurement.kind = kind;
+            return;
+        }
+    refuse(line, value, AXISCOMP_TEXT("Error", "kind: runs, or kind: averages (means of runs)"));
 }
 
 void MeasurementCsv::takeValues(const std::string& value, std::size_t line)

@@ -119,6 +119,7 @@ private:
     void checkAxis();
     void refuseAxis(std::size_t line, std::size_t column, std::string_view axis,
         std::string_view before, std::size_t lineBefore);
+    void takeKind(const std::string& value, std::size_t line);
     void takeValues(const std::string& value, std::size_t line);
     void takeSign(const std::string& value, std::size_t line);
     void refuseLate(std::size_t line, std::string_view statement);

@@ -222,7 +222,11 @@ void Assembly::countRuns()
 void Assembly::checkDuplicates()
 {
     const std::vector<RunValue>& values = m_measurement.values;
-    const auto key = [](const RunValue& v) { return std::tuple(v.direction, v.target, v.run); };
+    // Of several means repeatability would follow as if they were single values.
+    const bool areMeans = m_measurement.kind == MeasurementKind::Averages;
+    const auto key = [areMeans](const RunValue& v) {
+        return std::tuple(v.direction, v.target, areMeans ? 1 : v.run);
+    };
     for (std::size_t i = 1; i < values.size(); ++i) {
         if (key(values[i]) != key(values[i - 1]))
             continue;
@@ -234,7 +238,8 @@ void Assembly::checkDuplicates()
                 .with("run", values[i].run)
                 .with("first", values[i - 1].line)
                 .with("second", values[i].line),
-            AXISCOMP_TEXT("Error", "one value for each target, direction and run"));
+            areMeans ? AXISCOMP_TEXT("Error", "one mean for each target and direction")
+                     : AXISCOMP_TEXT("Error", "one value for each target, direction and run"));
     }
 }
 

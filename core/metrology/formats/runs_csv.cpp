@@ -12,7 +12,7 @@ namespace axiscomp::runs_csv {
 namespace {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
-constexpr std::array kinds{MeasurementKind::Runs};
+constexpr std::array kinds{MeasurementKind::Runs, MeasurementKind::Averages};
 constexpr std::array<std::string_view, 7> rules{
     "One line for each value, in any order. Columns by name, in capital or small letters: target; "
     "direction (+ or -, up or down, fwd or bwd, forward or backward, positive or negative, 1 or "
@@ -28,8 +28,9 @@ constexpr std::array<std::string_view, 7> rules{
     "direction is its run n.",
     "Comments // KEY: VALUE say what was measured: machine, axis, instrument, serial, operator, "
     "date, feed, dwell, compensation (off, on, or crc: and the checksum of the table), air "
-    "temperature, material temperature, expansion, corrected (none or 20C), values (deviation or "
-    "reference), sign (deviation or correction). The last two stand before the first value.",
+    "temperature, material temperature, expansion, corrected (none or 20C), kind (runs, or "
+    "averages: each value is a mean of runs), values (deviation or reference), sign (deviation or "
+    "correction). The last two stand before the first value.",
     "Any other CSV is read with --columns 'target=1,direction=3,deviation=5', by number or name.",
 };
 

@@ -25,6 +25,8 @@ std::string headerText(const Measurement& measurement)
 {
     const MeasurementHeader& header = measurement.header;
     std::string text = "// axiscomp runs: 1\n";
+    if (measurement.kind == MeasurementKind::Averages)
+        appendStatement(text, "kind", std::string(measurementKindName(measurement.kind)));
     for (const HeaderText& said : headerTexts)
         appendStatement(text, said.key, header.*said.member);
     appendStatement(text, "compensation", measuredStateText(header.compensation));

@@ -12,7 +12,7 @@ namespace axiscomp::wide_csv {
 namespace {
 
 constexpr std::array<std::string_view, 1> extensions{".csv"};
-constexpr std::array kinds{MeasurementKind::Runs};
+constexpr std::array kinds{MeasurementKind::Runs, MeasurementKind::Averages};
 constexpr std::array<std::string_view, 3> rules{
     "One line for each target, a column for each run: target, up1, up2, ..., down1, down2, ... "
     "(also fwd or forward, bwd, backward or rev, with or without _). Empty cells are values that "

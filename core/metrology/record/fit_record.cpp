@@ -2,6 +2,7 @@
 #include "core/metrology/record/fit_record.h"
 
 #include "core/neutral/lookup_note.h"
+#include "core/table/missing_points.h"
 
 #include <utility>
 
@@ -34,8 +35,12 @@ CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& set
 std::vector<std::string> notesOfFit(
     const std::string& sources, const FitSettings& settings, const FitReport& report)
 {
-    return {"made of " + sources, lookupNote(report.lookupAt), report.state.text.english(),
-        "method " + std::string(fitMethodName(settings.method))};
+    std::vector<std::string> notes{"made of " + sources, lookupNote(report.lookupAt),
+        report.state.text.english(), "method " + std::string(madeBy(report, settings))};
+    for (const FittedTable& made : report.tables)
+        if (const CompensationTable& table = made.table; !table.filled.empty())
+            notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));
+    return notes;
 }
 
 } // namespace axiscomp

@@ -577,6 +577,40 @@ private Q_SLOTS:
         VERIFY_CODE(box.run(fit + QStringList{"-o", "one.TAMtbl", "--table", "dY"}), 0);
     }
 
+    /// Nothing is measured beyond 40 mm of 100.
+    void theFileOfATableSaysHowItWasMadeAndWhatWasFilled()
+    {
+        const Sandbox box;
+        QByteArray text = "X [mm],Y [mm],dX [um],dY [um]\n";
+        for (int x = 0; x <= 100; x += 10)
+            for (int y = 0; y <= 20; y += 10)
+                if (x <= 40 || x == 100)
+                    text += QByteArray::number(x) + ',' + QByteArray::number(y) + ",1,2\n";
+        box.file("points.csv", text);
+        const QStringList fit = QStringList{"fit", "points.csv", "--points", "11,3", "--smoothness",
+                                    "1", "--json", "-o", "table.csv"}
+            + offAtEncoder;
+        const ProgramRun run = box.run(fit + QStringList{"--fill", "smooth"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject column = run.json().value("columns").toArray().at(1).toObject();
+        const QJsonArray filled = column.value("filled").toArray();
+        QVERIFY(!filled.isEmpty());
+        QCOMPARE(static_cast<int>(filled.size()),
+            column.value("nodes").toObject().value("filled").toInt());
+        const QByteArray note = QByteArray::number(filled.size()) + " of 33 points of ";
+        const QByteArray csv = box.content("table.csv");
+        QVERIFY2(csv.contains("\n// method grid\n"), csv.constData());
+        QVERIFY2(csv.contains("\n// " + note + "dX are filled, not measured\n"), csv.constData());
+        QVERIFY2(csv.contains("\n// " + note + "dY are filled, not measured\n"), csv.constData());
+        VERIFY_CODE(
+            box.run(QStringList{"fit", publicFile("b02_x.csv"), "--zero", "keep", "-o", "runs.csv"}
+                + offAtEncoder),
+            0);
+        const QByteArray runs = box.content("runs.csv");
+        QVERIFY2(runs.contains("\n// method linear\n"), runs.constData());
+        QVERIFY(!runs.contains("filled"));
+    }
+
     void pointsOfAnglesGiveATableOfAngles()
     {
         const Sandbox box;

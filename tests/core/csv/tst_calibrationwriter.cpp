@@ -97,6 +97,20 @@ private Q_SLOTS:
         QCOMPARE(reading.data->notes, std::vector<std::string>{note});
     }
 
+    /// An empty statement would be a note for the reader, and the name says the axis as before.
+    void aTargetThatOnlyTheNameSaysIsNotWrittenAsNone()
+    {
+        CalibrationData data{{{{"X", "mm", 0, 1, 2}}}, {}, {}};
+        data.tables.push_back({"Y error", "mm", data.grid, {1.0F, 2.0F}});
+        QVERIFY(writeCalibrationCsv(data).find("target") == std::string::npos);
+        data.tables.push_back({"T", "mm", data.grid, {1.0F, 2.0F}, "Z"});
+        const CsvReading reading = reparse(data);
+        QVERIFY(reading.data);
+        QCOMPARE(reading.data->tables[0].target, "Y");
+        QCOMPARE(reading.data->tables[1].target, "Z");
+        QVERIFY(reading.data->notes.empty());
+    }
+
     void everyWayToWriteAGridGivesTheSameTable()
     {
         std::mt19937 random(17);

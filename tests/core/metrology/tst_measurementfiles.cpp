@@ -704,6 +704,31 @@ private Q_SLOTS:
         QVERIFY(!figures[Figure::A].value);
     }
 
+    void meansStayMeansInAFileOfRuns()
+    {
+        const std::string block = " Directional Avg Error\n0 0.001\n100 0.002\n200 0.004\n";
+        const MeasurementReading means =
+            test::readAs("api-pos", "Position Forward" + block + "Position Reverse" + block);
+        VERIFY_MEASUREMENT(means);
+        const std::string text = writeRunsCsv(*means.measurement);
+        QVERIFY(text.find("\n// kind: averages\n") != std::string::npos);
+        MeasurementReading again = test::readAs("runs", text);
+        VERIFY_MEASUREMENT(again);
+        QCOMPARE(again.measurement->kind, MeasurementKind::Averages);
+        QVERIFY(again.measurement->notes == means.measurement->notes);
+        // Two of them would be two runs, of which repeatability follows.
+        Measurement other = *again.measurement;
+        other.values.front().deviation += 1e-4;
+        QVERIFY(!joined(std::vector<Measurement>{*again.measurement, other}));
+        const MeasurementReading wide = test::readAs("wide",
+            "// values: deviation\n// Kind: Averages\ntarget [mm],up1 [um],down1 [um]\n0,1,2\n"
+            "9,1,2\n");
+        VERIFY_MEASUREMENT(wide);
+        QCOMPARE(wide.measurement->kind, MeasurementKind::Averages);
+        QVERIFY(publicRuns("b02_x.csv").kind == MeasurementKind::Runs);
+        QVERIFY(writeRunsCsv(publicRuns("b02_x.csv")).find("kind") == std::string::npos);
+    }
+
     void whatStandsBetweenAndBehindTheMeansOfApiIsANote()
     {
         const MeasurementReading reading = test::readAs("api-pos",

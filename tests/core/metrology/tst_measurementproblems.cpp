@@ -91,6 +91,18 @@ private Q_SLOTS:
             {"2:3 BadRun 0|a whole number from 1", "3:3 BadRun 1.5|", "4:3 BadRun x|"});
         row("a value twice", "runs", head + "0,+,1,1\n5,+,1,1\n0.0,up,1,2\n",
             {"4:0 DuplicateValue target 0 mm, up, run 1 in line 2 and in line 4|one value"});
+        row("a mean twice", "runs", "// kind: averages\n" + head + "0,+,1,1\n5,+,1,1\n0,+,2,2\n",
+            {"5:0 DuplicateValue target 0 mm, up, run 2 in line 3 and in line 5|one mean for each "
+             "target and direction"});
+        row("a block of means twice", "api-pos",
+            "Position Forward Directional Avg Error\n0 0.001\n9 0.002\n"
+            "Position Reverse Directional Avg Error\n0 0.001\n9 0.002\n"
+            "Position Forward Directional Avg Error\n0 0.001\n",
+            {"8:0 DuplicateValue target 0 mm, up, run 2 in line 2 and in line 8|one mean"});
+        row("no kind", "runs", "// kind: means\n" + head + "0,+,1,1\n1,+,1,1\n",
+            {"1:0 Syntax means|kind: runs, or kind: averages"});
+        row("two kinds", "runs", "// kind: averages\n// kind: runs\n" + head + "0,+,1,1\n1,+,1,1\n",
+            {"2:0 Contradiction kind: runs, and kind: averages in line 1|one statement of it"});
         row("one target", "runs", head + "5,+,1,1\n5,+,2,1\n5,-,1,1\n",
             {"0:0 TooFewTargets 1 target|at least 2 different positions"});
         row("no lines", "runs", head, {"0:0 TooFewTargets 0 targets|"});
