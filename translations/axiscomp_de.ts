@@ -8413,6 +8413,14 @@
         <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
         <translation>mm, oder beide Einheiten angegeben: die der Positionen (--unit) und die der Fehler (--value-unit)</translation>
     </message>
+    <message>
+        <source>kind: runs, or kind: averages (means of runs)</source>
+        <translation>kind: runs oder kind: averages (Mittelwerte von Durchläufen)</translation>
+    </message>
+    <message>
+        <source>one mean for each target and direction</source>
+        <translation>ein Mittelwert für jede Zielposition und jede Richtung</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

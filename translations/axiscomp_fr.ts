@@ -8413,6 +8413,14 @@
         <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
         <translation>mm, ou les deux unités indiquées&#xa0;: celle des positions (--unit) et celle des erreurs (--value-unit)</translation>
     </message>
+    <message>
+        <source>kind: runs, or kind: averages (means of runs)</source>
+        <translation>kind: runs, ou kind: averages (moyennes de passes)</translation>
+    </message>
+    <message>
+        <source>one mean for each target and direction</source>
+        <translation>une moyenne par position cible et sens</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

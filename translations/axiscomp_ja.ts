@@ -8372,6 +8372,14 @@
         <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
         <translation>mm、または両方の単位の指定: 位置の単位 (--unit) と誤差の単位 (--value-unit)</translation>
     </message>
+    <message>
+        <source>kind: runs, or kind: averages (means of runs)</source>
+        <translation>kind: runs または kind: averages (走行の平均値)</translation>
+    </message>
+    <message>
+        <source>one mean for each target and direction</source>
+        <translation>目標位置と方向ごとに平均値は 1 つ</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

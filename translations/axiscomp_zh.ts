@@ -8372,6 +8372,14 @@
         <source>mm, or both units stated: that of the positions (--unit) and that of the errors (--value-unit)</source>
         <translation>mm，或同时给出两个单位：位置的单位 (--unit) 和误差的单位 (--value-unit)</translation>
     </message>
+    <message>
+        <source>kind: runs, or kind: averages (means of runs)</source>
+        <translation>kind: runs，或 kind: averages（各趟次的平均值）</translation>
+    </message>
+    <message>
+        <source>one mean for each target and direction</source>
+        <translation>每个目标位置和方向一个平均值</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
