@@ -322,6 +322,7 @@ Result<Comparison> compareMeasurements(
     Comparison comparison{figuresOfFit(before, request.isByTemperature), request.predicted,
         request.heldOut, figuresOfFit(after, request.isByTemperature), {}, {}};
     comparison.isByTemperature = request.isByTemperature;
+    comparison.uncertainty = request.uncertainty;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     judgePrediction(comparison, request);
@@ -341,6 +342,12 @@ void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Compa
     recorded.tableCrc = comparisonRequest(record).tableCrc;
     record.after.push_back(std::move(recorded));
     record.verdict = RecordedVerdict{comparison.verdicts};
+    // Without a verdict that has it, "as predicted" would rest on what nobody can look up.
+    RecordedJudging judging = judgingOf(record);
+    if (judging.uncertainty == comparison.uncertainty)
+        return;
+    judging.uncertainty = comparison.uncertainty;
+    record.judging = std::move(judging);
 }
 
 } // namespace axiscomp

@@ -82,6 +82,7 @@ struct Comparison {
     std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
+    std::optional<double> uncertainty = {}; ///< as in the request
     bool isByTemperature = false; ///< as in the request
 
     [[nodiscard]] bool isWithinTolerances() const;
@@ -98,7 +99,8 @@ struct Comparison {
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 
-/// The second measurement, what it says of the prediction, and the verdict go into the record.
+/// The second measurement, what it says of the prediction, the verdict, and the uncertainty by which
+/// both are go into the record.
 void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison);
 
 } // namespace axiscomp

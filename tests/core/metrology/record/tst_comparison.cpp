@@ -162,6 +162,28 @@ private Q_SLOTS:
         QCOMPARE(record.verdict->figures.front().result, VerdictResult::Passed);
     }
 
+    /// Without a tolerance no verdict has it, and "as predicted" rests on it.
+    void whatIsKeptHasTheUncertainty()
+    {
+        ComparisonRequest request = promised(1e-3);
+        request.uncertainty = 5e-4;
+        const auto comparison =
+            compareMeasurements(measured(&errorBefore), measured(&errorBefore), request);
+        VERIFY_RESULT(comparison);
+        CalibrationRecord record;
+        record.fit.emplace();
+        record.fit->settings.outlierRule = OutlierRule::Grubbs;
+        keepAfter(record, {}, *comparison);
+        QCOMPARE(judgingOf(record).uncertainty, std::optional(5e-4));
+        QCOMPARE(judgingOf(record).outlierRule, OutlierRule::Grubbs);
+        QVERIFY(comparisonRequest(record).uncertainty == 5e-4);
+        // The record has it already.
+        record.judging.reset();
+        record.fit->settings.uncertainty = 5e-4;
+        keepAfter(record, {}, *comparison);
+        QVERIFY(!record.judging);
+    }
+
     /// Of several tables of a record the one that was written.
     void whatIsKeptNamesTheTableThatWasWritten()
     {
