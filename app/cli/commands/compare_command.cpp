@@ -73,6 +73,9 @@ Result<Side> sideOfRecord(const RecordedMeasurement& before)
     for (const RecordedFile& recorded : before.files)
         side.input.sources.push_back({recorded.file, recorded.format, recorded.sha256});
     side.corrections.corrections = {before.corrections.temperature, before.corrections.deadPath};
+    // The second measurement may begin elsewhere, and is to be corrected from the same position.
+    if (auto& temperature = side.corrections.corrections.temperature)
+        temperature->datum = datumOf(*temperature, side.input.measurement);
     return side;
 }
 

@@ -199,6 +199,49 @@ private Q_SLOTS:
         QVERIFY(std::abs(*iso230Figures(*kept)[Iso230Figure::M].value - 0.0004) < 1e-9);
     }
 
+    /// A scale that is 57.5 um/m too long and nothing else: at 20 C nothing is left, wherever the
+    /// second measurement begins.
+    void bothMeasurementsAreCorrectedFromTheSameDatum()
+    {
+        const Sandbox box;
+        const auto warm = [](std::initializer_list<int> targets) {
+            QByteArray text = "target [mm],direction,run,deviation [um]\n";
+            for (const int target : targets)
+                for (const char* const run : {",+,1,", ",+,2,", ",-,1,", ",-,2,"})
+                    text += QByteArray::number(target) + run
+                        + QByteArray::number(target * 57.5e-3, 'g', 12) + '\n';
+            return text;
+        };
+        box.file("before.csv",
+            "// compensation: off\n" + warm({0, 100, 200, 300, 400, 500, 600}));
+        box.file("after.csv", warm({200, 260, 310, 333, 400, 500}));
+        const QStringList at25{
+            "--temperature", "25", "--expansion", "11.5e-6", "--not-corrected", "--json"};
+        VERIFY_CODE(box.run(QStringList{"fit", "before.csv", "--record", "x.axcal", "--lookup-at",
+                                "encoder", "--zero", "keep"}
+                        + at25),
+            0);
+        const QStringList second{"compare", "after.csv", "--record", "x.axcal"};
+        const QStringList stated{"--measured-with", "on"};
+        const auto datum = [](const ProgramRun& run) {
+            return run.json()
+                .value("corrections")
+                .toObject()
+                .value("temperature")
+                .toObject()
+                .value("datum")
+                .toDouble(-1.0);
+        };
+        const ProgramRun run = box.run(second + stated + at25);
+        VERIFY_CODE(run, 0);
+        QCOMPARE(datum(run), 0.0);
+        for (const QJsonValue& left : run.json().value("residual").toArray())
+            QVERIFY(std::abs(left.toObject().value("value").toDouble()) < 1e-9);
+        const ProgramRun own = box.run(second + stated + at25 + QStringList{"--datum", "200"});
+        VERIFY_CODE(own, 0);
+        QCOMPARE(datum(own), 200.0);
+    }
+
     void theFirstMeasurementIsTheOneOfTheRecord()
     {
         const Sandbox box;
