@@ -2,6 +2,7 @@
 #include "core/metrology/record/comparison.h"
 
 #include "core/curve/smoothing_spline.h"
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
@@ -234,6 +235,50 @@ bool isSuspicious(const Comparison& comparison)
     return before && after && *after >= *before;
 }
 
+/// Nothing: every value is used.
+std::optional<Iso230Figures> figuresOfAll(const Measurement& measurement, bool isByTemperature)
+{
+    if (measurement.excludedCount() == 0)
+        return std::nullopt;
+    return figuresOfFit(withAllValues(measurement), isByTemperature);
+}
+
+Text verdictWords(const Verdict& verdict, bool isAngular)
+{
+    const double limit = verdict.tolerance.value;
+    const auto shown = comparedQuantities(verdict.value.value_or(limit), limit, isAngular);
+    return AXISCOMP_TEXT(
+        "Measurement", "of all values {figure} is {value} (tolerance {tolerance}: {result})")
+        .with("figure", figureText(verdict.tolerance.figure))
+        .with("value", shown.value)
+        .with("tolerance", shown.limit)
+        .with("result", verdictText(verdict.result));
+}
+
+/// A tolerance that only the values in use meet is met by what was chosen.
+void judgeAllValues(Comparison& comparison, const Measurement& before, const Measurement& after,
+    const ComparisonRequest& request)
+{
+    comparison.beforeOfAllValues = figuresOfAll(before, request.isByTemperature);
+    comparison.afterOfAllValues = figuresOfAll(after, request.isByTemperature);
+    if (comparison.beforeOfAllValues)
+        comparison.warnings.push_back({"ValuesExcluded",
+            AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
+                .with("remark", excludedText(before.excludedCount()))});
+    if (!comparison.afterOfAllValues)
+        return;
+    comparison.warnings.push_back({"ValuesExcluded",
+        AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
+            .with("remark", excludedText(after.excludedCount()))});
+    comparison.verdictsOfAllValues =
+        verdicts(*comparison.afterOfAllValues, request.tolerances, request.uncertainty);
+    for (std::size_t n = 0; n < comparison.verdicts.size(); ++n) {
+        const Verdict& ofAll = comparison.verdictsOfAllValues[n];
+        if (ofAll.value && ofAll.result != comparison.verdicts[n].result)
+            comparison.warnings.push_back({"OtherVerdict", verdictWords(ofAll, after.isAngular)});
+    }
+}
+
 bool isByTemperature(const CalibrationRecord& record)
 {
     return record.fit && record.fit->settings.isByTemperature;
@@ -330,6 +375,7 @@ Result<Comparison> compareMeasurements(
         comparison.hints =
             hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
+    judgeAllValues(comparison, before, after, request);
     return comparison;
 }
 

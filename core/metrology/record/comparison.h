@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/judge/judgement.h"
 #include "core/metrology/record/calibration_record.h"
 
 #include <span>
@@ -82,6 +83,13 @@ struct Comparison {
     std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
+    /// Only of a measurement of which values are left out; the figures above are then no evaluation
+    /// by ISO 230-2.
+    std::optional<Iso230Figures> beforeOfAllValues = {};
+    std::optional<Iso230Figures> afterOfAllValues = {};
+    std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
+    /// "ValuesExcluded", and "OtherVerdict" where all values say otherwise than those in use.
+    std::vector<JudgeWarning> warnings = {};
     std::optional<double> uncertainty = {}; ///< as in the request
     bool isByTemperature = false; ///< as in the request
 
@@ -99,8 +107,8 @@ struct Comparison {
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 
-/// The second measurement, what it says of the prediction, the verdict, and the uncertainty by which
-/// both are go into the record.
+/// The second measurement, what it says of the prediction, the verdict, and the uncertainty by
+/// which both are go into the record.
 void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison);
 
 } // namespace axiscomp

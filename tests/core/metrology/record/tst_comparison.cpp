@@ -355,6 +355,43 @@ private Q_SLOTS:
         QVERIFY(!other->isWithinTolerances());
     }
 
+    void leavingValuesOutIsSaidWithTheFiguresAndTheVerdictOfAll()
+    {
+        const auto small = [](double x) { return 0.1 * errorBefore(x); };
+        Measurement after = measured(small);
+        for (RunValue& value : after.values)
+            if (value.target == 25) {
+                value.deviation = 0.02;
+                value.isUsed = false;
+            }
+        ComparisonRequest request;
+        request.tolerances = {{Iso230Figure::M, 0.005}};
+        const auto result = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(result);
+        QVERIFY(result->isWithinTolerances());
+        QVERIFY(!result->beforeOfAllValues);
+        QVERIFY(*(*result->afterOfAllValues)[Iso230Figure::M].value > 0.02);
+        QCOMPARE(result->verdictsOfAllValues.front().result, VerdictResult::Failed);
+        QCOMPARE(result->warnings.size(), std::size_t{2});
+        QCOMPARE(result->warnings[0].text.english(),
+            std::string("second measurement: 4 values excluded, not an evaluation by ISO 230-2"));
+        QCOMPARE(result->warnings[1].name, std::string_view("OtherVerdict"));
+        const std::string verdict = result->warnings[1].text.english();
+        QVERIFY2(
+            verdict.find("(tolerance 5.000 um: failed)") != std::string::npos, verdict.c_str());
+        // In the first measurement they change the promise alone.
+        const auto other = compareMeasurements(after, measured(small), request);
+        VERIFY_RESULT(other);
+        QVERIFY(other->beforeOfAllValues && !other->afterOfAllValues);
+        QCOMPARE(other->warnings.size(), std::size_t{1});
+        QCOMPARE(other->warnings[0].text.english(),
+            std::string("first measurement: 4 values excluded, not an evaluation by ISO 230-2"));
+        QVERIFY(other->verdictsOfAllValues.empty());
+        const auto whole = compareMeasurements(measured(&errorBefore), measured(small), request);
+        VERIFY_RESULT(whole);
+        QVERIFY(whole->warnings.empty() && !whole->afterOfAllValues);
+    }
+
     void aRecordSaysWhatWasPromised()
     {
         CalibrationRecord record;
