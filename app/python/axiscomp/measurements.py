@@ -21,7 +21,7 @@ class Measurement:
              NaN or masked where nothing was measured
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
-    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off")
+    statements: machine, axis, instrument, serial, operator, date, feed, dwell, drive, compensation ("on" or "off")
 
     A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down, ...).
     """

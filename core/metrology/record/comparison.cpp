@@ -7,6 +7,8 @@
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +56,77 @@ Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& 
             "was the table {crc}, say it with --measured-with on")
                                    .with("crc", crc));
     return {};
+}
+
+/// The CRC of a table does not tell: twin machines may hold the same one.
+Result<void> checkComparedDrives(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request)
+{
+    const auto found = driveSerialOf(after.header);
+    for (const auto& known : {driveSerialOf(before.header), request.driveSerial}) {
+        if (!found || !known || *found == *known)
+            continue;
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the second measurement is of the drive with the serial number {found}, and "
+                    "the first one or its table is of the one with {known}; measure that drive, "
+                    "or, where it was replaced since, correct the line // drive: in the file of "
+                    "the second")
+                    .with("found", Verbatim{std::to_string(*found)})
+                    .with("known", Verbatim{std::to_string(*known)})}});
+    }
+    return {};
+}
+
+Result<void> checkComparable(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request)
+{
+    if (!before.hasTargets() || !after.hasTargets())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
+    if (before.isAngular != after.isAngular
+        || request.isAngular.value_or(after.isAngular) != after.isAngular)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "one measurement is of lengths and the other of angles; they are not of the "
+                    "same axis")}});
+    if (areDifferentAxes(before.header.axis, after.header.axis))
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the first measurement is of axis {before} and the second of axis {after}; "
+                    "they are not of the same axis")
+                    .with("before", before.header.axis)
+                    .with("after", after.header.axis)}});
+    return checkComparedDrives(before, after, request);
+}
+
+bool areOther(const std::string& one, const std::string& other)
+{
+    const std::string_view a = trimmed(one);
+    const std::string_view b = trimmed(other);
+    return !a.empty() && !b.empty() && !sameLetters(a, b);
+}
+
+/// What people write of a machine is no proof that it is another one.
+void warnOfOtherMachine(
+    Comparison& comparison, const MeasurementHeader& before, const MeasurementHeader& after)
+{
+    if (areOther(before.machine, after.machine))
+        comparison.warnings.push_back({"OtherMachine",
+            AXISCOMP_TEXT("Measurement",
+                "the first measurement is of the machine {before}, the second of {after}")
+                .with("before", before.machine)
+                .with("after", after.machine)});
+    if (areOther(before.serial, after.serial))
+        comparison.warnings.push_back({"OtherSerial",
+            AXISCOMP_TEXT("Measurement",
+                "the first measurement has the serial number {before}, the second {after}")
+                .with("before", before.serial)
+                .with("after", after.serial)});
 }
 
 /// The mean of both directions, or of the one that there is.
@@ -330,6 +403,8 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
         request.predicted = record.prediction->predicted;
         request.heldOut = record.prediction->heldOut;
     }
+    if (record.drive)
+        request.driveSerial = record.drive->serialNumber;
     if (!record.tables.empty())
         request.tableCrc = record.tables.front().crc;
     if (record.write)
@@ -344,25 +419,7 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
 Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request)
 {
-    if (!before.hasTargets() || !after.hasTargets())
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
-    if (before.isAngular != after.isAngular
-        || request.isAngular.value_or(after.isAngular) != after.isAngular)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "one measurement is of lengths and the other of angles; they are not of the "
-                    "same axis")}});
-    if (areDifferentAxes(before.header.axis, after.header.axis))
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the first measurement is of axis {before} and the second of axis {after}; "
-                    "they are not of the same axis")
-                    .with("before", before.header.axis)
-                    .with("after", after.header.axis)}});
+    AXISCOMP_CHECK(checkComparable(before, after, request));
     AXISCOMP_CHECK(checkStateAfter(after, request));
     Comparison comparison{figuresOfFit(before, request.isByTemperature), request.predicted,
         request.heldOut, figuresOfFit(after, request.isByTemperature), {}, {}};
@@ -376,6 +433,7 @@ Result<Comparison> compareMeasurements(
             hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     judgeAllValues(comparison, before, after, request);
+    warnOfOtherMachine(comparison, before.header, after.header);
     return comparison;
 }
 

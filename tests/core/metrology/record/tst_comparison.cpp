@@ -212,6 +212,51 @@ private Q_SLOTS:
         VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
     }
 
+    void measurementsOfTwoDrivesAreNotCompared()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        before.header.drive = "Mill, serial number 850618";
+        after.header.drive = "Other, serial number 850618"; // a new name is no new drive
+        VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+        after.header.drive = "Mill, serial number 999999";
+        const auto refused = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.find("serial number 999999") != std::string::npos
+                && said.find("the one with 850618") != std::string::npos,
+            said.c_str());
+        // Neither is one of another drive than that which has the table.
+        before.header.drive.clear();
+        VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+        CalibrationRecord record;
+        record.drive = RecordedDrive{"Mill", 850618, "generic", 0, "X"};
+        VERIFY_ERROR(compareMeasurements(before, after, comparisonRequest(record)),
+            ErrorCode::InvalidArgument);
+        record.drive->serialNumber = 999999;
+        VERIFY_RESULT(compareMeasurements(before, after, comparisonRequest(record)));
+    }
+
+    void anotherMachineOrSerialNumberIsSaid()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        before.header.machine = "M1";
+        before.header.serial = "S1";
+        after.header.machine = "m1 ";
+        auto result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QVERIFY(result->warnings.empty());
+        after.header.machine = "M2";
+        after.header.serial = "S2";
+        result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->warnings.size(), std::size_t{2});
+        QCOMPARE(result->warnings[0].text.english(),
+            std::string("the first measurement is of the machine M1, the second of M2"));
+        QCOMPARE(result->warnings[1].name, std::string_view("OtherSerial"));
+    }
+
     void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
     {
         const auto after = measured([](double x) { return 0.1 * errorBefore(x); }, 1e-4);
