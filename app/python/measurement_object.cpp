@@ -87,7 +87,8 @@ void takeStatements(Measurement& measurement, const std::map<std::string, std::s
         {"machine", &MeasurementHeader::machine}, {"axis", &MeasurementHeader::axis},
         {"instrument", &MeasurementHeader::instrument}, {"serial", &MeasurementHeader::serial},
         {"operator", &MeasurementHeader::operatorName}, {"date", &MeasurementHeader::date},
-        {"feed", &MeasurementHeader::feed}, {"dwell", &MeasurementHeader::dwell}};
+        {"feed", &MeasurementHeader::feed}, {"dwell", &MeasurementHeader::dwell},
+        {"drive", &MeasurementHeader::drive}};
     const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
     for (const auto& [key, value] : statements) {
         // behind a line break would be a statement of its own

@@ -20,7 +20,6 @@ constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
 constexpr std::string_view driveKey = "// drive: ";
-constexpr std::string_view serialKey = "serial number ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -46,7 +45,7 @@ std::string driveLine(const DriveIdentity& drive)
     std::string line(driveKey);
     if (!drive.name.empty())
         line += drive.name + ", ";
-    return line.append(serialKey) + std::to_string(drive.serialNumber);
+    return line.append(driveSerialKey) + std::to_string(drive.serialNumber);
 }
 
 /// Whether a line says another serial number than that of the drive.
@@ -54,9 +53,9 @@ bool isOfAnotherDrive(std::string_view line, const DriveIdentity& drive)
 {
     if (!line.starts_with(driveKey))
         return false;
-    const std::size_t serial = line.rfind(serialKey);
+    const std::size_t serial = line.rfind(driveSerialKey);
     return serial != std::string_view::npos
-        && line.substr(serial + serialKey.size()) != std::to_string(drive.serialNumber);
+        && line.substr(serial + driveSerialKey.size()) != std::to_string(drive.serialNumber);
 }
 
 std::string columnLine(const MeasuringPlan& plan)

@@ -33,6 +33,22 @@ Text axisText(int index, const std::string& name, const std::string& drive, std:
         .with("serial", Verbatim{std::to_string(serial)});
 }
 
+/// The axis X of a twin machine has another error.
+Result<void> checkMeasuredDrive(const CalibrationRecord& record, const AxisStatus& status)
+{
+    const auto measured = record.before ? statedDrive(*record.before) : std::nullopt;
+    if (!measured || *measured == status.drive.serialNumber)
+        return {};
+    return notOfRecord(AXISCOMP_TEXT("Error",
+        "the record was made of a measurement of the drive with the serial number {measured}, and "
+        "this is {found}; connect the drive that was measured, or, where it was replaced since, "
+        "correct the line // drive: of the measurement's file and begin a new record with it")
+                           .with("measured", Verbatim{std::to_string(*measured)})
+                           .with("found",
+                               axisText(status.axis.index, status.axis.name, status.drive.name,
+                                   status.drive.serialNumber)));
+}
+
 /// A source may have been changed since the write, and the table left as it is.
 Result<void> checkLookup(
     const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile)
@@ -97,6 +113,7 @@ Grid spansOf(Grid grid)
 
 Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& status)
 {
+    AXISCOMP_CHECK(checkMeasuredDrive(record, status));
     if (!record.drive
         || (record.drive->serialNumber == status.drive.serialNumber
             && record.drive->axis == status.axis.index))

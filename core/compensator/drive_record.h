@@ -21,7 +21,7 @@ namespace axiscomp {
 // What a drive holds, in the record of a compensation.
 
 /// A record is of one axis: that of its first write, or of its measurement where a drive took part
-/// in that. Errors: InvalidArgument, with both axes.
+/// in that; and of the drive that its measurement states. Errors: InvalidArgument, with both.
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
 

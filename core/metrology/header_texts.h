@@ -18,6 +18,6 @@ inline constexpr std::array headerTexts{HeaderText{"machine", &MeasurementHeader
     HeaderText{"serial", &MeasurementHeader::serial},
     HeaderText{"operator", &MeasurementHeader::operatorName},
     HeaderText{"date", &MeasurementHeader::date}, HeaderText{"feed", &MeasurementHeader::feed},
-    HeaderText{"dwell", &MeasurementHeader::dwell}};
+    HeaderText{"dwell", &MeasurementHeader::dwell}, HeaderText{"drive", &MeasurementHeader::drive}};
 
 } // namespace axiscomp

@@ -2,8 +2,10 @@
 #include "core/metrology/measurement.h"
 
 #include "core/text/crc_text.h"
+#include "core/text/text_file.h"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <tuple>
 
@@ -48,6 +50,20 @@ TextPattern measurementKindText(MeasurementKind kind)
         break;
     }
     return AXISCOMP_TEXT("Measurement", "runs over targets");
+}
+
+std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header)
+{
+    const std::size_t key = header.drive.rfind(driveSerialKey);
+    if (key == std::string::npos)
+        return std::nullopt;
+    const std::string_view digits =
+        trimmed(std::string_view(header.drive).substr(key + driveSerialKey.size()));
+    std::int32_t serial = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), serial);
+    if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())
+        return std::nullopt;
+    return serial;
 }
 
 double Measurement::range() const

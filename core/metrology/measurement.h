@@ -108,9 +108,15 @@ struct MeasurementHeader {
     enum class Corrected { NotSaid, None, To20Celsius } corrected = Corrected::NotSaid;
     /// What some of the joined files say, where others say nothing and compensation is not said.
     MeasuredState compensationOfSome = {};
+    std::string drive = {}; ///< that measured: "Mill, serial number 850618"
 
     friend bool operator==(const MeasurementHeader&, const MeasurementHeader&) = default;
 };
+
+/// What stands before the serial number of a drive in a file of runs.
+inline constexpr std::string_view driveSerialKey = "serial number ";
+/// By which a drive is told: its name may change. Nothing: the header does not say it.
+[[nodiscard]] std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header);
 
 /// A result that a file carries beside its values, such as E = 0.09065.
 struct PublishedFigure {

@@ -132,6 +132,24 @@ Result<void> checkEachOnce(std::span<const Measurement> measurements)
     return {};
 }
 
+/// The axes X of two drives are not one.
+Result<void> checkJoinedDrive(
+    std::span<const Measurement> measurements, const Measurement& measurement)
+{
+    const auto serial = driveSerialOf(measurement.header);
+    for (const Measurement& other : measurements) {
+        const auto otherSerial = driveSerialOf(other.header);
+        if (serial && otherSerial && *serial != *otherSerial)
+            return wrong(AXISCOMP_TEXT("Error",
+                "measurements of the drive with the serial number {drive} and of the one with "
+                "{other} cannot be joined; take those of one drive, and where it was replaced in "
+                "between, correct the line // drive: of the files")
+                             .with("drive", Verbatim{std::to_string(*otherSerial)})
+                             .with("other", Verbatim{std::to_string(*serial)}));
+    }
+    return {};
+}
+
 /// What decides what is made of the values has to be the same of all, since it is said of the whole
 /// afterwards.
 Result<void> checkJoinable(std::span<const Measurement> measurements)
@@ -151,6 +169,7 @@ Result<void> checkJoinable(std::span<const Measurement> measurements)
                 "Error", "measurements of axis {axis} and of axis {other} cannot be joined")
                              .with("axis", axis)
                              .with("other", measurement.header.axis));
+        AXISCOMP_CHECK(checkJoinedDrive(measurements, measurement));
         if (measurement.header.corrected != first.header.corrected)
             return wrong(AXISCOMP_TEXT("Error",
                 "some of the files say otherwise than the others, or do not say, whether their "

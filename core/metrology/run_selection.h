@@ -42,8 +42,8 @@ void swapDirections(Measurement& measurement);
 /// earlier ones. Headers are the first one's; what others say differently becomes a note. The axis
 /// is the first that is said; temperature and expansion of the scale are those that all say. At
 /// least one. Errors: InvalidArgument for other kinds than runs, for lengths with angles, for
-/// different axes, states of the drive and corrections to 20 deg C, and for the same measurement
-/// twice; targets that only some files have are kept and become incomplete runs.
+/// different axes, drives, states of the drive and corrections to 20 deg C, and for the same
+/// measurement twice; targets that only some files have are kept and become incomplete runs.
 [[nodiscard]] Result<Measurement> joined(std::span<const Measurement> measurements);
 
 /// All that was asked for: joined, then directions exchanged, then values left out. Errors: those

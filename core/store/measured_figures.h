@@ -4,6 +4,7 @@
 #include "core/base/wall_time.h"
 #include "core/table/table_identity.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct MeasuredFigures {
     std::vector<Figure> figures = {};
     /// Of the table, as the drive shows it; nothing: older programs did not note it.
     std::optional<Grid> grid = {};
+    /// How many values of the measurements are left out; older programs did not note it.
+    std::size_t excluded = 0;
 
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;

@@ -307,10 +307,11 @@ void putMeasured(
             serialNumber, axis, measured.crc)
             .run();
     Statement(database,
-        "INSERT INTO measured (serial, axis, crc, time, date, angular, grid) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
+        "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
         serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
-        measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string())
+        measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string(),
+        static_cast<std::int64_t>(measured.excluded))
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -335,13 +336,14 @@ std::optional<MeasuredFigures> measured(
     Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc)
 {
     Statement table(database,
-        "SELECT time, date, angular, grid FROM measured "
+        "SELECT time, date, angular, grid, left_out FROM measured "
         "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
         return std::nullopt;
     MeasuredFigures measured{crc, timeOf(table.number(0)), table.text(1), table.number(2) != 0};
     measured.grid = gridOf(table.text(3));
+    measured.excluded = static_cast<std::size_t>(std::max<std::int64_t>(table.number(4), 0));
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

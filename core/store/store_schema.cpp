@@ -69,6 +69,8 @@ CREATE TABLE measured_figure ( -- in mm or deg, NULL: not known
 )",
     // Where the table lies, as JSON (spansToJson); empty: not known.
     "ALTER TABLE measured ADD COLUMN grid TEXT NOT NULL DEFAULT ''",
+    // Values that are left out.
+    "ALTER TABLE measured ADD COLUMN left_out INTEGER NOT NULL DEFAULT 0",
 };
 
 } // namespace

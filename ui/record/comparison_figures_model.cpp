@@ -28,6 +28,18 @@ const axiscomp::Verdict* verdictOf(const Comparison& comparison, int row)
     return found == comparison.verdicts.end() ? nullptr : &*found;
 }
 
+/// Those of a side of which nothing is left out are its figures.
+std::optional<double> ofAllValues(const Comparison& comparison, Iso230Figure figure, bool isAfter)
+{
+    const auto& before = comparison.beforeOfAllValues;
+    const auto& after = comparison.afterOfAllValues;
+    if (!before && !after)
+        return std::nullopt;
+    if (isAfter)
+        return (after ? *after : comparison.after)[figure].value;
+    return (before ? *before : comparison.before)[figure].value;
+}
+
 } // namespace
 
 ComparisonFiguresModel::ComparisonFiguresModel(const ComparisonModel& comparison, QObject* parent)
@@ -40,15 +52,19 @@ ComparisonFiguresModel::ComparisonFiguresModel(const ComparisonModel& comparison
 
 void ComparisonFiguresModel::follow()
 {
-    const bool isThere = m_comparison.state().comparison != nullptr;
-    if (isThere != m_isThere) {
+    const auto& comparison = m_comparison.state().comparison;
+    const bool isThere = comparison != nullptr;
+    const bool hasAllValues =
+        comparison && (comparison->beforeOfAllValues || comparison->afterOfAllValues);
+    if (isThere != m_isThere || hasAllValues != m_hasAllValues) {
         beginResetModel();
         m_isThere = isThere;
+        m_hasAllValues = hasAllValues;
         endResetModel();
     } else if (isThere) {
-        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
     }
-    Q_EMIT headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
 void ComparisonFiguresModel::retranslate()
@@ -79,6 +95,9 @@ std::optional<double> ComparisonFiguresModel::value(int row, int column) const
         const auto* verdict = verdictOf(comparison, row);
         return verdict ? std::optional(verdict->tolerance.value) : std::nullopt;
     }
+    case AllBefore:
+    case AllAfter:
+        return ofAllValues(comparison, figure, column == AllAfter);
     default:
         return std::nullopt;
     }
@@ -116,8 +135,9 @@ QString ComparisonFiguresModel::spoken(int row, int column) const
 QString ComparisonFiguresModel::sentence(int row) const
 {
     QStringList parts;
-    for (const int column : {Before, Predicted, HeldOut, After, Change, Limit}) {
-        const bool isOfFew = column == HeldOut || column == Limit;
+    for (const int column :
+        {Before, Predicted, HeldOut, After, Change, Limit, AllBefore, AllAfter}) {
+        const bool isOfFew = column == HeldOut || column >= Limit;
         if (!isOfFew || value(row, column))
             parts +=
                 tr("%1 %2", "column and its value").arg(columnName(column), spoken(row, column));
@@ -144,6 +164,10 @@ QString ComparisonFiguresModel::columnName(int column)
         return tr("Change");
     case Limit:
         return tr("Tolerance");
+    case AllBefore:
+        return tr("Before, all values");
+    case AllAfter:
+        return tr("After, all values");
     default:
         return tr("Verdict");
     }
@@ -156,7 +180,9 @@ int ComparisonFiguresModel::rowCount(const QModelIndex& parent) const
 
 int ComparisonFiguresModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : ColumnCount;
+    if (parent.isValid())
+        return 0;
+    return m_hasAllValues ? ColumnCount : AllBefore;
 }
 
 QVariant ComparisonFiguresModel::data(const QModelIndex& index, int role) const
@@ -184,7 +210,7 @@ QVariant ComparisonFiguresModel::data(const QModelIndex& index, int role) const
 QVariant ComparisonFiguresModel::headerData(
     int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount)
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
         return {};
     if (role == Qt::ToolTipRole && section == HeldOut)
         return tr("What is left at targets that the table was made without: the figure to believe");

@@ -15,7 +15,20 @@ class ComparisonFiguresModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Figure, Before, Predicted, HeldOut, After, Change, Limit, Verdict, ColumnCount };
+    /// AllBefore and AllAfter are of all values, and there only where some are left out.
+    enum Column {
+        Figure,
+        Before,
+        Predicted,
+        HeldOut,
+        After,
+        Change,
+        Limit,
+        Verdict,
+        AllBefore,
+        AllAfter,
+        ColumnCount
+    };
 
     /// comparison must outlive the model.
     explicit ComparisonFiguresModel(const ComparisonModel& comparison, QObject* parent = nullptr);
@@ -38,6 +51,7 @@ private:
 
     const ComparisonModel& m_comparison;
     bool m_isThere = false; ///< as announced
+    bool m_hasAllValues = false; ///< likewise
 };
 
 } // namespace axiscomp::ui

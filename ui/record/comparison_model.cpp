@@ -47,6 +47,9 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
     std::vector<std::optional<double>> shown;
     for (const Iso230Figures* one : {&comparison.before, &comparison.after})
         std::ranges::copy(figureValues(*one).values, std::back_inserter(shown));
+    for (const auto* all : {&comparison.beforeOfAllValues, &comparison.afterOfAllValues})
+        if (*all)
+            std::ranges::copy(figureValues(**all).values, std::back_inserter(shown));
     for (const auto* errors : {&comparison.errorBefore, &comparison.residual})
         for (const RemainingError& error : *errors)
             shown.emplace_back(error.value);

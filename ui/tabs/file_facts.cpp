@@ -115,6 +115,7 @@ void FileFacts::show(const ReadMeasurement* reading)
     add(tr("Date"), qString(header.date));
     add(tr("Feed"), qString(header.feed));
     add(tr("Dwell"), qString(header.dwell));
+    add(tr("Drive"), qString(header.drive));
     add(tr("Air"), degreesCelsius(header.airTemperature));
     add(tr("Material"), degreesCelsius(header.materialTemperature));
     if (header.expansion)

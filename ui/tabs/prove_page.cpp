@@ -85,7 +85,7 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
     if (comparison.verdicts.empty())
         return {comparison.isAsPredicted ? Tone::Success : Tone::Information,
             ProvePage::tr("No tolerance is given, so there is no verdict.")};
-    return {Tone::Success,
+    return {comparison.warnings.empty() ? Tone::Success : Tone::Warning,
         isUncertaintyStated(comparison)
             ? ProvePage::tr("Within the tolerances.")
             : ProvePage::tr("Within the tolerances (uncertainty not stated).")};
@@ -106,6 +106,7 @@ ProvePage::ProvePage(RecordModel& record, RecordModel& after, QWidget* parent)
     , m_nextStep(new NextStep(QStringLiteral("proveHint")))
     , m_views(new FileViews(QStringLiteral("after")))
     , m_comparisonView(nullptr)
+    , m_warnings(new ToneLabel)
     , m_promise(new NextStep(QStringLiteral("provePromise")))
     , m_hints(new ToneLabel)
     , m_figures(table("proveFigures", m_figuresModel))
@@ -153,9 +154,12 @@ QWidget* ProvePage::buildLeft()
 
 QWidget* ProvePage::buildComparison()
 {
+    m_warnings->setObjectName(QStringLiteral("proveWarnings"));
     m_hints->setObjectName(QStringLiteral("proveHints"));
-    m_hints->setWordWrap(true);
-    m_hints->setTone(Tone::Warning);
+    for (ToneLabel* label : {m_warnings, m_hints}) {
+        label->setWordWrap(true);
+        label->setTone(Tone::Warning);
+    }
     m_figures->horizontalHeader()->setStretchLastSection(true);
     // All of it is seen; the rest of the height is the plot's.
     const int rows = static_cast<int>(iso230FigureCount);
@@ -172,6 +176,7 @@ QWidget* ProvePage::buildComparison()
     parts->setSizes({(rows + 2) * height, height});
     auto* view = new QWidget;
     auto* layout = new QVBoxLayout(view);
+    layout->addWidget(m_warnings);
     layout->addWidget(m_promise);
     layout->addWidget(m_hints);
     layout->addWidget(parts, 1);
@@ -232,9 +237,22 @@ void ProvePage::follow()
     m_keep->setEnabled(m_comparison.mayKeep());
     m_views->setTabVisible(m_views->indexOf(m_residual), isThere);
     m_plot->show(state);
+    sayWarnings();
     sayPromise();
     sayNextStep();
     Q_EMIT standingChanged();
+}
+
+/// What the figures are, before anybody reads them.
+void ProvePage::sayWarnings()
+{
+    const auto& comparison = m_comparison.state().comparison;
+    m_warnings->setVisible(comparison && !comparison->warnings.empty());
+    QStringList sentences;
+    if (comparison)
+        for (const JudgeWarning& warning : comparison->warnings)
+            sentences += sentenceText(warning.text);
+    m_warnings->setText(sentences.join(u' '));
 }
 
 void ProvePage::sayPromise()

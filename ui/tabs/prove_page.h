@@ -48,6 +48,7 @@ private:
     void connectParts();
     void follow();
     [[nodiscard]] bool isStated() const; ///< that the table that is compared was active
+    void sayWarnings();
     void sayPromise();
     void sayNextStep();
     [[nodiscard]] std::pair<Tone, QString> nextStep() const;
@@ -65,6 +66,7 @@ private:
     NextStep* m_nextStep;
     FileViews* m_views;
     QWidget* m_comparisonView;
+    ToneLabel* m_warnings;
     NextStep* m_promise;
     ToneLabel* m_hints;
     QTableView* m_figures;

@@ -73,6 +73,9 @@ Result<Side> sideOfRecord(const RecordedMeasurement& before)
     for (const RecordedFile& recorded : before.files)
         side.input.sources.push_back({recorded.file, recorded.format, recorded.sha256});
     side.corrections.corrections = {before.corrections.temperature, before.corrections.deadPath};
+    // The second measurement may begin elsewhere, and is to be corrected from the same position.
+    if (auto& temperature = side.corrections.corrections.temperature)
+        temperature->datum = datumOf(*temperature, side.input.measurement);
     return side;
 }
 
@@ -172,6 +175,8 @@ void tellComparison(Environment& environment, const Side& before, const Side& af
     const Comparison& comparison, Json uncertainty)
 {
     const Measurement& second = after.input.measurement;
+    for (const JudgeWarning& warning : comparison.warnings)
+        environment.warn(warning.text.english());
     environment.print("Before: " + sourcesText(before.input.sources)
         + "\nAfter:  " + sourcesText(after.input.sources) + "\n" + after.corrections.text + "\n"
         + comparisonText(second, comparison));
@@ -179,7 +184,8 @@ void tellComparison(Environment& environment, const Side& before, const Side& af
     document["source"] = bothSources(before.input, after.input);
     document["corrections"] = after.corrections.document;
     document["uncertainty"] = std::move(uncertainty);
-    document["warnings"] = Json::array();
+    document["excluded"] = {
+        {"before", excludedJson(before.input.measurement)}, {"after", excludedJson(second)}};
     for (const Side* side : {&before, &after})
         for (const Diagnostic& diagnostic : side->input.warnings)
             document["warnings"].push_back(toJson(diagnostic));

@@ -54,6 +54,7 @@ std::vector<std::pair<std::string, std::string>> statements(const MeasurementHea
     add("Date", header.date);
     add("Feed", header.feed);
     add("Dwell", header.dwell);
+    add("Drive", header.drive);
     add("Compensation", stateText(header.compensation));
     add("Air temperature", numberText(header.airTemperature, "C"));
     add("Material temperature", numberText(header.materialTemperature, "C"));
@@ -98,7 +99,7 @@ Json headerJson(const MeasurementHeader& header)
         {"instrument", textOrNull(header.instrument)}, {"serial", textOrNull(header.serial)},
         {"operator", textOrNull(header.operatorName)}, {"date", textOrNull(header.date)},
         {"feed", textOrNull(header.feed)}, {"dwell", textOrNull(header.dwell)},
-        {"compensation", std::move(compensation)},
+        {"drive", textOrNull(header.drive)}, {"compensation", std::move(compensation)},
         {"airTemperature", numberOrNothing(header.airTemperature)},
         {"materialTemperature", numberOrNothing(header.materialTemperature)},
         {"expansion", numberOrNothing(header.expansion)},

@@ -171,7 +171,7 @@ Result<MadeCorrections> correct(
             {"expansion", temperature->expansionPerKelvin},
             {"reference", temperature->referenceCelsius},
             {"referenceExpansion", temperature->referenceExpansionPerKelvin},
-            {"datum", temperature->datum.value_or(measurement.targets.front())},
+            {"datum", datumOf(*temperature, measurement)},
             {"largest", *result.largestByTemperature}};
         made.text += "Corrected to 20 C from " + shortText(temperature->materialCelsius)
             + " C with " + shortText(temperature->expansionPerKelvin)

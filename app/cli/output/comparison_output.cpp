@@ -38,6 +38,35 @@ std::string sideBySide(bool isAngular, const Comparison& comparison)
     return "Figures, in " + fine.unit() + "\n" + table.text() + rule;
 }
 
+/// As if nothing were left out; empty where nothing is.
+std::string allValuesText(bool isAngular, const Comparison& comparison)
+{
+    if (!comparison.beforeOfAllValues && !comparison.afterOfAllValues)
+        return {};
+    const Iso230Figures& before =
+        comparison.beforeOfAllValues ? *comparison.beforeOfAllValues : comparison.before;
+    const Iso230Figures& after =
+        comparison.afterOfAllValues ? *comparison.afterOfAllValues : comparison.after;
+    std::vector<Value> shown;
+    for (const Iso230Figures* one : {&before, &after})
+        std::ranges::copy(figureValues(*one).values, std::back_inserter(shown));
+    const FineText fine(shown, isAngular);
+    TextTable table({"figure", ">before", ">after", ">change"});
+    for (const Iso230Figure figure : allIso230Figures())
+        table.add({figureText(figure).words, fine(before[figure].value), fine(after[figure].value),
+            fine(changeOf(before[figure].value, after[figure].value))});
+    return "\nFigures of all values, in " + fine.unit() + "\n" + table.text();
+}
+
+/// What the figures are, before anybody reads them.
+std::string warningsText(const Comparison& comparison)
+{
+    std::string text;
+    for (const JudgeWarning& warning : comparison.warnings)
+        text += warning.text.english() + "\n";
+    return text.empty() ? text : text + "\n";
+}
+
 std::string promiseText(bool isAngular, const Comparison& comparison)
 {
     if (!comparison.heldOut)
@@ -95,8 +124,10 @@ Json numberOrNothing(const Value& value)
 
 std::string comparisonText(const Measurement& after, const Comparison& comparison)
 {
-    const std::string verdict = verdictsText(after, comparison.verdicts);
-    return sideBySide(after.isAngular, comparison) + promiseText(after.isAngular, comparison)
+    const std::string verdict = verdictsText(after, comparison.verdicts)
+        + verdictsText(after, comparison.verdictsOfAllValues, "Verdict of all values");
+    return warningsText(comparison) + sideBySide(after.isAngular, comparison)
+        + allValuesText(after.isAngular, comparison) + promiseText(after.isAngular, comparison)
         + hintsText(comparison) + residualText(after, comparison) + verdict;
 }
 
@@ -109,6 +140,12 @@ Json comparisonJson(const Measurement& after, const Comparison& comparison)
     Json hints = Json::array();
     for (const ComparisonHint& hint : comparison.hints)
         hints.push_back({{"name", hint.name}, {"text", hint.text.english()}});
+    const auto figuresOrNothing = [](const std::optional<Iso230Figures>& figures) {
+        return figures ? axisFiguresJson(*figures) : Json(nullptr);
+    };
+    Json warnings = Json::array();
+    for (const JudgeWarning& warning : comparison.warnings)
+        warnings.push_back({{"code", warning.name}, {"message", warning.text.english()}});
     Json heldOut;
     if (comparison.heldOut)
         heldOut = {{"rms", comparison.heldOut->rms}, {"largest", comparison.heldOut->largest},
@@ -119,7 +156,11 @@ Json comparisonJson(const Measurement& after, const Comparison& comparison)
         {"residual", std::move(residual)},
         {"asPredicted", comparison.isAsPredicted ? Json(*comparison.isAsPredicted) : Json(nullptr)},
         {"largestAsPredicted", numberOrNothing(comparison.largestAsPredicted)},
-        {"hints", std::move(hints)}, {"verdict", verdictsJson(comparison.verdicts)}};
+        {"hints", std::move(hints)}, {"verdict", verdictsJson(comparison.verdicts)},
+        {"beforeOfAllValues", figuresOrNothing(comparison.beforeOfAllValues)},
+        {"afterOfAllValues", figuresOrNothing(comparison.afterOfAllValues)},
+        {"verdictOfAllValues", verdictsJson(comparison.verdictsOfAllValues)},
+        {"warnings", std::move(warnings)}};
 }
 
 } // namespace axiscomp::app

@@ -79,7 +79,7 @@ Json toJson(const MeasuredFigures& measured)
             {"tolerance", known(figure.tolerance)}, {"verdict", textOrNull(figure.result)}});
     return {{"crc", measured.crc}, {"noted", utcText(measured.time)},
         {"date", textOrNull(measured.date)}, {"unit", measured.isAngular ? "deg" : "mm"},
-        {"figures", std::move(figures)}};
+        {"figures", std::move(figures)}, {"excluded", measured.excluded}};
 }
 
 Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)

@@ -269,7 +269,8 @@ std::string measurementSummary(const Measurement& measurement)
         + runs(Approach::Down);
 }
 
-std::string verdictsText(const Measurement& measurement, const std::vector<Verdict>& verdicts)
+std::string verdictsText(const Measurement& measurement, const std::vector<Verdict>& verdicts,
+    const std::string& heading)
 {
     if (verdicts.empty())
         return {};
@@ -286,7 +287,7 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
                                 : "uncertainty not stated",
             verdictText(verdict.result).words});
     }
-    return "\nVerdict\n" + table.text();
+    return "\n" + heading + "\n" + table.text();
 }
 
 Json verdictsJson(const std::vector<Verdict>& verdicts)
@@ -313,8 +314,7 @@ std::string judgementText(const Measurement& measurement, const Judgement& judge
 {
     const std::size_t excluded = measurement.excludedCount();
     std::string text = figuresText(measurement, judgement.figures,
-        excluded > 0 ? plural(excluded, "value", "values")
-                + " excluded, not an evaluation by ISO 230-2; figures of the others"
+        excluded > 0 ? excludedText(excluded).english() + "; figures of the others"
                      : "Figures of ISO 230-2:2014");
     if (judgement.ofAllValues)
         text += "\n"

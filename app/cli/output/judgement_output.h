@@ -20,8 +20,8 @@ namespace axiscomp::app {
 /// {"B", "Bmean", "M", "EUp", ...}; null: not defined.
 [[nodiscard]] Json axisFiguresJson(const Iso230Figures& figures);
 /// A table of them with a heading; empty without any.
-[[nodiscard]] std::string verdictsText(
-    const Measurement& measurement, const std::vector<Verdict>& verdicts);
+[[nodiscard]] std::string verdictsText(const Measurement& measurement,
+    const std::vector<Verdict>& verdicts, const std::string& heading = "Verdict");
 /// [{"figure", "value", "tolerance", "U", "result"}]
 [[nodiscard]] Json verdictsJson(const std::vector<Verdict>& verdicts);
 /// [{"direction", "target", "run"}]

@@ -21,8 +21,9 @@ class Measurement:
              NaN or masked where nothing was measured
     down     the same of the negative direction
     unit     "mm" or "deg", of targets and deviations
-    statements: machine, axis, instrument, serial, operator, date, feed, dwell, compensation ("on" or "off"),
-             kind: "averages" where each value is a mean of runs, of which nothing says how they repeat ("runs")
+    statements: machine, axis, instrument, serial, operator, date, feed, dwell, drive,
+             compensation ("on" or "off"), kind: "averages" where each value is a mean of runs, of which nothing says how
+             they repeat ("runs")
 
     A measurement never changes: other values are another one, Measurement(m.targets, m.up - offset, m.down,
     kind=m.kind, ...).

@@ -499,6 +499,10 @@ std::string MeasurementCsv::meaningOf(std::string_view key, const std::string& v
     };
     if (key == "axis")
         return lowerCase(value);
+    if (key == "drive") {
+        const auto serial = driveSerialOf(header);
+        return serial ? std::to_string(*serial) : std::string();
+    }
     if (key == "compensation")
         return measuredStateText(header.compensation);
     if (key == "corrected")

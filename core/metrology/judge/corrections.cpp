@@ -69,6 +69,12 @@ double largestChange(const Measurement& before, const Measurement& after)
 
 } // namespace
 
+double datumOf(const TemperatureCorrection& correction, const Measurement& measurement)
+{
+    return correction.datum.value_or(
+        measurement.targets.empty() ? 0.0 : measurement.targets.front());
+}
+
 Result<Measurement> correctedForTemperature(
     Measurement measurement, const TemperatureCorrection& correction)
 {
@@ -86,8 +92,7 @@ Result<Measurement> correctedForTemperature(
                               + correction.referenceExpansionPerKelvin
                                   * (correction.referenceCelsius - standardCelsius))
         / (1.0 + correction.expansionPerKelvin * (correction.materialCelsius - standardCelsius));
-    const double datum =
-        correction.datum.value_or(measurement.targets.empty() ? 0.0 : measurement.targets.front());
+    const double datum = datumOf(correction, measurement);
     for (RunValue& value : measurement.values) {
         // (P_ij - P_0) f - (P_i - P_0), written so that nothing is lost beside a large position.
         const double distance = measurement.targets[value.target] - datum;

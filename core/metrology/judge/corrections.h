@@ -27,6 +27,11 @@ struct TemperatureCorrection {
     friend bool operator==(const TemperatureCorrection&, const TemperatureCorrection&) = default;
 };
 
+/// The position in mm that does not move, of a measurement that is corrected like this: the datum,
+/// else the first target; 0 without targets.
+[[nodiscard]] double datumOf(
+    const TemperatureCorrection& correction, const Measurement& measurement);
+
 /// As it would be at 20 deg C: positions from the datum are multiplied by
 /// (1 + a_r (T_r - 20)) / (1 + a (T - 20)). Errors: InvalidArgument when the file says that the
 /// values are corrected already, when it does not say it and nobody confirms it, for angles, and

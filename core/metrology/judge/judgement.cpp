@@ -49,6 +49,14 @@ void warnOfUndecided(Judgement& result, const DirectionOutliers& outliers, Appro
 
 } // namespace
 
+Text excludedText(std::size_t count)
+{
+    return AXISCOMP_COUNTED("Measurement",
+        "{count} values excluded, not an evaluation by ISO 230-2",
+        "1 value excluded, not an evaluation by ISO 230-2")
+        .with("count", count);
+}
+
 bool Judgement::isWithinTolerances() const
 {
     return std::ranges::all_of(
@@ -63,11 +71,7 @@ Judgement judge(const Measurement& measurement, const JudgeOptions& options)
     const std::size_t excluded = measurement.excludedCount();
     if (excluded > 0) {
         result.ofAllValues = iso230Figures(whole);
-        result.warnings.push_back({"ValuesExcluded",
-            AXISCOMP_COUNTED("Measurement",
-                "{count} values excluded, not an evaluation by ISO 230-2",
-                "1 value excluded, not an evaluation by ISO 230-2")
-                .with("count", excluded)});
+        result.warnings.push_back({"ValuesExcluded", excludedText(excluded)});
     }
     if (measurement.kind == MeasurementKind::Runs) {
         result.driftUp = driftOf(measurement, Approach::Up);

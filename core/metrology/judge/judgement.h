@@ -23,6 +23,9 @@ struct JudgeWarning {
     Text text;
 };
 
+/// "9 values excluded, not an evaluation by ISO 230-2"
+[[nodiscard]] Text excludedText(std::size_t count);
+
 /// Everything that is said of a measurement. What is defined by values in use leaves those out that
 /// were excluded; the figures of all values stand beside it then.
 struct Judgement {

@@ -383,6 +383,14 @@ Result<Measurement> usedMeasurement(const RecordedMeasurement& recorded)
     return std::move(used.measurement);
 }
 
+std::optional<std::int32_t> statedDrive(const RecordedMeasurement& recorded)
+{
+    for (const RecordedFile& file : recorded.files)
+        if (const auto serial = driveSerialOf(file.measurement.header))
+            return serial;
+    return std::nullopt;
+}
+
 RecordedJudging judgingOf(const CalibrationRecord& record)
 {
     RecordedJudging judging;

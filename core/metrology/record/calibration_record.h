@@ -67,6 +67,9 @@ struct RecordedMeasurement {
 [[nodiscard]] Result<CorrectedMeasurement> correctedMeasurement(
     const RecordedMeasurement& recorded);
 
+/// The serial number of the drive that measured, where a file states it.
+[[nodiscard]] std::optional<std::int32_t> statedDrive(const RecordedMeasurement& recorded);
+
 inline constexpr std::size_t maximumDeadPathSize = std::size_t{1} << 20;
 /// A dead path as a record has it: JSON with length, atZero, runs. Errors: InvalidArgument.
 [[nodiscard]] Result<DeadPathCorrection> deadPathFromText(

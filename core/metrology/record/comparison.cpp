@@ -2,10 +2,13 @@
 #include "core/metrology/record/comparison.h"
 
 #include "core/curve/smoothing_spline.h"
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +56,77 @@ Result<void> checkStateAfter(const Measurement& after, const ComparisonRequest& 
             "was the table {crc}, say it with --measured-with on")
                                    .with("crc", crc));
     return {};
+}
+
+/// The CRC of a table does not tell: twin machines may hold the same one.
+Result<void> checkComparedDrives(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request)
+{
+    const auto found = driveSerialOf(after.header);
+    for (const auto& known : {driveSerialOf(before.header), request.driveSerial}) {
+        if (!found || !known || *found == *known)
+            continue;
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the second measurement is of the drive with the serial number {found}, and "
+                    "the first one or its table is of the one with {known}; measure that drive, "
+                    "or, where it was replaced since, correct the line // drive: in the file of "
+                    "the second")
+                    .with("found", Verbatim{std::to_string(*found)})
+                    .with("known", Verbatim{std::to_string(*known)})}});
+    }
+    return {};
+}
+
+Result<void> checkComparable(
+    const Measurement& before, const Measurement& after, const ComparisonRequest& request)
+{
+    if (!before.hasTargets() || !after.hasTargets())
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
+    if (before.isAngular != after.isAngular
+        || request.isAngular.value_or(after.isAngular) != after.isAngular)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "one measurement is of lengths and the other of angles; they are not of the "
+                    "same axis")}});
+    if (areDifferentAxes(before.header.axis, after.header.axis))
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the first measurement is of axis {before} and the second of axis {after}; "
+                    "they are not of the same axis")
+                    .with("before", before.header.axis)
+                    .with("after", after.header.axis)}});
+    return checkComparedDrives(before, after, request);
+}
+
+bool areOther(const std::string& one, const std::string& other)
+{
+    const std::string_view a = trimmed(one);
+    const std::string_view b = trimmed(other);
+    return !a.empty() && !b.empty() && !sameLetters(a, b);
+}
+
+/// What people write of a machine is no proof that it is another one.
+void warnOfOtherMachine(
+    Comparison& comparison, const MeasurementHeader& before, const MeasurementHeader& after)
+{
+    if (areOther(before.machine, after.machine))
+        comparison.warnings.push_back({"OtherMachine",
+            AXISCOMP_TEXT("Measurement",
+                "the first measurement is of the machine {before}, the second of {after}")
+                .with("before", before.machine)
+                .with("after", after.machine)});
+    if (areOther(before.serial, after.serial))
+        comparison.warnings.push_back({"OtherSerial",
+            AXISCOMP_TEXT("Measurement",
+                "the first measurement has the serial number {before}, the second {after}")
+                .with("before", before.serial)
+                .with("after", after.serial)});
 }
 
 /// The mean of both directions, or of the one that there is.
@@ -234,6 +308,50 @@ bool isSuspicious(const Comparison& comparison)
     return before && after && *after >= *before;
 }
 
+/// Nothing: every value is used.
+std::optional<Iso230Figures> figuresOfAll(const Measurement& measurement, bool isByTemperature)
+{
+    if (measurement.excludedCount() == 0)
+        return std::nullopt;
+    return figuresOfFit(withAllValues(measurement), isByTemperature);
+}
+
+Text verdictWords(const Verdict& verdict, bool isAngular)
+{
+    const double limit = verdict.tolerance.value;
+    const auto shown = comparedQuantities(verdict.value.value_or(limit), limit, isAngular);
+    return AXISCOMP_TEXT(
+        "Measurement", "of all values {figure} is {value} (tolerance {tolerance}: {result})")
+        .with("figure", figureText(verdict.tolerance.figure))
+        .with("value", shown.value)
+        .with("tolerance", shown.limit)
+        .with("result", verdictText(verdict.result));
+}
+
+/// A tolerance that only the values in use meet is met by what was chosen.
+void judgeAllValues(Comparison& comparison, const Measurement& before, const Measurement& after,
+    const ComparisonRequest& request)
+{
+    comparison.beforeOfAllValues = figuresOfAll(before, request.isByTemperature);
+    comparison.afterOfAllValues = figuresOfAll(after, request.isByTemperature);
+    if (comparison.beforeOfAllValues)
+        comparison.warnings.push_back({"ValuesExcluded",
+            AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
+                .with("remark", excludedText(before.excludedCount()))});
+    if (!comparison.afterOfAllValues)
+        return;
+    comparison.warnings.push_back({"ValuesExcluded",
+        AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
+            .with("remark", excludedText(after.excludedCount()))});
+    comparison.verdictsOfAllValues =
+        verdicts(*comparison.afterOfAllValues, request.tolerances, request.uncertainty);
+    for (std::size_t n = 0; n < comparison.verdicts.size(); ++n) {
+        const Verdict& ofAll = comparison.verdictsOfAllValues[n];
+        if (ofAll.value && ofAll.result != comparison.verdicts[n].result)
+            comparison.warnings.push_back({"OtherVerdict", verdictWords(ofAll, after.isAngular)});
+    }
+}
+
 bool isByTemperature(const CalibrationRecord& record)
 {
     return record.fit && record.fit->settings.isByTemperature;
@@ -285,6 +403,8 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
         request.predicted = record.prediction->predicted;
         request.heldOut = record.prediction->heldOut;
     }
+    if (record.drive)
+        request.driveSerial = record.drive->serialNumber;
     if (!record.tables.empty())
         request.tableCrc = record.tables.front().crc;
     if (record.write)
@@ -299,29 +419,12 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
 Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request)
 {
-    if (!before.hasTargets() || !after.hasTargets())
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error", "only measurements of runs over targets are compared")}});
-    if (before.isAngular != after.isAngular
-        || request.isAngular.value_or(after.isAngular) != after.isAngular)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "one measurement is of lengths and the other of angles; they are not of the "
-                    "same axis")}});
-    if (areDifferentAxes(before.header.axis, after.header.axis))
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the first measurement is of axis {before} and the second of axis {after}; "
-                    "they are not of the same axis")
-                    .with("before", before.header.axis)
-                    .with("after", after.header.axis)}});
+    AXISCOMP_CHECK(checkComparable(before, after, request));
     AXISCOMP_CHECK(checkStateAfter(after, request));
     Comparison comparison{figuresOfFit(before, request.isByTemperature), request.predicted,
         request.heldOut, figuresOfFit(after, request.isByTemperature), {}, {}};
     comparison.isByTemperature = request.isByTemperature;
+    comparison.uncertainty = request.uncertainty;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     judgePrediction(comparison, request);
@@ -329,6 +432,8 @@ Result<Comparison> compareMeasurements(
         comparison.hints =
             hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
+    judgeAllValues(comparison, before, after, request);
+    warnOfOtherMachine(comparison, before.header, after.header);
     return comparison;
 }
 
@@ -341,6 +446,12 @@ void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Compa
     recorded.tableCrc = comparisonRequest(record).tableCrc;
     record.after.push_back(std::move(recorded));
     record.verdict = RecordedVerdict{comparison.verdicts};
+    // Without a verdict that has it, "as predicted" would rest on what nobody can look up.
+    RecordedJudging judging = judgingOf(record);
+    if (judging.uncertainty == comparison.uncertainty)
+        return;
+    judging.uncertainty = comparison.uncertainty;
+    record.judging = std::move(judging);
 }
 
 } // namespace axiscomp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/judge/judgement.h"
 #include "core/metrology/record/calibration_record.h"
 
 #include <span>
@@ -17,6 +18,7 @@ struct ComparisonRequest {
     std::optional<FigureValues> predicted = {};
     std::optional<HeldOut> heldOut = {};
     std::optional<std::uint32_t> tableCrc = {}; ///< of the table that is compared
+    std::optional<std::int32_t> driveSerial = {}; ///< of the drive that the table is for
     /// A person says that this table was active, where the second measurement does not say it.
     bool isTableStated = false;
     std::vector<Tolerance> tolerances = {};
@@ -82,6 +84,15 @@ struct Comparison {
     std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
+    /// Only of a measurement of which values are left out; the figures above are then no evaluation
+    /// by ISO 230-2.
+    std::optional<Iso230Figures> beforeOfAllValues = {};
+    std::optional<Iso230Figures> afterOfAllValues = {};
+    std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
+    /// "ValuesExcluded"; "OtherVerdict" where all values say otherwise than those in use;
+    /// "OtherMachine", "OtherSerial" where the two state different ones.
+    std::vector<JudgeWarning> warnings = {};
+    std::optional<double> uncertainty = {}; ///< as in the request
     bool isByTemperature = false; ///< as in the request
 
     [[nodiscard]] bool isWithinTolerances() const;
@@ -92,13 +103,14 @@ struct Comparison {
 /// spline) and r what is left, all about their means: r = k b with |correlation| above 0.9 is a
 /// table that adds 1 - k times what it should (k = 2: the sign; k = 1: not active); r = d b' one
 /// that is shifted by d.
-/// Errors: InvalidArgument for measurements without targets or of lengths and angles, that of the
-/// request included; MeasurementState when tableCrc is given and the second measurement was not
-/// made with that table active.
+/// Errors: InvalidArgument for measurements without targets, of lengths and angles, of two axes and
+/// of two drives, those of the request included; MeasurementState when tableCrc is given and the
+/// second measurement was not made with that table active.
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 
-/// The second measurement, what it says of the prediction, and the verdict go into the record.
+/// The second measurement, what it says of the prediction, the verdict, and the uncertainty by
+/// which both are go into the record.
 void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison);
 
 } // namespace axiscomp

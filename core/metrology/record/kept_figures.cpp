@@ -29,6 +29,12 @@ FigureValues figuresBefore(const CalibrationRecord& record)
     return used && used->hasTargets() ? figureValues(figuresBy(record, *used)) : FigureValues{};
 }
 
+std::size_t excludedOf(const RecordedMeasurement& recorded)
+{
+    const auto used = usedMeasurement(recorded);
+    return used ? used->excludedCount() : 0;
+}
+
 /// The verdict is that of the last measurement of the record, whichever table was active in it.
 bool isJudged(const CalibrationRecord& record, const RecordedAfter* after)
 {
@@ -129,6 +135,10 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
         kept.date = last->files.front().measurement.header.date;
         kept.isAngular = last->files.front().measurement.isAngular;
     }
+    if (record.before)
+        kept.excluded += excludedOf(*record.before);
+    if (after)
+        kept.excluded += excludedOf(after->measurement);
     const FigureValues before = figuresBefore(record);
     for (const Iso230Figure figure : allIso230Figures()) {
         Figure& one = kept.figures.emplace_back(Figure{std::string(figureName(figure))});
@@ -156,13 +166,16 @@ Result<void> keepFigures(DriveStore& store, const CalibrationRecord& record, Wal
 Text measuredFiguresText(const MeasuredFigures& measured)
 {
     Text clauses;
-    for (const Figure& figure : shownFigures(measured)) {
-        Text next = clauseOf(figure, measured.isAngular);
+    const auto add = [&clauses](Text next) {
         clauses = clauses.isEmpty() ? std::move(next)
                                     : AXISCOMP_TEXT("Measurement", "{first}; {next}")
                                           .with("first", std::move(clauses))
                                           .with("next", std::move(next));
-    }
+    };
+    for (const Figure& figure : shownFigures(measured))
+        add(clauseOf(figure, measured.isAngular));
+    if (!clauses.isEmpty() && measured.excluded > 0)
+        add(excludedText(measured.excluded));
     if (clauses.isEmpty() || measured.date.empty())
         return clauses;
     return AXISCOMP_TEXT("Measurement", "measured {date}: {figures}")

@@ -96,9 +96,10 @@ private Q_SLOTS:
         VERIFY_CODE(run, 8); // R is 55.2 um
         const QJsonObject json = run.json();
         QCOMPARE(json.keys(),
-            (QStringList{"after", "asPredicted", "before", "corrections", "heldOut", "hints",
-                "largestAsPredicted", "predicted", "residual", "source", "uncertainty", "unit",
-                "verdict", "warnings"}));
+            (QStringList{"after", "afterOfAllValues", "asPredicted", "before", "beforeOfAllValues",
+                "corrections", "excluded", "heldOut", "hints", "largestAsPredicted", "predicted",
+                "residual", "source", "uncertainty", "unit", "verdict", "verdictOfAllValues",
+                "warnings"}));
         QVERIFY(std::abs(json.value("after").toObject().value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("residual").toArray().size(), 9);
         QVERIFY(json.value("asPredicted").isNull());
@@ -158,6 +159,33 @@ private Q_SLOTS:
         QVERIFY2(newer.err.contains("error: InvalidRecord: "), newer.err.constData());
     }
 
+    /// A tolerance that is met because the value that fails it is left out.
+    void aComparisonSaysWhatIsLeftOut()
+    {
+        const Sandbox box;
+        box.file("before.csv", peak({}, 4.0, 0.0, 0.0));
+        box.file("after.csv", peak({}, 0.4, 0.0, 20.0));
+        const QStringList words{"compare", "before.csv", "after.csv", "--tolerance", "E=5um"};
+        VERIFY_CODE(box.run(words), 8);
+        const QStringList chosen = words + QStringList{"--exclude", "up:4:2"};
+        const ProgramRun run = box.run(chosen);
+        VERIFY_CODE(run, 0);
+        const QByteArray said =
+            "second measurement: 1 value excluded, not an evaluation by ISO 230-2";
+        QVERIFY2(run.out.contains(said) && run.err.contains(said), run.out.constData());
+        QVERIFY2(run.out.contains("Figures of all values, in um"), run.out.constData());
+        QVERIFY2(run.out.contains("Verdict of all values"), run.out.constData());
+        QVERIFY2(run.err.contains("(tolerance 5.000 um: failed)"), run.err.constData());
+        const QJsonObject json = box.run(chosen + QStringList{"--json"}).json();
+        QCOMPARE(json.value("excluded").toObject().value("after").toArray().size(), 1);
+        QVERIFY(json.value("beforeOfAllValues").isNull());
+        QVERIFY(json.value("afterOfAllValues").toObject().value("E").toDouble() > 0.005);
+        const auto verdict = json.value("verdictOfAllValues").toArray().at(0).toObject();
+        QCOMPARE(verdict.value("result").toString(), "failed");
+        QCOMPARE(json.value("warnings").toArray().at(0).toObject().value("code").toString(),
+            "ValuesExcluded");
+    }
+
     /// At 20 C the error is a peak of 4 um, and a tenth of that with the table. A scale
     /// of 11.5e-6/K at 25 C and 22 C adds 57.5 and 23 um/m to what is measured: the factor of the
     /// correction is 1 / (1 + a (T - 20)), by which it is undone exactly.
@@ -197,6 +225,48 @@ private Q_SLOTS:
         const auto kept = usedMeasurement(record->after.front().measurement);
         VERIFY_RESULT(kept);
         QVERIFY(std::abs(*iso230Figures(*kept)[Iso230Figure::M].value - 0.0004) < 1e-9);
+    }
+
+    /// A scale that is 57.5 um/m too long and nothing else: at 20 C nothing is left, wherever the
+    /// second measurement begins.
+    void bothMeasurementsAreCorrectedFromTheSameDatum()
+    {
+        const Sandbox box;
+        const auto warm = [](std::initializer_list<int> targets) {
+            QByteArray text = "target [mm],direction,run,deviation [um]\n";
+            for (const int target : targets)
+                for (const char* const run : {",+,1,", ",+,2,", ",-,1,", ",-,2,"})
+                    text += QByteArray::number(target) + run
+                        + QByteArray::number(target * 57.5e-3, 'g', 12) + '\n';
+            return text;
+        };
+        box.file("before.csv", "// compensation: off\n" + warm({0, 100, 200, 300, 400, 500, 600}));
+        box.file("after.csv", warm({200, 260, 310, 333, 400, 500}));
+        const QStringList at25{
+            "--temperature", "25", "--expansion", "11.5e-6", "--not-corrected", "--json"};
+        VERIFY_CODE(box.run(QStringList{"fit", "before.csv", "--record", "x.axcal", "--lookup-at",
+                                "encoder", "--zero", "keep"}
+                        + at25),
+            0);
+        const QStringList second{"compare", "after.csv", "--record", "x.axcal"};
+        const QStringList stated{"--measured-with", "on"};
+        const auto datum = [](const ProgramRun& run) {
+            return run.json()
+                .value("corrections")
+                .toObject()
+                .value("temperature")
+                .toObject()
+                .value("datum")
+                .toDouble(-1.0);
+        };
+        const ProgramRun run = box.run(second + stated + at25);
+        VERIFY_CODE(run, 0);
+        QCOMPARE(datum(run), 0.0);
+        for (const QJsonValue& left : run.json().value("residual").toArray())
+            QVERIFY(std::abs(left.toObject().value("value").toDouble()) < 1e-9);
+        const ProgramRun own = box.run(second + stated + at25 + QStringList{"--datum", "200"});
+        VERIFY_CODE(own, 0);
+        QCOMPARE(datum(own), 200.0);
     }
 
     void theFirstMeasurementIsTheOneOfTheRecord()

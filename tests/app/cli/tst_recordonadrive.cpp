@@ -154,6 +154,31 @@ private Q_SLOTS:
         QVERIFY(bench.run({"status", "--json"}, "1").json().value("table").isNull());
     }
 
+    /// Another machine has another error, whatever its axis is called.
+    void aRecordOfAnotherDriveIsNotWritten()
+    {
+        const Fixture bench;
+        CalibrationRecord record = bench.record();
+        Measurement measured;
+        measured.header.drive = "Mill, serial number 850618";
+        measured.targets = {0.0, 40.0};
+        measured.values = {{0, Approach::Up, 1, 0.0}, {1, Approach::Up, 1, 0.0021}};
+        record.before =
+            RecordedMeasurement{{RecordedFile{"x.csv", "runs", std::string(64, 'a'), measured}}};
+        bench.box.file("job.axcal", QByteArray::fromStdString(recordText(record)));
+        const QByteArray before = bench.text();
+        const ProgramRun other = bench.write();
+        VERIFY_CODE(other, 2);
+        QVERIFY2(other.err.contains("of the drive with the serial number 850618, and this is axis "
+                                    "0 (X) of Virtual-1 (serial number 100001)"),
+            other.err.constData());
+        QCOMPARE(bench.text(), before);
+        QVERIFY(bench.run({"status", "--json"}).json().value("table").isNull());
+        record.before->files.front().measurement.header.drive = "Mill, serial number 100001";
+        bench.box.file("job.axcal", QByteArray::fromStdString(recordText(record)));
+        VERIFY_CODE(bench.write(), 0);
+    }
+
     /// Its values belong to other positions on the other side of the compensation.
     void aTableForTheEncoderIsNotLookedUpAtTheSetPosition()
     {

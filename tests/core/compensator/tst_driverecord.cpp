@@ -87,6 +87,24 @@ private Q_SLOTS:
         QVERIFY(!record.write->proof);
     }
 
+    /// The axis Y of a twin machine has another error.
+    void aTableGoesToTheDriveThatWasMeasured()
+    {
+        CalibrationRecord record;
+        record.before = RecordedMeasurement{{RecordedFile{"y.csv", "runs", {}, {}}}};
+        std::string& drive = record.before->files.front().measurement.header.drive;
+        drive = "Stage-8, serial number 850618";
+        const auto refused = recordWrite(record, axisWithTable(), "generic", WallTime{});
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.find("850618") != std::string::npos
+                && said.find("Stage-8 (serial number 1560)") != std::string::npos,
+            said.c_str());
+        QVERIFY(!record.write && !record.drive);
+        drive = "Mill, serial number 1560"; // a new name is no new drive
+        VERIFY_RESULT(recordWrite(record, axisWithTable(), "generic", WallTime{}));
+    }
+
     void anAxisWithoutATableHasNothingToNote()
     {
         CalibrationRecord record;

@@ -307,6 +307,26 @@ private Q_SLOTS:
         VERIFY_ERROR(correctedForTemperature(measurement, correction), ErrorCode::InvalidArgument);
     }
 
+    void withoutADatumTheFirstTargetDoesNotMove()
+    {
+        Measurement measurement;
+        measurement.targets = {200.0, 300.0};
+        measurement.values = {{0, Approach::Up, 1, 0.0}, {1, Approach::Up, 1, 0.0}};
+        TemperatureCorrection correction{
+            .materialCelsius = 22.0, .expansionPerKelvin = 11.5e-6, .isConfirmed = true};
+        QCOMPARE(datumOf(correction, measurement), 200.0);
+        QCOMPARE(datumOf(correction, {}), 0.0);
+        auto corrected = correctedForTemperature(measurement, correction);
+        VERIFY_RESULT(corrected);
+        QCOMPARE(corrected->values.front().deviation, 0.0);
+        correction.datum = 300.0;
+        QCOMPARE(datumOf(correction, measurement), 300.0);
+        corrected = correctedForTemperature(measurement, correction);
+        VERIFY_RESULT(corrected);
+        QVERIFY(corrected->values.front().deviation > 0.0);
+        QCOMPARE(corrected->values.back().deviation, 0.0);
+    }
+
     void theDeadPathFollowsTheAir()
     {
         // By the modified Edlen equation 1.00027137 for 20 C, 101.325 kPa and 50 %.

@@ -848,6 +848,48 @@ private Q_SLOTS:
         VERIFY_RESULT(joined(alike));
     }
 
+    void filesOfTwoDrivesAreNotJoined()
+    {
+        Measurement one = publicRuns("bifrost.csv");
+        one.header.drive = "Mill, serial number 4711";
+        Measurement other = measuredAgain(one, 1e-4);
+        other.header.drive = "serial number 4712";
+        const std::array two{one, other};
+        const auto refused = joined(two);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error()).find("serial number 4711 and of the one with 4712")
+            != std::string::npos);
+        other.header.drive = "Lathe, serial number 4711";
+        const std::array same{one, other};
+        const auto whole = joined(same);
+        VERIFY_RESULT(whole);
+        QCOMPARE(driveSerialOf(whole->header), std::optional<std::int32_t>(4711));
+    }
+
+    void theDriveThatMeasuredIsReadAndWrittenAgain()
+    {
+        const auto read = readAs("runs",
+            "// axiscomp runs: 1\n// drive: Mill, serial number 850618\n"
+            "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
+        QVERIFY(read.measurement);
+        const Measurement& measurement = *read.measurement;
+        QCOMPARE(measurement.header.drive, std::string("Mill, serial number 850618"));
+        QCOMPARE(driveSerialOf(measurement.header), std::optional<std::int32_t>(850618));
+        QVERIFY(measurement.notes.empty());
+        const auto again = readAs("runs", writeRunsCsv(measurement));
+        QVERIFY(again.measurement);
+        QCOMPARE(again.measurement->header.drive, measurement.header.drive);
+        const auto twice = readAs("runs",
+            "// axiscomp runs: 1\n// drive: Mill, serial number 1\n// drive: Mill, serial number "
+            "2\ntarget [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
+        QVERIFY(!twice.measurement);
+        for (const char* const unknown : {"Mill", "serial number", "serial number 12x"}) {
+            MeasurementHeader header;
+            header.drive = unknown;
+            QVERIFY(!driveSerialOf(header));
+        }
+    }
+
     /// Neither does the silent one say it, nor may it be stated otherwise.
     void aStateThatOnlySomeFilesSayIsKeptOfThose()
     {

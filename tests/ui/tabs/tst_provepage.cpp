@@ -349,6 +349,39 @@ private Q_SLOTS:
         QCOMPARE(bench.user.the<QTableView>("measurementFiles").model()->rowCount(), 1);
     }
 
+    /// A tolerance that is met because the values that fail it are left out.
+    void whatIsLeftOutIsSaidBesideTheFiguresOfAllValues()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QByteArray content = test::goodAfterMeasurement(test::stateOf(record));
+        QVERIFY(addAfter(bench, content));
+        QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
+        const auto& model = *bench.user.the<QTableView>("proveFigures").model();
+        QVERIFY(!bench.user.sees("proveWarnings"));
+        QCOMPARE(model.columnCount(), static_cast<int>(Column::AllBefore));
+
+        QByteArrayList lines = content.trimmed().split('\n');
+        for (qsizetype n = 2; n < lines.size(); ++n)
+            lines[n] += n == 2 ? ",use" : lines[n].startsWith("20,") ? ",0" : ",1";
+        for (QByteArray& line : lines)
+            if (line.startsWith("20,+,1,"))
+                line = "20,+,1,50,0";
+        PageFixture other;
+        QVERIFY(showProve(other, record));
+        QVERIFY(addAfter(other, lines.join('\n') + '\n'));
+        QVERIFY(hints(other, QStringLiteral("Within the tolerances")));
+        QCOMPARE(tabText(other), QStringLiteral("Prove · warning"));
+        QVERIFY(other.user.the<QLabel>("proveWarnings")
+                    .text()
+                    .contains(QStringLiteral("4 values excluded, not an evaluation by ISO 230-2")));
+        QVERIFY(other.user.the<QLabel>("proveWarnings").text().contains(QStringLiteral("failed")));
+        QCOMPARE(text(other, Iso230Figure::A, Column::AllBefore), QStringLiteral("135.27"));
+        QCOMPARE(text(other, Iso230Figure::A, Column::After), QStringLiteral("3.83"));
+        QVERIFY(text(other, Iso230Figure::A, Column::AllAfter).toDouble() > 10.0);
+    }
+
     void withoutATableTheMeasurementsAreComparedAlone()
     {
         PageFixture bench;

@@ -35,6 +35,7 @@ inline CalibrationRecord fullRecord()
     runs.header = {"M1", "X", "XL-80", "12345", "Anna", "2026-11-20", "500 mm/min", "2 s",
         {MeasuredState::Kind::On, 0x1c291ca3}, 20.4, 20.9, 11.5e-6,
         MeasurementHeader::Corrected::None};
+    runs.header.drive = "Triamec-616, serial number 1559";
     runs.notes = {"Flags: 0 0 2 0"};
     runs.published = {{"E", 0.09065, 5e-6, 12}};
     runs.halfPrintedUnit = 5e-6;

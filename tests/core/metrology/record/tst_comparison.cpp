@@ -162,6 +162,28 @@ private Q_SLOTS:
         QCOMPARE(record.verdict->figures.front().result, VerdictResult::Passed);
     }
 
+    /// Without a tolerance no verdict has it, and "as predicted" rests on it.
+    void whatIsKeptHasTheUncertainty()
+    {
+        ComparisonRequest request = promised(1e-3);
+        request.uncertainty = 5e-4;
+        const auto comparison =
+            compareMeasurements(measured(&errorBefore), measured(&errorBefore), request);
+        VERIFY_RESULT(comparison);
+        CalibrationRecord record;
+        record.fit.emplace();
+        record.fit->settings.outlierRule = OutlierRule::Grubbs;
+        keepAfter(record, {}, *comparison);
+        QCOMPARE(judgingOf(record).uncertainty, std::optional(5e-4));
+        QCOMPARE(judgingOf(record).outlierRule, OutlierRule::Grubbs);
+        QVERIFY(comparisonRequest(record).uncertainty == 5e-4);
+        // The record has it already.
+        record.judging.reset();
+        record.fit->settings.uncertainty = 5e-4;
+        keepAfter(record, {}, *comparison);
+        QVERIFY(!record.judging);
+    }
+
     /// Of several tables of a record the one that was written.
     void whatIsKeptNamesTheTableThatWasWritten()
     {
@@ -188,6 +210,51 @@ private Q_SLOTS:
             != std::string::npos);
         after.header.axis = "X1";
         VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+    }
+
+    void measurementsOfTwoDrivesAreNotCompared()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        before.header.drive = "Mill, serial number 850618";
+        after.header.drive = "Other, serial number 850618"; // a new name is no new drive
+        VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+        after.header.drive = "Mill, serial number 999999";
+        const auto refused = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.find("serial number 999999") != std::string::npos
+                && said.find("the one with 850618") != std::string::npos,
+            said.c_str());
+        // Neither is one of another drive than that which has the table.
+        before.header.drive.clear();
+        VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+        CalibrationRecord record;
+        record.drive = RecordedDrive{"Mill", 850618, "generic", 0, "X"};
+        VERIFY_ERROR(compareMeasurements(before, after, comparisonRequest(record)),
+            ErrorCode::InvalidArgument);
+        record.drive->serialNumber = 999999;
+        VERIFY_RESULT(compareMeasurements(before, after, comparisonRequest(record)));
+    }
+
+    void anotherMachineOrSerialNumberIsSaid()
+    {
+        Measurement before = measured(&errorBefore);
+        Measurement after = measured(&errorBefore);
+        before.header.machine = "M1";
+        before.header.serial = "S1";
+        after.header.machine = "m1 ";
+        auto result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QVERIFY(result->warnings.empty());
+        after.header.machine = "M2";
+        after.header.serial = "S2";
+        result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->warnings.size(), std::size_t{2});
+        QCOMPARE(result->warnings[0].text.english(),
+            std::string("the first measurement is of the machine M1, the second of M2"));
+        QCOMPARE(result->warnings[1].name, std::string_view("OtherSerial"));
     }
 
     void asPredictedIsASumOfWhatWasHeldOutAndWhatCannotBeTold()
@@ -331,6 +398,43 @@ private Q_SLOTS:
         const auto other = compareMeasurements(after, measured(&errorBefore), request);
         VERIFY_RESULT(other);
         QVERIFY(!other->isWithinTolerances());
+    }
+
+    void leavingValuesOutIsSaidWithTheFiguresAndTheVerdictOfAll()
+    {
+        const auto small = [](double x) { return 0.1 * errorBefore(x); };
+        Measurement after = measured(small);
+        for (RunValue& value : after.values)
+            if (value.target == 25) {
+                value.deviation = 0.02;
+                value.isUsed = false;
+            }
+        ComparisonRequest request;
+        request.tolerances = {{Iso230Figure::M, 0.005}};
+        const auto result = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(result);
+        QVERIFY(result->isWithinTolerances());
+        QVERIFY(!result->beforeOfAllValues);
+        QVERIFY(*(*result->afterOfAllValues)[Iso230Figure::M].value > 0.02);
+        QCOMPARE(result->verdictsOfAllValues.front().result, VerdictResult::Failed);
+        QCOMPARE(result->warnings.size(), std::size_t{2});
+        QCOMPARE(result->warnings[0].text.english(),
+            std::string("second measurement: 4 values excluded, not an evaluation by ISO 230-2"));
+        QCOMPARE(result->warnings[1].name, std::string_view("OtherVerdict"));
+        const std::string verdict = result->warnings[1].text.english();
+        QVERIFY2(
+            verdict.find("(tolerance 5.000 um: failed)") != std::string::npos, verdict.c_str());
+        // In the first measurement they change the promise alone.
+        const auto other = compareMeasurements(after, measured(small), request);
+        VERIFY_RESULT(other);
+        QVERIFY(other->beforeOfAllValues && !other->afterOfAllValues);
+        QCOMPARE(other->warnings.size(), std::size_t{1});
+        QCOMPARE(other->warnings[0].text.english(),
+            std::string("first measurement: 4 values excluded, not an evaluation by ISO 230-2"));
+        QVERIFY(other->verdictsOfAllValues.empty());
+        const auto whole = compareMeasurements(measured(&errorBefore), measured(small), request);
+        VERIFY_RESULT(whole);
+        QVERIFY(whole->warnings.empty() && !whole->afterOfAllValues);
     }
 
     void aRecordSaysWhatWasPromised()

@@ -28,6 +28,7 @@ CalibrationRecord writtenRecord()
     CalibrationRecord record;
     record.before = RecordedMeasurement{{test::fullRecord().before->files.front()}};
     record.before->files.front().measurement.header.date = "2026-11-20";
+    record.before->files.front().measurement.values[7].isUsed = true;
     record.prediction = RecordedPrediction{accuracy(0.0143, 0.011), accuracy(0.003, 0.001)};
     record.drive = RecordedDrive{"Triamec-616", 1559, "generic", 1, "X"};
     record.write = RecordedWrite{{}, "Small1", true, writtenCrc};
@@ -89,6 +90,17 @@ private Q_SLOTS:
                         "3.200 um after (tolerance 5.000 um: passed)"));
         QCOMPARE(measuredFiguresCell(*figuresToKeep(record, {})).english(),
             std::string("M 1.100 um, 11.000 um before"));
+    }
+
+    void valuesThatAreLeftOutAreSaid()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.before->exclusions = {{Approach::Up, 1, 1}};
+        addAfter(record, 0.0032, writtenCrc);
+        QCOMPARE(figuresToKeep(record, {})->excluded, std::size_t{2});
+        QCOMPARE(sentenceOf(record),
+            std::string("measured 2026-11-24: accuracy A 14.300 um before, 3.200 um after; 2 "
+                        "values excluded, not an evaluation by ISO 230-2"));
     }
 
     void aToleranceThatIsMissedByLittleReadsSo()
