@@ -8421,6 +8421,18 @@
         <source>one mean for each target and direction</source>
         <translation>ein Mittelwert für jede Zielposition und jede Richtung</translation>
     </message>
+    <message>
+        <source>the second measurement is of the drive with the serial number {found}, and the first one or its table is of the one with {known}; measure that drive, or, where it was replaced since, correct the line // drive: in the file of the second</source>
+        <translation>die zweite Messung ist von dem Antrieb mit der Seriennummer {found}, und die erste oder ihre Tabelle von dem mit {known}; diesen Antrieb messen, oder, wenn er seitdem ersetzt wurde, in der Datei der zweiten die Zeile // drive: berichtigen</translation>
+    </message>
+    <message>
+        <source>measurements of the drive with the serial number {drive} and of the one with {other} cannot be joined; take those of one drive, and where it was replaced in between, correct the line // drive: of the files</source>
+        <translation>Messungen des Antriebs mit der Seriennummer {drive} und dessen mit {other} lassen sich nicht zusammenfügen; die eines Antriebs nehmen, und wenn er dazwischen ersetzt wurde, die Zeile // drive: der Dateien berichtigen</translation>
+    </message>
+    <message>
+        <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
+        <translation>das Protokoll entstand aus einer Messung des Antriebs mit der Seriennummer {measured}, und dies ist {found}; den gemessenen Antrieb verbinden, oder, wenn er seitdem ersetzt wurde, in der Datei der Messung die Zeile // drive: berichtigen und damit ein neues Protokoll beginnen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10175,6 +10187,26 @@
     <message>
         <source>{read} ({corrected} after corrections)</source>
         <translation>{read} (nach Korrekturen {corrected})</translation>
+    </message>
+    <message>
+        <source>first measurement: {remark}</source>
+        <translation>erste Messung: {remark}</translation>
+    </message>
+    <message>
+        <source>second measurement: {remark}</source>
+        <translation>zweite Messung: {remark}</translation>
+    </message>
+    <message>
+        <source>of all values {figure} is {value} (tolerance {tolerance}: {result})</source>
+        <translation>aus allen Werten ergibt sich {figure} zu {value} (Toleranz {tolerance}: {result})</translation>
+    </message>
+    <message>
+        <source>the first measurement is of the machine {before}, the second of {after}</source>
+        <translation>die erste Messung ist von der Maschine {before}, die zweite von {after}</translation>
+    </message>
+    <message>
+        <source>the first measurement has the serial number {before}, the second {after}</source>
+        <translation>die erste Messung nennt die Seriennummer {before}, die zweite {after}</translation>
     </message>
 </context>
 <context>
@@ -12830,6 +12862,14 @@
         <source>What is left at targets that the table was made without: the figure to believe</source>
         <translation>Was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: der Wert, dem zu glauben ist</translation>
     </message>
+    <message>
+        <source>Before, all values</source>
+        <translation>Vorher, alle Werte</translation>
+    </message>
+    <message>
+        <source>After, all values</source>
+        <translation>Nachher, alle Werte</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::CompensationWizard</name>
@@ -14313,6 +14353,10 @@
     <message>
         <source>Note</source>
         <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
     </message>
 </context>
 <context>

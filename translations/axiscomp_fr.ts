@@ -8421,6 +8421,18 @@
         <source>one mean for each target and direction</source>
         <translation>une moyenne par position cible et sens</translation>
     </message>
+    <message>
+        <source>the second measurement is of the drive with the serial number {found}, and the first one or its table is of the one with {known}; measure that drive, or, where it was replaced since, correct the line // drive: in the file of the second</source>
+        <translation>la deuxième mesure est du variateur de numéro de série {found}, et la première ou sa table de celui de numéro {known}&#xa0;; mesurer ce variateur, ou, s&apos;il a été remplacé depuis, corriger la ligne // drive: dans le fichier de la deuxième</translation>
+    </message>
+    <message>
+        <source>measurements of the drive with the serial number {drive} and of the one with {other} cannot be joined; take those of one drive, and where it was replaced in between, correct the line // drive: of the files</source>
+        <translation>des mesures du variateur de numéro de série {drive} et de celui de numéro {other} ne peuvent pas être réunies&#xa0;; prendre celles d&apos;un seul variateur, et, s&apos;il a été remplacé entre-temps, corriger la ligne // drive: des fichiers</translation>
+    </message>
+    <message>
+        <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
+        <translation>la fiche a été établie d&apos;après une mesure du variateur de numéro de série {measured}, et ceci est {found}&#xa0;; connecter le variateur mesuré, ou, s&apos;il a été remplacé depuis, corriger la ligne // drive: du fichier de la mesure et commencer une nouvelle fiche avec celui-ci</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10175,6 +10187,26 @@
     <message>
         <source>{read} ({corrected} after corrections)</source>
         <translation>{read} ({corrected} après corrections)</translation>
+    </message>
+    <message>
+        <source>first measurement: {remark}</source>
+        <translation>première mesure&#xa0;: {remark}</translation>
+    </message>
+    <message>
+        <source>second measurement: {remark}</source>
+        <translation>deuxième mesure&#xa0;: {remark}</translation>
+    </message>
+    <message>
+        <source>of all values {figure} is {value} (tolerance {tolerance}: {result})</source>
+        <translation>sur toutes les valeurs, {figure} est de {value} (tolérance {tolerance}&#xa0;: {result})</translation>
+    </message>
+    <message>
+        <source>the first measurement is of the machine {before}, the second of {after}</source>
+        <translation>la première mesure est de la machine {before}, la deuxième de {after}</translation>
+    </message>
+    <message>
+        <source>the first measurement has the serial number {before}, the second {after}</source>
+        <translation>la première mesure indique le numéro de série {before}, la deuxième {after}</translation>
     </message>
 </context>
 <context>
@@ -12830,6 +12862,14 @@
         <source>What is left at targets that the table was made without: the figure to believe</source>
         <translation>Ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: la valeur à laquelle se fier</translation>
     </message>
+    <message>
+        <source>Before, all values</source>
+        <translation>Avant, toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>After, all values</source>
+        <translation>Après, toutes les valeurs</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::CompensationWizard</name>
@@ -14313,6 +14353,10 @@
     <message>
         <source>Note</source>
         <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Variateur</translation>
     </message>
 </context>
 <context>

@@ -8380,6 +8380,18 @@
         <source>one mean for each target and direction</source>
         <translation>目標位置と方向ごとに平均値は 1 つ</translation>
     </message>
+    <message>
+        <source>the second measurement is of the drive with the serial number {found}, and the first one or its table is of the one with {known}; measure that drive, or, where it was replaced since, correct the line // drive: in the file of the second</source>
+        <translation>2 回目の測定はシリアル番号 {found} のドライブのものですが、1 回目の測定またはそのテーブルは {known} のドライブのものです。そのドライブを測定するか、その後交換した場合は 2 回目のファイルの行 // drive: を修正してください</translation>
+    </message>
+    <message>
+        <source>measurements of the drive with the serial number {drive} and of the one with {other} cannot be joined; take those of one drive, and where it was replaced in between, correct the line // drive: of the files</source>
+        <translation>シリアル番号 {drive} のドライブの測定と {other} のドライブの測定は結合できません。1 台のドライブのものだけを使用し、途中で交換した場合はファイルの行 // drive: を修正してください</translation>
+    </message>
+    <message>
+        <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
+        <translation>記録はシリアル番号 {measured} のドライブの測定から作成されたものですが、これは {found} です。測定したドライブを接続するか、その後交換した場合は測定ファイルの行 // drive: を修正し、それで新しい記録を作成してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10126,6 +10138,26 @@
     <message>
         <source>{read} ({corrected} after corrections)</source>
         <translation>{read}（補正後 {corrected}）</translation>
+    </message>
+    <message>
+        <source>first measurement: {remark}</source>
+        <translation>1 回目の測定: {remark}</translation>
+    </message>
+    <message>
+        <source>second measurement: {remark}</source>
+        <translation>2 回目の測定: {remark}</translation>
+    </message>
+    <message>
+        <source>of all values {figure} is {value} (tolerance {tolerance}: {result})</source>
+        <translation>全データでは {figure} は {value} です (許容値 {tolerance}: {result})</translation>
+    </message>
+    <message>
+        <source>the first measurement is of the machine {before}, the second of {after}</source>
+        <translation>1 回目の測定は機械 {before}、2 回目の測定は {after} のものです</translation>
+    </message>
+    <message>
+        <source>the first measurement has the serial number {before}, the second {after}</source>
+        <translation>1 回目の測定のシリアル番号は {before}、2 回目は {after} です</translation>
     </message>
 </context>
 <context>
@@ -12779,6 +12811,14 @@
         <source>What is left at targets that the table was made without: the figure to believe</source>
         <translation>テーブルの作成に使わなかった目標位置に残る誤差。信頼すべき値です</translation>
     </message>
+    <message>
+        <source>Before, all values</source>
+        <translation>補正前、全データ</translation>
+    </message>
+    <message>
+        <source>After, all values</source>
+        <translation>補正後、全データ</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::CompensationWizard</name>
@@ -14262,6 +14302,10 @@
     <message>
         <source>Note</source>
         <translation>メモ</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>ドライブ</translation>
     </message>
 </context>
 <context>

@@ -8380,6 +8380,18 @@
         <source>one mean for each target and direction</source>
         <translation>每个目标位置和方向一个平均值</translation>
     </message>
+    <message>
+        <source>the second measurement is of the drive with the serial number {found}, and the first one or its table is of the one with {known}; measure that drive, or, where it was replaced since, correct the line // drive: in the file of the second</source>
+        <translation>第二次测量属于序列号为 {found} 的驱动器，而第一次测量或其表属于序列号为 {known} 的驱动器；请测量该驱动器，若此后已更换，请更正第二次测量文件中的 // drive: 行</translation>
+    </message>
+    <message>
+        <source>measurements of the drive with the serial number {drive} and of the one with {other} cannot be joined; take those of one drive, and where it was replaced in between, correct the line // drive: of the files</source>
+        <translation>序列号为 {drive} 的驱动器的测量和序列号为 {other} 的驱动器的测量不能合并；请只用一台驱动器的测量，若其间已更换，请更正各文件中的 // drive: 行</translation>
+    </message>
+    <message>
+        <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
+        <translation>该档案由序列号为 {measured} 的驱动器的测量建立，而此处为 {found}；请连接所测量的驱动器，若此后已更换，请更正测量文件中的 // drive: 行，并用它另建一个档案</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10126,6 +10138,26 @@
     <message>
         <source>{read} ({corrected} after corrections)</source>
         <translation>{read}（修正后 {corrected}）</translation>
+    </message>
+    <message>
+        <source>first measurement: {remark}</source>
+        <translation>第一次测量：{remark}</translation>
+    </message>
+    <message>
+        <source>second measurement: {remark}</source>
+        <translation>第二次测量：{remark}</translation>
+    </message>
+    <message>
+        <source>of all values {figure} is {value} (tolerance {tolerance}: {result})</source>
+        <translation>按所有值计算，{figure}为 {value}（公差 {tolerance}：{result}）</translation>
+    </message>
+    <message>
+        <source>the first measurement is of the machine {before}, the second of {after}</source>
+        <translation>第一次测量的机床为 {before}，第二次为 {after}</translation>
+    </message>
+    <message>
+        <source>the first measurement has the serial number {before}, the second {after}</source>
+        <translation>第一次测量的序列号为 {before}，第二次为 {after}</translation>
     </message>
 </context>
 <context>
@@ -12779,6 +12811,14 @@
         <source>What is left at targets that the table was made without: the figure to believe</source>
         <translation>未用于生成表的目标位置上的残余误差：应以此值为准</translation>
     </message>
+    <message>
+        <source>Before, all values</source>
+        <translation>补偿前，所有值</translation>
+    </message>
+    <message>
+        <source>After, all values</source>
+        <translation>补偿后，所有值</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::CompensationWizard</name>
@@ -14262,6 +14302,10 @@
     <message>
         <source>Note</source>
         <translation>备注</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>驱动器</translation>
     </message>
 </context>
 <context>

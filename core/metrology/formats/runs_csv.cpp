@@ -27,7 +27,8 @@ constexpr std::array<std::string_view, 7> rules{
     "run counts from 1 for each direction. Without the column, the n-th line of a target and "
     "direction is its run n.",
     "Comments // KEY: VALUE say what was measured: machine, axis, instrument, serial, operator, "
-    "date, feed, dwell, drive (its name, then \"serial number\" and the number), compensation (off, on, or crc: and the checksum of the table), air "
+    "date, feed, dwell, drive (its name, then \"serial number\" and the number), compensation "
+    "(off, on, or crc: and the checksum of the table), air "
     "temperature, material temperature, expansion, corrected (none or 20C), kind (runs, or "
     "averages: each value is a mean of runs), values (deviation or reference), sign (deviation or "
     "correction). The last two stand before the first value.",
