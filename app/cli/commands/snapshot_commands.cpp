@@ -118,10 +118,18 @@ Result<void> collect(Environment& environment, const MetricsOptions& options,
             metrics.proofs.emplace(row.axis.index,
                 session->compensator().prove(
                     row.axis.index, proofSamples, session->quietOperation()));
-    for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
-        if (!axis.problem)
-            metrics.differs.emplace(axis.axis, axis.differs());
+    if (drive.plan)
+        addComparison(*drive.plan, metrics);
     return {};
+}
+
+void warnOfAxes(Environment& environment, const MachineDriveRun& drive)
+{
+    for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
+        if (axis.problem)
+            environment.warn(drive.endpoint + ", axis " + axis.name
+                + ": cannot be compared with the machine file: "
+                + singleLine(sentence(*axis.problem)));
 }
 
 /// A drive that does not answer is a metric, not an error.
@@ -137,10 +145,12 @@ Result<ExitCode> runMetrics(Environment& environment, const MetricsOptions& opti
         metrics[index].endpoint = run.drives[index].endpoint;
         collected[index] = collect(environment, options, run.drives[index], metrics[index]);
     });
-    for (std::size_t index = 0; index < metrics.size(); ++index)
+    for (std::size_t index = 0; index < metrics.size(); ++index) {
         if (!collected[index])
             environment.warn(
                 metrics[index].endpoint + ": " + singleLine(sentence(collected[index].error())));
+        warnOfAxes(environment, run.drives[index]);
+    }
     if (environment.stopToken().stop_requested())
         return fail(ErrorCode::Cancelled);
     AXISCOMP_CHECK(writeOutput(environment, output, asBytes(openMetrics(metrics))));

@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/machine_plan.h"
 #include "core/machine/machine_tables.h"
+#include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
 #include "core/table/tam_table.h"
 #include "tests/support/compensator_fixture.h"
@@ -283,6 +284,45 @@ private Q_SLOTS:
         QCOMPARE(two->axes.at(1).plan.flashOperations, 1);
         QVERIFY(two->obstacle);
         QCOMPARE(two->obstacle->code, ErrorCode::FlashWear);
+    }
+
+    /// Neither an axis of another name nor one with another unit vanishes from what is watched.
+    void anAxisThatCannotBeComparedIsAMetric()
+    {
+        Machine machine;
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[1].axis = "1";
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[2].axis = "Q";
+        machine.tables.assign(3, machine.tables[0]);
+        machine.tables[1].table->unit = "deg"; // the axes are in mm
+        VERIFY_RESULT(machine.bench.compensator.write(0, test::exampleRequest()));
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        DriveMetrics metrics;
+        metrics.endpoint = "demo:";
+        auto summary =
+            summarizeDrive(machine.bench.compensator, machine.context.storeRoot, {});
+        VERIFY_RESULT(summary);
+        metrics.summary = *std::move(summary);
+        addComparison(*plan, metrics);
+        const std::string text = openMetrics(std::vector{metrics});
+        const std::string drive = R"({endpoint="demo:",drive="Test-1",serial="4711",)";
+        for (const std::string& line :
+            {"axiscomp_axis_differs" + drive + R"(axis="0",name="X"} 0)",
+                "axiscomp_axis_comparable" + drive + R"(axis="0",name="X"} 1)",
+                "axiscomp_axis_differs" + drive + R"(axis="1",name="Y"} 1)",
+                "axiscomp_axis_comparable" + drive + R"(axis="1",name="Y"} 0)",
+                "axiscomp_axis_differs" + drive + R"(name="Q"} 1)",
+                "axiscomp_axis_comparable" + drive + R"(name="Q"} 0)"})
+            QVERIFY2(text.find(line + "\n") != std::string::npos, (line + "\n" + text).c_str());
+        // Named a second time, by its name.
+        machine.drive.axes[2].axis = "X";
+        const auto twice = machine.plan();
+        VERIFY_RESULT(twice);
+        DriveMetrics ofTwice;
+        addComparison(*twice, ofTwice);
+        QVERIFY(!ofTwice.differs.at(0).has_value());
     }
 
     /// A file of a table has no units; the numbers are those that the axis had.
