@@ -273,6 +273,7 @@ Result<WriteRequest> restoreRequest(
         // The slot that the axis named held nothing, and may hold somebody else's table by now.
         request.withoutTable = true;
         request.dimensionality = mostDimensions;
+        AXISCOMP_TRY(request.leavesEmptySlot, holdsRegisters(access, backup.registers));
     }
     request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
     const auto missing = std::ranges::find(request.sources, std::string());

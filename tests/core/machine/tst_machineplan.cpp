@@ -286,6 +286,32 @@ private Q_SLOTS:
         QCOMPARE(two->obstacle->code, ErrorCode::FlashWear);
     }
 
+    /// A reboot has taken the volatile table of an axis whose parameters were saved.
+    void aSnapshotOfAnAxisThatNamesAnEmptySlotIsWhatTheDriveHas()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        VERIFY_RESULT(bench.compensator.write(0, test::exampleRequest()));
+        bench.set("General/Commands/SaveParameters", std::string("Save"));
+        bench.drive.reboot();
+        QVERIFY(!bench.compensator.status(0)->setup.slot.empty());
+        QVERIFY(!bench.compensator.status(0)->table.has_value());
+        const auto snapshot = snapshotDrive(bench.compensator, drivecomm::genericProfile(),
+            machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        machine.drive = snapshot->drive;
+        machine.tables.assign(machine.drive.axes.size(), {});
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->differs());
+        // Other sources are written, and the name goes with that.
+        machine.drive.axes[0].sources = std::vector<std::string>{test::masterX};
+        const auto changed = machine.plan();
+        VERIFY_RESULT(changed);
+        QVERIFY(changed->axes[0].differs());
+        QVERIFY(changed->axes[0].plan.after.slot.empty());
+    }
+
     /// Neither an axis of another name nor one with another unit vanishes from what is watched.
     void anAxisThatCannotBeComparedIsAMetric()
     {
