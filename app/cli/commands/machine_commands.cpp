@@ -198,7 +198,8 @@ Result<ExitCode> runApply(Environment& environment, const MachineOptions& option
     environment.document(runJson(options, run));
     if (problems.code() != ExitCode::Done)
         environment.console().note(
-            "note: what failed is done again by the same command; the rest is there already");
+            "note: the same command does again what failed, and continues with what was not "
+            "written; the rest is there already");
     return problems.code();
 }
 

@@ -260,6 +260,29 @@ private Q_SLOTS:
             QVERIFY(hasTable(axis));
     }
 
+    /// The axes of a drive after the one that fails are not begun.
+    void whatWasNotWrittenIsSaidAndContinuedWith()
+    {
+        const Sandbox box;
+        // The first axis is uploaded and switched over, then the second one is uploaded.
+        const VirtualDriveProcess drive(box, {"--axes", "3", "--fault", "stores-wrong=3"});
+        QByteArray text = "version = 1\n" + driveSection(drive.url(), 100001);
+        for (int axis = 0; axis < 3; ++axis) {
+            const QByteArray name = "table" + QByteArray::number(axis) + ".csv";
+            box.file(name, "P,V\n0,0\n50,0.00" + QByteArray::number(axis + 1) + "\n");
+            text += axisSection(axis, name);
+        }
+        box.file("machine.toml", text);
+        const ProgramRun run = box.run({"apply", "machine.toml"});
+        VERIFY_CODE(run, 6);
+        QCOMPARE(run.out.count("not written"), 1);
+        QVERIFY2(run.err.contains("note: the same command does again what failed, and continues "
+                                  "with what was not written; the rest is there already"),
+            run.err.constData());
+        VERIFY_CODE(box.run({"apply", "machine.toml"}), 0);
+        VERIFY_CODE(box.run({"plan", "machine.toml"}), 0);
+    }
+
     void aSlotThatIsNamedIsNotTakenByAnAxisBefore()
     {
         const Machine machine;
