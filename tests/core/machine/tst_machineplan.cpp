@@ -368,6 +368,40 @@ private Q_SLOTS:
         QCOMPARE(axis.choices.units.positions, std::string("mm"));
     }
 
+    /// The table is called as that of another axis, and its distance is none that the positions
+    /// give back to the last bit.
+    void aSnapshotOfWhatNoCsvHoldsIsWhatTheDriveHas()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        WriteRequest request;
+        request.sources = {test::masterX};
+        request.table = test::exampleTable(1, 1, 4);
+        request.table->name = "Y error";
+        request.table->target = "#1";
+        request.table->values.assign(4, 0.001F);
+        request.table->grid.axes[0].start = 9.26409106271656;
+        request.table->grid.axes[0].distance = 1.2607628851577706;
+        VERIFY_RESULT(bench.compensator.write(0, request));
+        const auto snapshot = snapshotDrive(bench.compensator, drivecomm::genericProfile(),
+            machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        const MachineAxis& axis = snapshot->drive.axes.at(0);
+        QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
+        QCOMPARE(axis.choices.target, std::string("#1"));
+        machine.context.folder = bench.folder.path().toStdString();
+        std::ofstream(machine.context.folder / axis.file, std::ios::binary)
+            << std::string(asText(snapshot->files.at(0).bytes));
+        machine.drive = snapshot->drive;
+        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}},
+            machine.context.folder, drivecomm::genericProfile().layout)
+                             .front();
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->axes.at(0).problem.has_value());
+        QVERIFY(!plan->differs());
+    }
+
     /// Index 1 is axis "2": the number alone would be a question.
     void aSnapshotNamesAxesAsApplyTakesThem()
     {
