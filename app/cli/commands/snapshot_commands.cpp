@@ -11,9 +11,11 @@
 #include "core/io/local_file.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
+#include "drivecomm/link/drive_endpoint.h"
 
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace axiscomp::app {
 
@@ -86,11 +88,26 @@ Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& op
     return ExitCode::Done;
 }
 
+/// Addresses are labels: one that is there twice would give two samples of one name.
+Result<void> checkEndpoints(const MetricsOptions& options, const MachineRun& run)
+{
+    std::set<std::string> known;
+    for (const MachineDriveRun& drive : run.drives) {
+        AXISCOMP_TRY(const auto endpoint, drivecomm::parseEndpoint(drive.wanted.endpoint));
+        if (!known.insert(drivecomm::displayText(endpoint)).second)
+            return wrongUsage("the drive at " + drivecomm::displayText(endpoint)
+                    + " is named twice; name each drive once",
+                options.machine.drive.command);
+    }
+    return {};
+}
+
 /// The drives of the machine file and how they differ, or those of --drive.
 Result<MachineRun> metricsRun(Environment& environment, const MetricsOptions& options)
 {
     if (!options.machine.file.empty()) {
         AXISCOMP_TRY(auto run, beginMachineRun(environment, options.machine));
+        AXISCOMP_CHECK(checkEndpoints(options, run));
         planMachine(environment, options.machine, run);
         return run;
     }
@@ -101,6 +118,7 @@ Result<MachineRun> metricsRun(Environment& environment, const MetricsOptions& op
         run.drives.back().wanted.endpoint = endpoint;
         run.drives.back().endpoint = shownEndpoint(endpoint);
     }
+    AXISCOMP_CHECK(checkEndpoints(options, run));
     return run;
 }
 

@@ -180,6 +180,12 @@ private Q_SLOTS:
         QVERIFY(!qIsNaN(metrics.value("axiscomp_axis_proof_largest_difference")));
         QVERIFY(qIsNaN(metrics.value("axiscomp_axis_differs", {"axis=\"0\""})));
 
+        const ProgramRun twice =
+            box.run({"metrics", "--drive", drive.url(), "--drive", drive.url() + "/"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(twice.err.contains("is named twice"), twice.err.constData());
+        QVERIFY(twice.out.isEmpty());
+
         const QStringList ofMachine{"metrics", "--machine", "m/machine.toml"};
         const ParsedMetrics same(box.run(ofMachine).out);
         QCOMPARE(same.value("axiscomp_axis_differs", {"axis=\"0\""}), 0.0);
