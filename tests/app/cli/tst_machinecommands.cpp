@@ -209,7 +209,16 @@ private Q_SLOTS:
         QVERIFY(machine.status(machine.one).value("slot").isNull());
         VERIFY_CODE(machine.run({"apply", "--allow-missing"}), 0);
         QVERIFY(!machine.status(machine.one).value("slot").isNull());
-        VERIFY_CODE(machine.run({"plan", "--allow-missing"}), 0);
+        const ProgramRun without = machine.run({"plan", "--allow-missing"});
+        VERIFY_CODE(without, 0);
+        const QByteArray leftOut = machine.two.url().toUtf8() + " (serial number "
+            + QByteArray::number(machine.serialTwo) + ") is left out: ";
+        QVERIFY2(without.err.contains(leftOut + "no connection to"), without.err.constData());
+        // Where none answers nothing was compared.
+        machine.one.process().kill();
+        machine.one.process().waitForFinished(test::patienceMs);
+        VERIFY_CODE(machine.run({"plan", "--allow-missing"}), 5);
+        VERIFY_CODE(machine.run({"apply", "--allow-missing"}), 5);
     }
 
     void whatInterruptsAnApplyTheNextOneContinues_data()
