@@ -215,9 +215,10 @@ void Metrics::add(const DriveMetrics& drive)
 std::string Metrics::text() const
 {
     std::string text;
-    for (const Family* family : {&m_up, &m_axes, &m_flashLeft, &m_flashCycles, &m_readable,
-             &m_state, &m_output, &m_homed, &m_fault, &m_table, &m_persistent, &m_crc,
-             &m_unfinished, &m_lastWrite, &m_differs, &m_comparable, &m_proved, &m_provedShare, &m_difference})
+    for (const Family* family :
+        {&m_up, &m_axes, &m_flashLeft, &m_flashCycles, &m_readable, &m_state, &m_output, &m_homed,
+            &m_fault, &m_table, &m_persistent, &m_crc, &m_unfinished, &m_lastWrite, &m_differs,
+            &m_comparable, &m_proved, &m_provedShare, &m_difference})
         text += family->text();
     return text + "# EOF\n";
 }

@@ -43,8 +43,8 @@ Result<void> checkTableKept(const RegisterAccess& access, const AxisBackup& back
     const RegisterWrite* table =
         registerAt(backup, access.axisPath(access.registers().table, backup.axis));
     if (!table)
-        return fail(invalidBackup(AXISCOMP_TEXT("Error", "axis {axis} has no Table register")
-                                      .with("axis", backup.axis)));
+        return fail(invalidBackup(
+            AXISCOMP_TEXT("Error", "axis {axis} has no Table register").with("axis", backup.axis)));
     const std::string name = toText(table->value);
     if (!access.profile().slotNamed(name)
         || std::ranges::find(backup.files, name, &AxisBackup::File::slot) != backup.files.end())

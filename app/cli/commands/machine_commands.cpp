@@ -92,8 +92,8 @@ void addProblems(Environment& environment, const MachineOptions& options, const 
     Problems& problems)
 {
     // Where none answers nothing is known, which is not that nothing differs.
-    const bool allowsMissing = options.allowsMissing
-        && !std::ranges::all_of(run.drives, &MachineDriveRun::isMissing);
+    const bool allowsMissing =
+        options.allowsMissing && !std::ranges::all_of(run.drives, &MachineDriveRun::isMissing);
     for (const MachineDriveRun& drive : run.drives) {
         if (drive.isMissing() && allowsMissing)
             environment.warn(

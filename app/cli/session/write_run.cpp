@@ -204,8 +204,8 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
         WriteRequest request = writes[n].request;
         if (isDryRun)
             request.takenSlots = taken;
-        auto outcome = writeOne(
-            environment, session, writes[n].axis, request, isDryRun, {names, n});
+        auto outcome =
+            writeOne(environment, session, writes[n].axis, request, isDryRun, {names, n});
         if (!outcome && isDryRun)
             return fail(outcome.error());
         if (!outcome) {

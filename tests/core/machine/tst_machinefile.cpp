@@ -122,9 +122,9 @@ private Q_SLOTS:
     void twoPortsOrSchemesOfOneHostAreTwoDrives()
     {
         const auto withEndpoints = [](const std::string& one, const std::string& other) {
-            return "version = 1\n[[drive]]\nendpoint = \"" + one + "\"\nserial = 6\n[[drive.axis]]\n"
-                + axisX + "[[drive]]\nendpoint = \"" + other + "\"\nserial = 7\n[[drive.axis]]\n"
-                + axisX;
+            return "version = 1\n[[drive]]\nendpoint = \"" + one
+                + "\"\nserial = 6\n[[drive.axis]]\n" + axisX + "[[drive]]\nendpoint = \"" + other
+                + "\"\nserial = 7\n[[drive.axis]]\n" + axisX;
         };
         QVERIFY(readMachine(withEndpoints("http://a:8080", "http://a:8081")).machine);
         QVERIFY(readMachine(withEndpoints("http://a", "https://a")).machine);

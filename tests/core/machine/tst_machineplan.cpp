@@ -296,8 +296,8 @@ private Q_SLOTS:
         bench.drive.reboot();
         QVERIFY(!bench.compensator.status(0)->setup.slot.empty());
         QVERIFY(!bench.compensator.status(0)->table.has_value());
-        const auto snapshot = snapshotDrive(bench.compensator, drivecomm::genericProfile(),
-            machine.context.storeRoot, "demo:", {});
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
         VERIFY_RESULT(snapshot);
         machine.drive = snapshot->drive;
         machine.tables.assign(machine.drive.axes.size(), {});
@@ -320,27 +320,25 @@ private Q_SLOTS:
         machine.drive.axes[1].axis = "1";
         machine.drive.axes.push_back(machine.drive.axes[0]);
         machine.drive.axes[2].axis = "Q";
-        machine.tables.assign(3, machine.tables[0]);
+        machine.tables = std::vector(3, machine.tables[0]);
         machine.tables[1].table->unit = "deg"; // the axes are in mm
         VERIFY_RESULT(machine.bench.compensator.write(0, test::exampleRequest()));
         const auto plan = machine.plan();
         VERIFY_RESULT(plan);
         DriveMetrics metrics;
         metrics.endpoint = "demo:";
-        auto summary =
-            summarizeDrive(machine.bench.compensator, machine.context.storeRoot, {});
+        auto summary = summarizeDrive(machine.bench.compensator, machine.context.storeRoot, {});
         VERIFY_RESULT(summary);
         metrics.summary = *std::move(summary);
         addComparison(*plan, metrics);
         const std::string text = openMetrics(std::vector{metrics});
         const std::string drive = R"({endpoint="demo:",drive="Test-1",serial="4711",)";
-        for (const std::string& line :
-            {"axiscomp_axis_differs" + drive + R"(axis="0",name="X"} 0)",
-                "axiscomp_axis_comparable" + drive + R"(axis="0",name="X"} 1)",
-                "axiscomp_axis_differs" + drive + R"(axis="1",name="Y"} 1)",
-                "axiscomp_axis_comparable" + drive + R"(axis="1",name="Y"} 0)",
-                "axiscomp_axis_differs" + drive + R"(name="Q"} 1)",
-                "axiscomp_axis_comparable" + drive + R"(name="Q"} 0)"})
+        for (const std::string& line : {"axiscomp_axis_differs" + drive + R"(axis="0",name="X"} 0)",
+                 "axiscomp_axis_comparable" + drive + R"(axis="0",name="X"} 1)",
+                 "axiscomp_axis_differs" + drive + R"(axis="1",name="Y"} 1)",
+                 "axiscomp_axis_comparable" + drive + R"(axis="1",name="Y"} 0)",
+                 "axiscomp_axis_differs" + drive + R"(name="Q"} 1)",
+                 "axiscomp_axis_comparable" + drive + R"(name="Q"} 0)"})
             QVERIFY2(text.find(line + "\n") != std::string::npos, (line + "\n" + text).c_str());
         // Named a second time, by its name.
         machine.drive.axes[2].axis = "X";
@@ -383,8 +381,8 @@ private Q_SLOTS:
         request.table->grid.axes[0].start = 9.26409106271656;
         request.table->grid.axes[0].distance = 1.2607628851577706;
         VERIFY_RESULT(bench.compensator.write(0, request));
-        const auto snapshot = snapshotDrive(bench.compensator, drivecomm::genericProfile(),
-            machine.context.storeRoot, "demo:", {});
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
         VERIFY_RESULT(snapshot);
         const MachineAxis& axis = snapshot->drive.axes.at(0);
         QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
@@ -393,8 +391,8 @@ private Q_SLOTS:
         std::ofstream(machine.context.folder / axis.file, std::ios::binary)
             << std::string(asText(snapshot->files.at(0).bytes));
         machine.drive = snapshot->drive;
-        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}},
-            machine.context.folder, drivecomm::genericProfile().layout)
+        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}}, machine.context.folder,
+            drivecomm::genericProfile().layout)
                              .front();
         const auto plan = machine.plan();
         VERIFY_RESULT(plan);

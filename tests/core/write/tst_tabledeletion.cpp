@@ -182,8 +182,8 @@ private Q_SLOTS:
         QCOMPARE(c.text(tableOfX), std::string("Disabled"));
     }
 
-    /// As after a reboot that took a volatile table: a backup of it finds everything there, and only
-    /// a deletion takes the name away.
+    /// As after a reboot that took a volatile table: a backup of it finds everything there, and
+    /// only a deletion takes the name away.
     void aNameWithoutATableIsNoDifferenceToABackup()
     {
         Fixture c(Persistency::Volatile);
