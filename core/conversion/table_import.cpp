@@ -32,6 +32,15 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
     }
 }
 
+/// A distance that is computed from positions is not the same to the last bit.
+void keepSpans(Grid& grid, const Grid& kept)
+{
+    for (std::size_t n = 0; n < std::min(grid.axes.size(), kept.axes.size()); ++n) {
+        grid.axes[n].start = kept.axes[n].start;
+        grid.axes[n].distance = kept.axes[n].distance;
+    }
+}
+
 class Import {
 public:
     explicit Import(const TableImportRequest& request) : m_request(request) { }
@@ -65,7 +74,8 @@ private:
     void readOther();
     void take(CalibrationData data);
     void refuseIncomplete();
-    void convert(const std::vector<NeutralTable>& tables);
+    void convert(const std::vector<NeutralTable>& tables, const Grid* kept = nullptr);
+    [[nodiscard]] bool keepsPositions(const NeutralTable& table) const;
     [[nodiscard]] Result<CompensationTable> converted(const NeutralTable& column);
     void keepName(CompensationTable& table);
     void refuse(const Error& error) { m_result.refusal = error; }
@@ -114,7 +124,8 @@ void Import::take(CalibrationData data)
     stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
     if (m_request.choices.isConversion()) {
-        convert(separateColumns(std::vector{neutralTable(data)}));
+        const std::vector tables{neutralTable(data)};
+        convert(separateColumns(tables), keepsPositions(tables.front()) ? &data.grid : nullptr);
         return;
     }
     for (CompensationTable& table : data.tables)
@@ -229,7 +240,16 @@ void Import::keepName(CompensationTable& table)
         table.name = name + " (" + std::to_string(n) + ')';
 }
 
-void Import::convert(const std::vector<NeutralTable>& tables)
+/// What is stated of a table for the drive, as its target, moves none of its positions.
+bool Import::keepsPositions(const NeutralTable& table) const
+{
+    const ImportChoices& choices = m_request.choices;
+    return choices.sign.value_or(table.sign) == calibration_csv::format().facts.sign
+        && choices.resampling.kind == ResamplingChoice::Kind::None;
+}
+
+/// kept: the even grid that the tables have, and keep; null: they get one.
+void Import::convert(const std::vector<NeutralTable>& tables, const Grid* kept)
 {
     m_result.sourceAxes = static_cast<int>(tables.front().axes.size());
     for (const NeutralTable& table : tables) {
@@ -250,6 +270,8 @@ void Import::convert(const std::vector<NeutralTable>& tables)
         auto one = converted(table);
         if (!one)
             return refuse(one.error());
+        if (kept)
+            keepSpans(one->grid, *kept);
         data.tables.push_back(*std::move(one));
     }
     data.grid = data.tables.front().grid;

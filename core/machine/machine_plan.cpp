@@ -150,6 +150,7 @@ Result<void> DrivePlanner::planAxis(
             axis.sources->empty() ? std::vector<std::string>{std::string()} : *axis.sources;
     if (axis.file.empty()) {
         request.withoutTable = true;
+        request.leavesEmptySlot = true;
         request.dimensionality = static_cast<int>(std::max<std::size_t>(1,
             axis.sources ? request.sources.size()
                          : static_cast<std::size_t>(plan.before.setup.dimensionality)));

@@ -5,6 +5,7 @@
 #include "core/table/position_unit.h"
 #include "core/text/edit_distance.h"
 #include "core/text/number_text.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
@@ -26,6 +27,7 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace axiscomp {
 
@@ -51,6 +53,37 @@ std::string writtenText(const toml::node& node)
     if (const auto flag = node.value_exact<bool>())
         return *flag ? "true" : "false";
     return node.is_array() ? "[...]" : node.is_table() ? "{...}" : "...";
+}
+
+std::string lowerCase(std::string_view text)
+{
+    std::string letters(text);
+    std::ranges::transform(letters, letters.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return letters;
+}
+
+/// Where a drive is, whichever way its address is written: without a user, what is usual, and how
+/// fast a serial port is. Addresses are read where they are used.
+std::string placeOf(std::string_view endpoint)
+{
+    const std::string_view text = trimmed(endpoint);
+    const std::string letters = lowerCase(text);
+    if (letters.starts_with("serial:"))
+        return "serial:" + std::string(text.substr(7, text.find('?') - 7));
+    for (const auto& [scheme, port] : {std::pair{std::string_view("http://"), ":80"},
+             std::pair{std::string_view("https://"), ":443"}}) {
+        if (!letters.starts_with(scheme))
+            continue;
+        std::string host = letters.substr(scheme.size());
+        host.erase(0, host.rfind('@') + 1);
+        if (host.ends_with('/'))
+            host.pop_back();
+        if (host.ends_with(port))
+            host.resize(host.size() - std::string_view(port).size());
+        return std::string(scheme) + host;
+    }
+    return letters == "demo" ? "demo:" : std::string(text);
 }
 
 /// One table of the file: its entries are asked for by their keys, and what was not asked for is
@@ -270,7 +303,7 @@ void MachineReader::readDrive(const toml::table& table)
     m_slots.clear();
     const toml::node* endpoint = entries.need("endpoint");
     drive.endpoint = entries.textOf(endpoint).value_or(std::string());
-    claim(entries, endpoint, drive.endpoint, m_endpoints,
+    claim(entries, endpoint, placeOf(drive.endpoint), m_endpoints,
         AXISCOMP_TEXT("Problem", "{name} is a drive in line {line} already"));
     if (const toml::node* serial = entries.need("serial")) {
         const auto number = serial->value_exact<std::int64_t>();
@@ -422,10 +455,7 @@ void MachineReader::readAxis(const toml::table& table, MachineDrive& drive)
         axis.persistency = Persistency::Persistent;
     const toml::node* slot = entries.find("slot");
     axis.slot = entries.textOf(slot).value_or(std::string());
-    std::string letters = axis.slot;
-    std::ranges::transform(letters, letters.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    claim(entries, slot, letters, m_slots,
+    claim(entries, slot, lowerCase(axis.slot), m_slots,
         AXISCOMP_TEXT("Problem", "slot {name} is taken by the axis in line {line}"));
     axis.isActive = entries.flag("active");
     readTolerance(entries, axis);

@@ -94,6 +94,7 @@ private:
     void addAxis(const Labels& labels, const AxisSummary& row);
     void addStatus(const Labels& labels, const AxisStatus& status);
     void addProof(const Labels& labels, const Result<Proof>& proof);
+    void addComparison(const Labels& labels, std::optional<bool> differs);
 
     Family m_up{"axiscomp_drive_up", "1: the drive answered, 0: it did not."};
     Family m_axes{"axiscomp_drive_axes", "Axes of the drive."};
@@ -112,7 +113,10 @@ private:
     Family m_unfinished{"axiscomp_axis_unfinished_write", "1: a write did not end."};
     Family m_lastWrite{
         "axiscomp_axis_last_write_timestamp_seconds", "When this computer last wrote to the axis."};
-    Family m_differs{"axiscomp_axis_differs", "1: the axis differs from the machine file."};
+    Family m_differs{"axiscomp_axis_differs",
+        "1: the axis differs from the machine file, or cannot be compared with it."};
+    Family m_comparable{
+        "axiscomp_axis_comparable", "1: the axis could be compared with the machine file."};
     Family m_proved{
         "axiscomp_axis_proof_passed", "1: the output was compared with the table and is right."};
     Family m_provedShare{"axiscomp_axis_proof_share", "Share of the table that was seen, 0 to 1."};
@@ -160,6 +164,13 @@ void Metrics::addProof(const Labels& labels, const Result<Proof>& proof)
     m_difference.add(labels, proof->largestDifference);
 }
 
+/// Whoever watches for differences must also hear of an axis of which nobody knows.
+void Metrics::addComparison(const Labels& labels, std::optional<bool> differs)
+{
+    m_differs.add(labels, differs.value_or(true) ? 1 : 0);
+    m_comparable.add(labels, differs ? 1 : 0);
+}
+
 void Metrics::addAxis(const Labels& labels, const AxisSummary& row)
 {
     if (!row.status && !row.problem)
@@ -190,23 +201,41 @@ void Metrics::add(const DriveMetrics& drive)
         ofAxis.emplace_back("name", row.axis.name);
         addAxis(ofAxis, row);
         if (const auto known = drive.differs.find(row.axis.index); known != drive.differs.end())
-            m_differs.add(ofAxis, known->second ? 1 : 0);
+            addComparison(ofAxis, known->second);
         if (const auto proof = drive.proofs.find(row.axis.index); proof != drive.proofs.end())
             addProof(ofAxis, proof->second);
+    }
+    for (const std::string& name : drive.unfoundAxes) {
+        Labels ofAxis = labels;
+        ofAxis.emplace_back("name", name);
+        addComparison(ofAxis, std::nullopt);
     }
 }
 
 std::string Metrics::text() const
 {
     std::string text;
-    for (const Family* family : {&m_up, &m_axes, &m_flashLeft, &m_flashCycles, &m_readable,
-             &m_state, &m_output, &m_homed, &m_fault, &m_table, &m_persistent, &m_crc,
-             &m_unfinished, &m_lastWrite, &m_differs, &m_proved, &m_provedShare, &m_difference})
+    for (const Family* family :
+        {&m_up, &m_axes, &m_flashLeft, &m_flashCycles, &m_readable, &m_state, &m_output, &m_homed,
+            &m_fault, &m_table, &m_persistent, &m_crc, &m_unfinished, &m_lastWrite, &m_differs,
+            &m_comparable, &m_proved, &m_provedShare, &m_difference})
         text += family->text();
     return text + "# EOF\n";
 }
 
 } // namespace
+
+void addComparison(const DrivePlan& plan, DriveMetrics& metrics)
+{
+    for (const AxisPlan& axis : plan.axes) {
+        if (axis.axis < 0)
+            metrics.unfoundAxes.push_back(axis.name);
+        else if (axis.problem)
+            metrics.differs[axis.axis] = std::nullopt; // also where it is named a second time
+        else
+            metrics.differs.emplace(axis.axis, axis.differs());
+    }
+}
 
 std::string openMetrics(std::span<const DriveMetrics> drives)
 {

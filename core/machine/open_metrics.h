@@ -4,11 +4,13 @@
 #include "core/axis/proof.h"
 #include "core/base/result.h"
 #include "core/compensator/drive_summary.h"
+#include "core/machine/machine_plan.h"
 
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace axiscomp {
 
@@ -16,9 +18,14 @@ namespace axiscomp {
 struct DriveMetrics {
     std::string endpoint; ///< without a password
     std::optional<DriveSummary> summary; ///< none: the drive does not answer as it should
-    std::map<int, bool> differs; ///< by axis: from a machine file
+    /// By axis: from a machine file. None: it cannot be compared.
+    std::map<int, std::optional<bool>> differs;
+    std::vector<std::string> unfoundAxes; ///< that the machine file names and the drive has not
     std::map<int, Result<Proof>> proofs; ///< by axis: made now
 };
+
+/// Takes up how the axes compare with the machine file.
+void addComparison(const DrivePlan& plan, DriveMetrics& metrics);
 
 /// OpenMetrics 1.0 text, in which every metric is a gauge, so that collectors of the older
 /// Prometheus text format read it too (docs/machine-file.md, "metrics").

@@ -5,6 +5,7 @@
 #include "core/compensator/axis_operations.h"
 #include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
+#include "core/drive/axis_target.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
@@ -133,11 +134,15 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
     axis.persistency = status.table->persistent ? Persistency::Persistent : Persistency::Volatile;
     axis.isActive = status.isOn();
     axis.acceptsLarge = !largeCorrections(table).empty(); // the drive has it
+    const bool isTamTable = file.name.ends_with(".TAMtbl");
     // Where a file says no unit, its numbers are the drive's own.
     if (table.unit.empty())
         axis.choices.units.values = "drive";
-    else if (file.name.ends_with(".TAMtbl"))
+    else if (isTamTable)
         axis.choices.units = statedUnits(table);
+    // Nor does it say what it corrects, and its name may be that of another axis.
+    if (isTamTable)
+        axis.choices.target = axisTarget(m_profile, status.axis.index, sourcePaths(status.setup));
     m_result.files.push_back(std::move(file));
     return {};
 }

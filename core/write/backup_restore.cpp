@@ -30,6 +30,31 @@ const RegisterWrite* registerAt(const AxisBackup& backup, const std::string& pat
     return found == backup.registers.end() ? nullptr : &*found;
 }
 
+Error invalidBackup(Text reason)
+{
+    return {ErrorCode::InvalidBackup,
+        {{"file", AXISCOMP_TEXT("Error", "the backup")}, {"reason", std::move(reason)}}, {}};
+}
+
+/// That the backup says which table the axis had. An empty slot has a file without bytes in it: one
+/// that has no file at all was edited, and says nothing of the table.
+Result<void> checkTableKept(const RegisterAccess& access, const AxisBackup& backup)
+{
+    const RegisterWrite* table =
+        registerAt(backup, access.axisPath(access.registers().table, backup.axis));
+    if (!table)
+        return fail(invalidBackup(
+            AXISCOMP_TEXT("Error", "axis {axis} has no Table register").with("axis", backup.axis)));
+    const std::string name = toText(table->value);
+    if (!access.profile().slotNamed(name)
+        || std::ranges::find(backup.files, name, &AxisBackup::File::slot) != backup.files.end())
+        return {};
+    return fail(invalidBackup(
+        AXISCOMP_TEXT("Error", "axis {axis} used {slot}, and the file of this slot is missing")
+            .with("axis", backup.axis)
+            .with("slot", name)));
+}
+
 /// The table file that the axis used when the backup was made.
 const AxisBackup::File* usedFile(const RegisterAccess& access, const AxisBackup& backup)
 {
@@ -226,12 +251,7 @@ Result<void> checkRestorable(
                         AXISCOMP_TEXT("Error", "{number} to {number2}")
                             .with("number", 0)
                             .with("number2", drive.axes - 1)}});
-        if (!registerAt(axis, access.axisPath(access.registers().table, axis.axis)))
-            return fail(ErrorCode::InvalidBackup,
-                {{"file", AXISCOMP_TEXT("Error", "the backup")},
-                    {"reason",
-                        AXISCOMP_TEXT("Error", "axis {axis} has no Table register")
-                            .with("axis", axis.axis)}});
+        AXISCOMP_CHECK(checkTableKept(access, axis));
     }
     return {};
 }
@@ -253,6 +273,7 @@ Result<WriteRequest> restoreRequest(
         // The slot that the axis named held nothing, and may hold somebody else's table by now.
         request.withoutTable = true;
         request.dimensionality = mostDimensions;
+        AXISCOMP_TRY(request.leavesEmptySlot, holdsRegisters(access, backup.registers));
     }
     request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
     const auto missing = std::ranges::find(request.sources, std::string());

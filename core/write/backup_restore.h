@@ -19,7 +19,8 @@ namespace axiscomp {
 [[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
     const DriveIdentity& drive, SourceDirectory& sources, WallTime now);
 
-/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive.
+/// OtherDrive unless force, AxisNotFound when the backup has more axes than the drive,
+/// InvalidBackup when it does not say which table an axis had.
 [[nodiscard]] Result<void> checkRestorable(const RegisterAccess& access, const DriveBackup& backup,
     const DriveIdentity& drive, bool force);
 

@@ -85,7 +85,7 @@ Result<void> WritePlanner::decideDeletion(const WriteRequest& request)
     const TableSlot* slot = m_access.profile().slotNamed(name);
     if (!slot)
         return fail(ErrorCode::NoTable, {{"axis", m_axis}, {"deleting", Verbatim{"table"}}});
-    AXISCOMP_CHECK(decideNoTable());
+    AXISCOMP_CHECK(decideNoTable(request));
     m_write.slot = *slot;
     AXISCOMP_TRY(auto user, otherUser(name));
     if (!user.isEmpty())

@@ -39,6 +39,9 @@ struct WriteRequest {
     /// For others that are planned together with this one, each with who that is.
     std::map<std::string, Text> takenSlots = {};
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
+    /// withoutTable: an axis that names an empty slot, as after a reboot that took a volatile
+    /// table, has no table already.
+    bool leavesEmptySlot = false;
     bool deletesTable =
         false; ///< withoutTable, and its slot (or `slot`) is emptied: deletionRequest
     /// The side of the compensation for which the table was made; none: not known. A source on the

@@ -177,7 +177,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     if (request.deletesTable) {
         decided = decideDeletion(request);
     } else if (request.withoutTable) {
-        decided = decideNoTable();
+        decided = decideNoTable(request);
     } else {
         AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
         decided = decideTable(converted);
@@ -402,11 +402,32 @@ Result<void> WritePlanner::checkTargetName(const CompensationTable& table, Table
     return fail(std::move(error));
 }
 
-Result<void> WritePlanner::decideNoTable()
+/// Whether the axis, which names an empty slot, may stay as it is: nothing else has to be written,
+/// and a reboot brings no table back.
+Result<bool> WritePlanner::hasNoTable(const WriteRequest& request) const
+{
+    const WritePlan& plan = m_write.plan;
+    const std::string& slot = plan.before.slot;
+    if (!request.leavesEmptySlot || m_status.table || !m_access.profile().slotNamed(slot)
+        || plan.before.sources != plan.after.sources)
+        return false;
+    const auto saved = std::ranges::find(m_saved.uses, m_axis, &SavedState::Use::axis);
+    if (m_saved.isCovered(slot) || (saved != m_saved.uses.end() && saved->slot != slot))
+        return false;
+    AXISCOMP_TRY(const auto unfinished, m_store.journal(m_drive.serialNumber, m_axis));
+    return !unfinished.has_value();
+}
+
+Result<void> WritePlanner::decideNoTable(const WriteRequest& request)
 {
     WritePlan& plan = m_write.plan;
-    AXISCOMP_TRY(m_returningSlot, returningSlot());
     plan.slotReason = SlotReason::KeepTable;
+    AXISCOMP_TRY(const bool isSettled, hasNoTable(request));
+    if (isSettled) {
+        plan.after = plan.before;
+        return {};
+    }
+    AXISCOMP_TRY(m_returningSlot, returningSlot());
     plan.after.slot.clear();
     plan.after.tableCrc = 0;
     plan.after.persistency = Persistency::Volatile;
@@ -420,9 +441,10 @@ Result<void> WritePlanner::decideNoTable()
 
 std::string WritePlanner::currentTable() const
 {
-    return m_status.table
-        ? tableText(m_status.setup.slot, m_status.table->grid, m_status.table->crc)
-        : "none";
+    const std::string& slot = m_status.setup.slot;
+    if (m_status.table)
+        return tableText(slot, m_status.table->grid, m_status.table->crc);
+    return slot.empty() ? "none" : slot + ", empty";
 }
 
 Result<void> WritePlanner::decideTable(const WriteRequest& request)
@@ -642,7 +664,7 @@ void WritePlanner::listChanges()
             plan.changes.push_back({"Dim" + std::to_string(n + 1) + "Source",
                 sourceText(m_drive.name, before), sourceText(m_drive.name, after)});
     }
-    if (plan.after.slot.empty())
+    if (plan.after.slot.empty() || (!plan.table && !m_status.table))
         return;
     if (plan.before.persistency != plan.after.persistency || !m_status.table)
         plan.changes.push_back(

@@ -62,7 +62,8 @@ private:
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
-    [[nodiscard]] Result<void> decideNoTable();
+    [[nodiscard]] Result<void> decideNoTable(const WriteRequest& request);
+    [[nodiscard]] Result<bool> hasNoTable(const WriteRequest& request) const;
     [[nodiscard]] Result<std::string> slotToDelete(const WriteRequest& request);
     [[nodiscard]] Result<std::string> returningSlot() const;
     [[nodiscard]] Result<void> decideDeletion(const WriteRequest& request);

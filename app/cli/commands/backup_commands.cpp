@@ -6,6 +6,7 @@
 #include "app/cli/output/write_text.h"
 #include "app/cli/session/write_run.h"
 #include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
 #include "core/io/local_file.h"
 
 namespace axiscomp::app {
@@ -127,10 +128,20 @@ Json showRestored(Environment& environment, const RestoreReport& done)
     return list;
 }
 
+Result<DriveBackup> readGivenBackup(Environment& environment, const std::string& file)
+{
+    if (file == standardStream) {
+        AXISCOMP_TRY(
+            const auto text, readStandardInput(environment.interrupt(), maximumBackupSize));
+        return readBackup(text, "standard input");
+    }
+    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(file), maximumBackupSize));
+    return readBackup(asText(bytes), file);
+}
+
 Result<ExitCode> runRestore(Environment& environment, const BackupOptions& options)
 {
-    AXISCOMP_TRY(const auto bytes, loadFile(pathFromText(options.file), maximumBackupSize));
-    AXISCOMP_TRY(const auto backup, readBackup(asText(bytes), options.file));
+    AXISCOMP_TRY(const auto backup, readGivenBackup(environment, options.file));
     return withDrive(
         environment, options.drive, [&](Environment&, CommandSession& session) -> Result<ExitCode> {
             AXISCOMP_TRY(auto shown, showPlans(environment, session, backup, options.force));
@@ -182,8 +193,8 @@ void addBackupCommands(CommandLine& line)
             "first"),
         [restoring](Environment& environment) { return runRestore(environment, *restoring); });
     restore
-        ->add_option(
-            "FILE", restoring->file, AXISCOMP_HELP("Help", "File that `axiscomp backup` wrote"))
+        ->add_option("FILE", restoring->file,
+            AXISCOMP_HELP("Help", "File that `axiscomp backup` wrote; - for standard input"))
         ->required();
     addDriveOptions(*restore, restoring->drive);
     restore->add_flag("--force", restoring->force,

@@ -9,6 +9,7 @@
 #include "app/common/text_table.h"
 #include "core/machine/machine_texts.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -90,10 +91,14 @@ std::string placeOf(const MachineDriveRun& drive, const PlanProblem& problem)
 void addProblems(Environment& environment, const MachineOptions& options, const MachineRun& run,
     Problems& problems)
 {
+    // Where none answers nothing is known, which is not that nothing differs.
+    const bool allowsMissing =
+        options.allowsMissing && !std::ranges::all_of(run.drives, &MachineDriveRun::isMissing);
     for (const MachineDriveRun& drive : run.drives) {
-        if (drive.isMissing() && options.allowsMissing)
-            environment.warn(placeOf(drive) + " does not answer and is left out");
-        for (const PlanProblem& problem : drive.problems(options.allowsMissing))
+        if (drive.isMissing() && allowsMissing)
+            environment.warn(
+                placeOf(drive) + " is left out: " + singleLine(sentence(*drive.problem)));
+        for (const PlanProblem& problem : drive.problems(allowsMissing))
             if (!problem.isObstacle)
                 problems.add(placeOf(drive, problem), problem.error);
     }
@@ -198,7 +203,8 @@ Result<ExitCode> runApply(Environment& environment, const MachineOptions& option
     environment.document(runJson(options, run));
     if (problems.code() != ExitCode::Done)
         environment.console().note(
-            "note: what failed is done again by the same command; the rest is there already");
+            "note: the same command does again what failed, and continues with what was not "
+            "written; the rest is there already");
     return problems.code();
 }
 

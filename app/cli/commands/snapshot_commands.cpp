@@ -11,9 +11,11 @@
 #include "core/io/local_file.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
+#include "drivecomm/link/drive_endpoint.h"
 
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace axiscomp::app {
 
@@ -86,11 +88,26 @@ Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& op
     return ExitCode::Done;
 }
 
+/// Addresses are labels: one that is there twice would give two samples of one name.
+Result<void> checkEndpoints(const MetricsOptions& options, const MachineRun& run)
+{
+    std::set<std::string> known;
+    for (const MachineDriveRun& drive : run.drives) {
+        AXISCOMP_TRY(const auto endpoint, drivecomm::parseEndpoint(drive.wanted.endpoint));
+        if (!known.insert(drivecomm::displayText(endpoint)).second)
+            return wrongUsage("the drive at " + drivecomm::displayText(endpoint)
+                    + " is named twice; name each drive once",
+                options.machine.drive.command);
+    }
+    return {};
+}
+
 /// The drives of the machine file and how they differ, or those of --drive.
 Result<MachineRun> metricsRun(Environment& environment, const MetricsOptions& options)
 {
     if (!options.machine.file.empty()) {
         AXISCOMP_TRY(auto run, beginMachineRun(environment, options.machine));
+        AXISCOMP_CHECK(checkEndpoints(options, run));
         planMachine(environment, options.machine, run);
         return run;
     }
@@ -101,6 +118,7 @@ Result<MachineRun> metricsRun(Environment& environment, const MetricsOptions& op
         run.drives.back().wanted.endpoint = endpoint;
         run.drives.back().endpoint = shownEndpoint(endpoint);
     }
+    AXISCOMP_CHECK(checkEndpoints(options, run));
     return run;
 }
 
@@ -118,10 +136,18 @@ Result<void> collect(Environment& environment, const MetricsOptions& options,
             metrics.proofs.emplace(row.axis.index,
                 session->compensator().prove(
                     row.axis.index, proofSamples, session->quietOperation()));
-    for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
-        if (!axis.problem)
-            metrics.differs.emplace(axis.axis, axis.differs());
+    if (drive.plan)
+        addComparison(*drive.plan, metrics);
     return {};
+}
+
+void warnOfAxes(Environment& environment, const MachineDriveRun& drive)
+{
+    for (const AxisPlan& axis : drive.plan ? drive.plan->axes : std::vector<AxisPlan>())
+        if (axis.problem)
+            environment.warn(drive.endpoint + ", axis " + axis.name
+                + ": cannot be compared with the machine file: "
+                + singleLine(sentence(*axis.problem)));
 }
 
 /// A drive that does not answer is a metric, not an error.
@@ -137,10 +163,12 @@ Result<ExitCode> runMetrics(Environment& environment, const MetricsOptions& opti
         metrics[index].endpoint = run.drives[index].endpoint;
         collected[index] = collect(environment, options, run.drives[index], metrics[index]);
     });
-    for (std::size_t index = 0; index < metrics.size(); ++index)
+    for (std::size_t index = 0; index < metrics.size(); ++index) {
         if (!collected[index])
             environment.warn(
                 metrics[index].endpoint + ": " + singleLine(sentence(collected[index].error())));
+        warnOfAxes(environment, run.drives[index]);
+    }
     if (environment.stopToken().stop_requested())
         return fail(ErrorCode::Cancelled);
     AXISCOMP_CHECK(writeOutput(environment, output, asBytes(openMetrics(metrics))));

@@ -32,8 +32,14 @@ std::string_view driveHolds(ErrorCode code)
     }
 }
 
-Result<WriteReport> carryOut(
-    Environment& environment, CommandSession& session, int axis, const WriteRequest& request)
+/// Which of several writes one is; of one that is alone there are no names.
+struct WriteTurn {
+    std::span<const std::string> names;
+    std::size_t number = 0;
+};
+
+Result<WriteReport> carryOut(Environment& environment, CommandSession& session, int axis,
+    const WriteRequest& request, const WriteTurn& turn)
 {
     const WriteInterruption interruption(environment);
     StepLog log(environment);
@@ -52,7 +58,54 @@ Result<WriteReport> carryOut(
     if (report.error().code == ErrorCode::NothingToWrite)
         return report;
     log.failed();
-    return fail(withHeld(environment, report.error()));
+    // What is said of the drive depends on what was written before.
+    Error error = std::move(report).error();
+    if (!turn.names.empty())
+        error = ofSeveral(std::move(error), turn.names, turn.number);
+    return fail(withHeld(environment, std::move(error)));
+}
+
+/// writeAndReport for one of several.
+Result<WriteOutcome> writeOne(Environment& environment, CommandSession& session, int axis,
+    const WriteRequest& request, bool isDryRun, const WriteTurn& turn)
+{
+    AXISCOMP_TRY(const auto before, settledStatus(environment, session, axis));
+    const auto plan = session.compensator().plan(axis, request, session.operation());
+    environment.console().clearProgress();
+    if (!plan)
+        return fail(plan.error());
+    environment.print(planText(*plan, before.status.axis));
+    for (const Text& remark : plan->unitRemarks)
+        environment.console().note("note: " + remark.english());
+    for (const Text& warning : plan->warnings)
+        environment.warn(warning.english());
+    for (const Text& large : plan->largeCorrections)
+        environment.warn(large.english());
+    if (isDryRun && !checkLargeAccepted(*plan, request))
+        environment.warn("Writing this needs --accept-large. Check the unit of the values first.");
+    WriteOutcome outcome{{{"plan", toJson(*plan)}, {"report", nullptr}}, {}};
+    if (isDryRun) {
+        environment.print("\nNothing was written (--dry-run).\n");
+        return outcome;
+    }
+    AXISCOMP_CHECK(checkLargeAccepted(*plan, request));
+
+    WriteRequest asPlanned = request;
+    asPlanned.expected = plan->before;
+    asPlanned.expectedDrive = plan->drive.serialNumber;
+    const auto report = carryOut(environment, session, axis, asPlanned, turn);
+    const bool nothingToDo = !report && report.error().code == ErrorCode::NothingToWrite;
+    if (!report && !nothingToDo)
+        return fail(report.error());
+    if (report) {
+        environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
+        outcome.document["report"] = toJson(*report);
+        outcome.now = report->now;
+    } else {
+        environment.print("Nothing had to be written.\n");
+        outcome.now = before.status;
+    }
+    return outcome;
 }
 
 } // namespace
@@ -133,43 +186,7 @@ void StepLog::end(const char* outcome)
 Result<WriteOutcome> writeAndReport(Environment& environment, CommandSession& session, int axis,
     const WriteRequest& request, bool isDryRun)
 {
-    AXISCOMP_TRY(const auto before, settledStatus(environment, session, axis));
-    const auto plan = session.compensator().plan(axis, request, session.operation());
-    environment.console().clearProgress();
-    if (!plan)
-        return fail(plan.error());
-    environment.print(planText(*plan, before.status.axis));
-    for (const Text& remark : plan->unitRemarks)
-        environment.console().note("note: " + remark.english());
-    for (const Text& warning : plan->warnings)
-        environment.warn(warning.english());
-    for (const Text& large : plan->largeCorrections)
-        environment.warn(large.english());
-    if (isDryRun && !checkLargeAccepted(*plan, request))
-        environment.warn("Writing this needs --accept-large. Check the unit of the values first.");
-    WriteOutcome outcome{{{"plan", toJson(*plan)}, {"report", nullptr}}, {}};
-    if (isDryRun) {
-        environment.print("\nNothing was written (--dry-run).\n");
-        return outcome;
-    }
-    AXISCOMP_CHECK(checkLargeAccepted(*plan, request));
-
-    WriteRequest asPlanned = request;
-    asPlanned.expected = plan->before;
-    asPlanned.expectedDrive = plan->drive.serialNumber;
-    const auto report = carryOut(environment, session, axis, asPlanned);
-    const bool nothingToDo = !report && report.error().code == ErrorCode::NothingToWrite;
-    if (!report && !nothingToDo)
-        return fail(report.error());
-    if (report) {
-        environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
-        outcome.document["report"] = toJson(*report);
-        outcome.now = report->now;
-    } else {
-        environment.print("Nothing had to be written.\n");
-        outcome.now = before.status;
-    }
-    return outcome;
+    return writeOne(environment, session, axis, request, isDryRun, {});
 }
 
 Result<Json> writeSeveral(Environment& environment, CommandSession& session,
@@ -187,7 +204,8 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
         WriteRequest request = writes[n].request;
         if (isDryRun)
             request.takenSlots = taken;
-        auto outcome = writeAndReport(environment, session, writes[n].axis, request, isDryRun);
+        auto outcome =
+            writeOne(environment, session, writes[n].axis, request, isDryRun, {names, n});
         if (!outcome && isDryRun)
             return fail(outcome.error());
         if (!outcome) {

@@ -1568,7 +1568,7 @@ def restore(
 ) -> Document:
     """Restore a whole drive from a backup file, with verified writes; all of them are planned first.
 
-    file: File that `axiscomp backup` wrote
+    file: File that `axiscomp backup` wrote; - for standard input
     drive: ENDPOINT. Address of the drive; $AXISCOMP_DRIVE unless given
     profile: FILE. Drive profile (JSON) in place of the built-in one, generic
     trust_certificate: SHA256. Trust the https certificate with this fingerprint from now on; any other one is

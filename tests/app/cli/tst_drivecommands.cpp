@@ -393,6 +393,22 @@ private Q_SLOTS:
         QCOMPARE(after.value("persistent"), before.value("persistent"));
     }
 
+    void aBackupIsRestoredFromStandardInput()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        VERIFY_CODE(writeLine(box, drive), 0);
+        const ProgramRun backup = box.run(with(drive, {"backup"}));
+        VERIFY_CODE(backup, 0);
+        VERIFY_CODE(box.run(with(drive, {"delete", "--axis", "0"})), 0);
+        const ProgramRun restored = box.run(with(drive, {"restore", "-"}), backup.out);
+        VERIFY_CODE(restored, 0);
+        QVERIFY2(restored.out.contains("Restored axis 0 (X)"), restored.out.constData());
+        const ProgramRun damaged = box.run(with(drive, {"restore", "-"}), "{}");
+        VERIFY_CODE(damaged, 3);
+        QVERIFY2(damaged.err.contains("standard input"), damaged.err.constData());
+    }
+
     void aRestoreThatFailsInTheMiddleSaysWhatIsWritten()
     {
         const Sandbox box;

@@ -209,7 +209,16 @@ private Q_SLOTS:
         QVERIFY(machine.status(machine.one).value("slot").isNull());
         VERIFY_CODE(machine.run({"apply", "--allow-missing"}), 0);
         QVERIFY(!machine.status(machine.one).value("slot").isNull());
-        VERIFY_CODE(machine.run({"plan", "--allow-missing"}), 0);
+        const ProgramRun without = machine.run({"plan", "--allow-missing"});
+        VERIFY_CODE(without, 0);
+        const QByteArray leftOut = machine.two.url().toUtf8() + " (serial number "
+            + QByteArray::number(machine.serialTwo) + ") is left out: ";
+        QVERIFY2(without.err.contains(leftOut + "no connection to"), without.err.constData());
+        // Where none answers nothing was compared.
+        machine.one.process().kill();
+        machine.one.process().waitForFinished(test::patienceMs);
+        VERIFY_CODE(machine.run({"plan", "--allow-missing"}), 5);
+        VERIFY_CODE(machine.run({"apply", "--allow-missing"}), 5);
     }
 
     void whatInterruptsAnApplyTheNextOneContinues_data()
@@ -258,6 +267,29 @@ private Q_SLOTS:
         VERIFY_CODE(box.run({"plan", "machine.toml"}), 0);
         for (int axis = 0; axis < axes; ++axis)
             QVERIFY(hasTable(axis));
+    }
+
+    /// The axes of a drive after the one that fails are not begun.
+    void whatWasNotWrittenIsSaidAndContinuedWith()
+    {
+        const Sandbox box;
+        // The first axis is uploaded and switched over, then the second one is uploaded.
+        const VirtualDriveProcess drive(box, {"--axes", "3", "--fault", "stores-wrong=3"});
+        QByteArray text = "version = 1\n" + driveSection(drive.url(), 100001);
+        for (int axis = 0; axis < 3; ++axis) {
+            const QByteArray name = "table" + QByteArray::number(axis) + ".csv";
+            box.file(name, "P,V\n0,0\n50,0.00" + QByteArray::number(axis + 1) + "\n");
+            text += axisSection(axis, name);
+        }
+        box.file("machine.toml", text);
+        const ProgramRun run = box.run({"apply", "machine.toml"});
+        VERIFY_CODE(run, 6);
+        QCOMPARE(run.out.count("not written"), 1);
+        QVERIFY2(run.err.contains("note: the same command does again what failed, and continues "
+                                  "with what was not written; the rest is there already"),
+            run.err.constData());
+        VERIFY_CODE(box.run({"apply", "machine.toml"}), 0);
+        VERIFY_CODE(box.run({"plan", "machine.toml"}), 0);
     }
 
     void aSlotThatIsNamedIsNotTakenByAnAxisBefore()

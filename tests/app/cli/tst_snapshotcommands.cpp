@@ -180,6 +180,12 @@ private Q_SLOTS:
         QVERIFY(!qIsNaN(metrics.value("axiscomp_axis_proof_largest_difference")));
         QVERIFY(qIsNaN(metrics.value("axiscomp_axis_differs", {"axis=\"0\""})));
 
+        const ProgramRun twice =
+            box.run({"metrics", "--drive", drive.url(), "--drive", drive.url() + "/"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(twice.err.contains("is named twice"), twice.err.constData());
+        QVERIFY(twice.out.isEmpty());
+
         const QStringList ofMachine{"metrics", "--machine", "m/machine.toml"};
         const ParsedMetrics same(box.run(ofMachine).out);
         QCOMPARE(same.value("axiscomp_axis_differs", {"axis=\"0\""}), 0.0);
@@ -187,6 +193,18 @@ private Q_SLOTS:
         const ParsedMetrics drifted(box.run(ofMachine).out);
         QVERIFY2(drifted.problem.isEmpty(), qPrintable(drifted.problem));
         QCOMPARE(drifted.value("axiscomp_axis_differs", {"axis=\"0\""}), 1.0);
+        QCOMPARE(drifted.value("axiscomp_axis_comparable", {"axis=\"0\""}), 1.0);
+
+        QByteArray renamed = box.content("m/machine.toml");
+        QVERIFY(renamed.contains("axis = \"0\""));
+        box.file("m/machine.toml", renamed.replace("axis = \"0\"", "axis = \"Q\""));
+        const ProgramRun unfound = box.run(ofMachine);
+        VERIFY_CODE(unfound, 0);
+        QVERIFY2(unfound.err.contains("axis Q: cannot be compared"), unfound.err.constData());
+        const ParsedMetrics withoutAxis(unfound.out);
+        QVERIFY2(withoutAxis.problem.isEmpty(), qPrintable(withoutAxis.problem));
+        QCOMPARE(withoutAxis.value("axiscomp_axis_differs", {"name=\"Q\""}), 1.0);
+        QCOMPARE(withoutAxis.value("axiscomp_axis_comparable", {"name=\"Q\""}), 0.0);
     }
 };
 

@@ -596,6 +596,25 @@ private Q_SLOTS:
         QVERIFY(bench.status().value("table").isNull());
     }
 
+    void anAxisThatFailsAfterAnotherSaysWhichIsWritten()
+    {
+        // X is uploaded and switched over, then Y is uploaded.
+        const Fixture bench({"--fault", "stores-wrong=3"});
+        bench.box.file(
+            "both.csv", "Position [mm],Y error [mm],X error [mm]\n0,0.001,0.002\n50,0.003,0.004\n");
+        const ProgramRun run = bench.box.run({"write", "--data", "both.csv", "--dims", "1", "--map",
+            "X", "--map", "Y", "--own-position", "--drive", bench.drive.url(), "--json"});
+        VERIFY_CODE(run, 6);
+        QVERIFY2(!run.err.contains("the drive holds the complete old state"), run.err.constData());
+        QVERIFY2(
+            run.err.contains("note: what failed has its complete old state"), run.err.constData());
+        QVERIFY2(run.err.contains("note: written before the error: "), run.err.constData());
+        const QJsonObject context =
+            run.json().value("error").toObject().value("context").toObject();
+        QCOMPARE(context.value("driveHolds").toString(), "old");
+        QVERIFY(!bench.status().value("table").isNull());
+    }
+
     void whatTheDriveRefusesIsPutBack()
     {
         const Fixture bench({"--fault", "reject=TableRefused"});

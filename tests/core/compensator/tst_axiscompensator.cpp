@@ -717,6 +717,37 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.restore(*backup, true));
     }
 
+    /// Registers and files that no longer belong together would take the table off the axis.
+    void aBackupWithoutTheTableThatItNamesIsRefused()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        const AxisBackup& axis = backup->axes[0];
+        QCOMPARE(axis.files.size(), std::size_t{1});
+        const std::string other = axis.files[0].slot == "Small1" ? "Small2" : "Small1";
+        DriveBackup withoutFile = *backup;
+        withoutFile.axes[0].files.clear();
+        DriveBackup otherFile = *backup;
+        otherFile.axes[0].files[0].slot = other;
+        DriveBackup otherTable = *backup;
+        otherTable.axes[0].registers[0].value = other;
+        const auto before = f.state();
+        f.link.forgetChange();
+        for (const DriveBackup& edited : {withoutFile, otherFile, otherTable}) {
+            const auto refused = f.compensator.restore(edited, false);
+            VERIFY_ERROR(refused, ErrorCode::InvalidBackup);
+            const std::string slot = toText(edited.axes[0].registers[0].value);
+            QVERIFY(sentence(refused.error()).find("axis 0 used " + slot) != std::string::npos);
+            VERIFY_ERROR(f.compensator.planRestore(edited, false), ErrorCode::InvalidBackup);
+            VERIFY_ERROR(
+                f.compensator.planRestore(edited.axes[0], false), ErrorCode::InvalidBackup);
+        }
+        QCOMPARE(f.link.firstChange(), 0);
+        QVERIFY(f.state() == before);
+    }
+
     void aBackupOfAnAxisThatTheDriveDoesNotHaveIsRefused()
     {
         CompensatorFixture f; // axes 0 and 1

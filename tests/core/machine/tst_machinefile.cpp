@@ -119,6 +119,19 @@ private Q_SLOTS:
         QVERIFY(axis.slot.empty() && axis.choices == ImportChoices());
     }
 
+    void twoPortsOrSchemesOfOneHostAreTwoDrives()
+    {
+        const auto withEndpoints = [](const std::string& one, const std::string& other) {
+            return "version = 1\n[[drive]]\nendpoint = \"" + one
+                + "\"\nserial = 6\n[[drive.axis]]\n" + axisX + "[[drive]]\nendpoint = \"" + other
+                + "\"\nserial = 7\n[[drive.axis]]\n" + axisX;
+        };
+        QVERIFY(readMachine(withEndpoints("http://a:8080", "http://a:8081")).machine);
+        QVERIFY(readMachine(withEndpoints("http://a", "https://a")).machine);
+        QVERIFY(readMachine(withEndpoints("http://a:443", "http://a:80")).machine);
+        QVERIFY(readMachine(withEndpoints("serial:/dev/ttyS0", "serial:/dev/ttys0")).machine);
+    }
+
     void whatIsWrongIsNamedWithItsPlace_data()
     {
         QTest::addColumn<std::string>("text");
@@ -192,6 +205,17 @@ private Q_SLOTS:
                 + axisX
             << lines({"10:12 Contradiction http://a is a drive in line 3 already|",
                    "11:10 Contradiction serial number 7 is in line 4 already|"});
+        QTest::newRow("an address in two ways")
+            << "version = 1\n[[drive]]\nendpoint = \"http://A:80\"\nserial = 6\n[[drive.axis]]\n"
+                + axisX + "[[drive]]\nendpoint = \"http://me:se@cret@a/\"\nserial = 7\n"
+                + "[[drive.axis]]\n" + axisX
+            << lines({"10:12 Contradiction http://a is a drive in line 3 already|"});
+        QTest::newRow("a port with two rates")
+            << "version = 1\n[[drive]]\nendpoint = \"serial:/dev/ttyS0\"\nserial = 6\n"
+               "[[drive.axis]]\n"
+                + axisX + "[[drive]]\nendpoint = \"serial:/dev/ttyS0?baud=9600\"\nserial = 7\n"
+                + "[[drive.axis]]\n" + axisX
+            << lines({"10:12 Contradiction serial:/dev/ttyS0 is a drive in line 3 already|"});
         QTest::newRow("a key that is there twice")
             << std::string("version = 1\nversion = 1\n") << QStringList();
     }

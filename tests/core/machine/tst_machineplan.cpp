@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/machine_plan.h"
 #include "core/machine/machine_tables.h"
+#include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
 #include "core/table/tam_table.h"
 #include "tests/support/compensator_fixture.h"
@@ -309,6 +310,69 @@ private Q_SLOTS:
         QCOMPARE(two->obstacle->code, ErrorCode::FlashWear);
     }
 
+    /// A reboot has taken the volatile table of an axis whose parameters were saved.
+    void aSnapshotOfAnAxisThatNamesAnEmptySlotIsWhatTheDriveHas()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        VERIFY_RESULT(bench.compensator.write(0, test::exampleRequest()));
+        bench.set("General/Commands/SaveParameters", std::string("Save"));
+        bench.drive.reboot();
+        QVERIFY(!bench.compensator.status(0)->setup.slot.empty());
+        QVERIFY(!bench.compensator.status(0)->table.has_value());
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        machine.drive = snapshot->drive;
+        machine.tables.assign(machine.drive.axes.size(), {});
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->differs());
+        // Other sources are written, and the name goes with that.
+        machine.drive.axes[0].sources = std::vector<std::string>{test::masterX};
+        const auto changed = machine.plan();
+        VERIFY_RESULT(changed);
+        QVERIFY(changed->axes[0].differs());
+        QVERIFY(changed->axes[0].plan.after.slot.empty());
+    }
+
+    /// Neither an axis of another name nor one with another unit vanishes from what is watched.
+    void anAxisThatCannotBeComparedIsAMetric()
+    {
+        Machine machine;
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[1].axis = "1";
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[2].axis = "Q";
+        machine.tables = std::vector(3, machine.tables[0]);
+        machine.tables[1].table->unit = "deg"; // the axes are in mm
+        VERIFY_RESULT(machine.bench.compensator.write(0, test::exampleRequest()));
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        DriveMetrics metrics;
+        metrics.endpoint = "demo:";
+        auto summary = summarizeDrive(machine.bench.compensator, machine.context.storeRoot, {});
+        VERIFY_RESULT(summary);
+        metrics.summary = *std::move(summary);
+        addComparison(*plan, metrics);
+        const std::string text = openMetrics(std::vector{metrics});
+        const std::string drive = R"({endpoint="demo:",drive="Test-1",serial="4711",)";
+        for (const std::string& line : {"axiscomp_axis_differs" + drive + R"(axis="0",name="X"} 0)",
+                 "axiscomp_axis_comparable" + drive + R"(axis="0",name="X"} 1)",
+                 "axiscomp_axis_differs" + drive + R"(axis="1",name="Y"} 1)",
+                 "axiscomp_axis_comparable" + drive + R"(axis="1",name="Y"} 0)",
+                 "axiscomp_axis_differs" + drive + R"(name="Q"} 1)",
+                 "axiscomp_axis_comparable" + drive + R"(name="Q"} 0)"})
+            QVERIFY2(text.find(line + "\n") != std::string::npos, (line + "\n" + text).c_str());
+        // Named a second time, by its name.
+        machine.drive.axes[2].axis = "X";
+        const auto twice = machine.plan();
+        VERIFY_RESULT(twice);
+        DriveMetrics ofTwice;
+        addComparison(*twice, ofTwice);
+        QVERIFY(!ofTwice.differs.at(0).has_value());
+    }
+
     /// A file of a table has no units; the numbers are those that the axis had.
     void aSnapshotOfWhatNoCsvHoldsStatesTheUnits()
     {
@@ -324,6 +388,40 @@ private Q_SLOTS:
         QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
         QCOMPARE(axis.choices.units.values, std::string("mm"));
         QCOMPARE(axis.choices.units.positions, std::string("mm"));
+    }
+
+    /// The table is called as that of another axis, and its distance is none that the positions
+    /// give back to the last bit.
+    void aSnapshotOfWhatNoCsvHoldsIsWhatTheDriveHas()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        WriteRequest request;
+        request.sources = {test::masterX};
+        request.table = test::exampleTable(1, 1, 4);
+        request.table->name = "Y error";
+        request.table->target = "#1";
+        request.table->values.assign(4, 0.001F);
+        request.table->grid.axes[0].start = 9.26409106271656;
+        request.table->grid.axes[0].distance = 1.2607628851577706;
+        VERIFY_RESULT(bench.compensator.write(0, request));
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        const MachineAxis& axis = snapshot->drive.axes.at(0);
+        QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
+        QCOMPARE(axis.choices.target, std::string("#1"));
+        machine.context.folder = bench.folder.path().toStdString();
+        std::ofstream(machine.context.folder / axis.file, std::ios::binary)
+            << std::string(asText(snapshot->files.at(0).bytes));
+        machine.drive = snapshot->drive;
+        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}}, machine.context.folder,
+            drivecomm::genericProfile().layout)
+                             .front();
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->axes.at(0).problem.has_value());
+        QVERIFY(!plan->differs());
     }
 
     /// Index 1 is axis "2": the number alone would be a question.

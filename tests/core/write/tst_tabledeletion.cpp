@@ -182,6 +182,48 @@ private Q_SLOTS:
         QCOMPARE(c.text(tableOfX), std::string("Disabled"));
     }
 
+    /// As after a reboot that took a volatile table: a backup of it finds everything there, and
+    /// only a deletion takes the name away.
+    void aNameWithoutATableIsNoDifferenceToABackup()
+    {
+        Fixture c(Persistency::Volatile);
+        VERIFY_RESULT(
+            c.drive.writeRegisters({{"General/Commands/SaveParameters", std::string("Save")}}));
+        c.drive.reboot();
+        QCOMPARE(c.text(tableOfX), std::string("Small1"));
+        const auto backup = c.compensator.backup();
+        VERIFY_RESULT(backup);
+        c.link.forgetChange();
+        const auto planned = c.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(planned);
+        QVERIFY(planned->axes.front().changes.empty());
+        const auto restored = c.compensator.restore(*backup, false);
+        VERIFY_RESULT(restored);
+        QVERIFY(restored->axes.empty());
+        QCOMPARE(c.link.firstChange(), 0);
+        QCOMPARE(c.text(tableOfX), std::string("Small1"));
+
+        // A table that has come into it is no longer what the backup holds.
+        c.fill("small1", false);
+        const auto filled = c.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(filled);
+        QCOMPARE(filled->axes.front().changes.front().field, std::string("Table"));
+        c.drive.reboot();
+        // Nor is a backup of an axis that named none.
+        DriveBackup ofNone = *backup;
+        ofNone.axes[0].registers[0].value = std::string("Disabled");
+        const auto named = c.compensator.planRestore(ofNone, false);
+        VERIFY_RESULT(named);
+        QCOMPARE(named->axes.front().changes.front().before, std::string("Small1, empty"));
+        QCOMPARE(named->axes.front().changes.front().after, std::string("none"));
+
+        const auto deletion = c.compensator.plan(0, deletionRequest());
+        VERIFY_RESULT(deletion);
+        QCOMPARE(deletion->changes.front().before, std::string("Small1, empty"));
+        VERIFY_RESULT(c.deleteTable());
+        QCOMPARE(c.text(tableOfX), std::string("Disabled"));
+    }
+
     void aCommandThatIsLostIsRepeated()
     {
         Fixture whole;

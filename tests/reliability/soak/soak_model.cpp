@@ -325,13 +325,15 @@ void SoakModel::checkAxis(const Operation& operation, const Ending& ending, int 
     // The slot was empty, and holds somebody else's table by now.
     const bool isTaken = mayBeNew && operation.action == Action::Undo && complete->table.empty()
         && after.now.slots.contains(complete->slot);
+    // It named an empty slot, as the backup does: that is left.
+    const bool isLeft = operation.isRestore() && now == old && now.table.empty();
     const bool isNew = mayBeNew && now.compensatesAs(*complete)
-        && (complete->slot == "Disabled" || isTaken) == (now.slot == "Disabled");
+        && (isLeft || (complete->slot == "Disabled" || isTaken) == (now.slot == "Disabled"));
     learn(axis, old);
     if (mayBeNew)
         learn(axis, *complete);
     if (isNew || isOneOf(now, allowed) || isSwitchedOffInPlace(operation, ending, axis, old, now)) {
-        if (isNew)
+        if (isNew && !isLeft)
             m_owners[now.slot] = axis;
         return;
     }
