@@ -8433,6 +8433,10 @@
         <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
         <translation>das Protokoll entstand aus einer Messung des Antriebs mit der Seriennummer {measured}, und dies ist {found}; den gemessenen Antrieb verbinden, oder, wenn er seitdem ersetzt wurde, in der Datei der Messung die Zeile // drive: berichtigen und damit ein neues Protokoll beginnen</translation>
     </message>
+    <message>
+        <source>axis {axis} used {slot}, and the file of this slot is missing</source>
+        <translation>Achse {axis} hat {slot} benutzt, und die Datei dieses Tabellenplatzes fehlt</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8484,8 +8488,8 @@
         <translation>Einen ganzen Antrieb aus einer Sicherung wiederherstellen, mit verifizierten Schreibvorgängen; zuerst werden alle geplant</translation>
     </message>
     <message>
-        <source>File that `axiscomp backup` wrote</source>
-        <translation>Datei, die `axiscomp backup` geschrieben hat</translation>
+        <source>File that `axiscomp backup` wrote; - for standard input</source>
+        <translation>Datei, die `axiscomp backup` geschrieben hat; - für die Standardeingabe</translation>
     </message>
     <message>
         <source>Restore to a drive with another serial number, such as a replacement</source>

@@ -8433,6 +8433,10 @@
         <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
         <translation>la fiche a été établie d&apos;après une mesure du variateur de numéro de série {measured}, et ceci est {found}&#xa0;; connecter le variateur mesuré, ou, s&apos;il a été remplacé depuis, corriger la ligne // drive: du fichier de la mesure et commencer une nouvelle fiche avec celui-ci</translation>
     </message>
+    <message>
+        <source>axis {axis} used {slot}, and the file of this slot is missing</source>
+        <translation>l&apos;axe {axis} utilisait {slot}, et le fichier de cet emplacement manque</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8484,8 +8488,8 @@
         <translation>Restaurer un variateur entier depuis un fichier de sauvegarde, par des écritures vérifiées&#xa0;; toutes sont d&apos;abord planifiées</translation>
     </message>
     <message>
-        <source>File that `axiscomp backup` wrote</source>
-        <translation>Fichier écrit par `axiscomp backup`</translation>
+        <source>File that `axiscomp backup` wrote; - for standard input</source>
+        <translation>Fichier écrit par `axiscomp backup`&#xa0;; - pour l&apos;entrée standard</translation>
     </message>
     <message>
         <source>Restore to a drive with another serial number, such as a replacement</source>

@@ -8392,6 +8392,10 @@
         <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
         <translation>記録はシリアル番号 {measured} のドライブの測定から作成されたものですが、これは {found} です。測定したドライブを接続するか、その後交換した場合は測定ファイルの行 // drive: を修正し、それで新しい記録を作成してください</translation>
     </message>
+    <message>
+        <source>axis {axis} used {slot}, and the file of this slot is missing</source>
+        <translation>軸 {axis} は {slot} を使用していましたが、このスロットのファイルがありません</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8443,8 +8447,8 @@
         <translation>バックアップファイルからドライブ全体を復元し、書き込みを照合します。先に、すべての書き込みの計画を作成します</translation>
     </message>
     <message>
-        <source>File that `axiscomp backup` wrote</source>
-        <translation>`axiscomp backup` で作成したファイル</translation>
+        <source>File that `axiscomp backup` wrote; - for standard input</source>
+        <translation>`axiscomp backup` で作成したファイル。- は標準入力</translation>
     </message>
     <message>
         <source>Restore to a drive with another serial number, such as a replacement</source>

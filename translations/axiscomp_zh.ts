@@ -8392,6 +8392,10 @@
         <source>the record was made of a measurement of the drive with the serial number {measured}, and this is {found}; connect the drive that was measured, or, where it was replaced since, correct the line // drive: of the measurement&apos;s file and begin a new record with it</source>
         <translation>该档案由序列号为 {measured} 的驱动器的测量建立，而此处为 {found}；请连接所测量的驱动器，若此后已更换，请更正测量文件中的 // drive: 行，并用它另建一个档案</translation>
     </message>
+    <message>
+        <source>axis {axis} used {slot}, and the file of this slot is missing</source>
+        <translation>轴 {axis} 曾使用 {slot}，但缺少该表槽的文件</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -8443,8 +8447,8 @@
         <translation>由备份文件还原整台驱动器，写入均经校验；先为全部写入制定计划</translation>
     </message>
     <message>
-        <source>File that `axiscomp backup` wrote</source>
-        <translation>由 `axiscomp backup` 写出的文件</translation>
+        <source>File that `axiscomp backup` wrote; - for standard input</source>
+        <translation>由 `axiscomp backup` 写出的文件；- 表示标准输入</translation>
     </message>
     <message>
         <source>Restore to a drive with another serial number, such as a replacement</source>
