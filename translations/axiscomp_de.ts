@@ -8437,6 +8437,10 @@
         <source>axis {axis} used {slot}, and the file of this slot is missing</source>
         <translation>Achse {axis} hat {slot} benutzt, und die Datei dieses Tabellenplatzes fehlt</translation>
     </message>
+    <message>
+        <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
+        <translation>das Löschen von {slot} für Achse {axis} lässt sich nur abschließen: die gespeicherten Parameter, die seine Tabelle nach einem Neustart zurückbrächten, sind nicht bekannt; die Sicherung hat die Tabelle</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

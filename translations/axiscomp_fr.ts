@@ -8437,6 +8437,10 @@
         <source>axis {axis} used {slot}, and the file of this slot is missing</source>
         <translation>l&apos;axe {axis} utilisait {slot}, et le fichier de cet emplacement manque</translation>
     </message>
+    <message>
+        <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
+        <translation>la suppression de {slot} pour l&apos;axe {axis} ne peut être que terminée&#xa0;: les paramètres enregistrés qui rétabliraient sa table après un redémarrage ne sont pas connus&#xa0;; la sauvegarde contient la table</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8396,6 +8396,10 @@
         <source>axis {axis} used {slot}, and the file of this slot is missing</source>
         <translation>軸 {axis} は {slot} を使用していましたが、このスロットのファイルがありません</translation>
     </message>
+    <message>
+        <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
+        <translation>軸 {axis} の {slot} の削除は完了させることしかできません: 再起動後にそのテーブルを復活させる保存済みパラメータが不明です。テーブルはバックアップにあります</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8396,6 +8396,10 @@
         <source>axis {axis} used {slot}, and the file of this slot is missing</source>
         <translation>轴 {axis} 曾使用 {slot}，但缺少该表槽的文件</translation>
     </message>
+    <message>
+        <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
+        <translation>轴 {axis} 的 {slot} 的删除只能继续完成：重启后会恢复其表的已保存参数未知；备份中有该表</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -202,6 +202,11 @@ constexpr std::array errorRows{
         AXISCOMP_TEXT("Error",
             "the new table of the unfinished write to axis {axis} was not kept on this computer: "
             "write it again, or undo the write")},
+    ErrorRow{ErrorCode::NotUndoable, "NotUndoable", ErrorClass::Refused,
+        AXISCOMP_TEXT("Error",
+            "the deletion of {slot} for axis {axis} can only be finished: the saved parameters "
+            "that would bring its table back after a reboot are not known; the backup has the "
+            "table")},
     ErrorRow{ErrorCode::CompensationActive, "CompensationActive", ErrorClass::Refused,
         AXISCOMP_TEXT("Error", "the compensation of axis {axis} is active; deactivate it first")},
     ErrorRow{ErrorCode::NotHomed, "NotHomed", ErrorClass::Refused,

@@ -86,6 +86,7 @@ enum class ErrorCode {
     NothingToWrite, ///< axis
     NothingUnfinished, ///< axis
     TableNotKept, ///< axis
+    NotUndoable, ///< axis, slot
     CompensationActive, ///< axis
     NotHomed, ///< axis
     OtherDrive, ///< expected, found

@@ -112,6 +112,8 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         recovery.undoObstacle = std::move(fits).error();
     if (status.isOn())
         recovery.undoObstacle = compensationActive(status);
+    if (auto undoable = unfinished->checkUndoable(); !undoable)
+        recovery.undoObstacle = std::move(undoable).error();
     auto prepared = d->prepareFinish(access, drive, *unfinished);
     if (!prepared && isUnreachable(prepared.error().code))
         return fail(prepared.error());
@@ -154,6 +156,7 @@ Result<WriteReport> AxisCompensator::undoUnfinished(
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
     AXISCOMP_TRY(auto taken, d->resume(access, entry));
+    AXISCOMP_CHECK(taken.unfinished.checkUndoable());
     return WriteProcedure(
         access, d->store, d->sources, d->clock, taken.unfinished.prepared(taken.drive), entry)
         .recoverOldState(taken.unfinished);

@@ -6,6 +6,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
+#include "core/table/table_identity.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -36,6 +37,8 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
 void keepSpans(Grid& grid, const Grid& kept)
 {
     for (std::size_t n = 0; n < std::min(grid.axes.size(), kept.axes.size()); ++n) {
+        if (!areSamePositions(grid.axes[n], kept.axes[n]) || grid.axes[n].unit != kept.axes[n].unit)
+            continue;
         grid.axes[n].start = kept.axes[n].start;
         grid.axes[n].distance = kept.axes[n].distance;
     }

@@ -161,6 +161,14 @@ Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIden
     return request;
 }
 
+Result<void> UnfinishedWrite::checkUndoable() const
+{
+    const std::string& slot = m_entry.deletedSlot;
+    if (slot.empty() || slot == oldSlot() || stepRank(m_entry.step) < stepRank("save"))
+        return {};
+    return fail(ErrorCode::NotUndoable, {{"axis", m_entry.axis}, {"slot", slot}});
+}
+
 PreparedWrite UnfinishedWrite::prepared(const DriveIdentity& drive) const
 {
     PreparedWrite write;

@@ -57,6 +57,9 @@ public:
     /// TableNotKept, FileNotReadable, InvalidTable, SourceMissing; ChangedMeanwhile when what it
     /// would delete is somebody else's by now.
     [[nodiscard]] Result<WriteRequest> request(DriveStore& store, const DriveIdentity& drive) const;
+    /// A deletion of what only a reboot would have brought back has overwritten saved parameters
+    /// that were never read. Errors: NotUndoable.
+    [[nodiscard]] Result<void> checkUndoable() const;
     /// What that write had decided, as far as undoing it needs.
     [[nodiscard]] PreparedWrite prepared(const DriveIdentity& drive) const;
 

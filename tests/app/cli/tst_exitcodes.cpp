@@ -81,6 +81,7 @@ const std::map<ErrorCode, int> expectedCodes{
     {ErrorCode::NoTable, 4},
     {ErrorCode::NothingToWrite, 0},
     {ErrorCode::NothingUnfinished, 0},
+    {ErrorCode::NotUndoable, 4},
     {ErrorCode::TableNotKept, 1},
     {ErrorCode::CompensationActive, 4},
     {ErrorCode::NotHomed, 4},

@@ -249,6 +249,53 @@ private Q_SLOTS:
         QVERIFY(repeated > 1);
     }
 
+    /// The axis uses none now; the saved parameters name the table in flash.
+    void aDeletionOfWhatARebootBringsBackIsOnlyFinishedOnceParametersAreSaved()
+    {
+        const auto detached = [](Fixture& c) {
+            WriteRequest none;
+            none.withoutTable = true;
+            none.dimensionality = 3;
+            VERIFY_RESULT(c.compensator.write(0, none));
+        };
+        Fixture whole;
+        detached(whole);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.deleteTable());
+        const int exchanges = whole.link.exchanges() - begin;
+        int undone = 0;
+        int finished = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Fixture c;
+            detached(c);
+            c.link.failAt(exchange, LinkFault::DriveGoneAfter);
+            static_cast<void>(c.deleteTable());
+            c.link.heal();
+            const auto entry = c.store.journal(4711, 0).value();
+            if (!entry)
+                continue;
+            const auto recovery = c.compensator.recovery(*entry);
+            VERIFY_RESULT(recovery);
+            if (!recovery->undoObstacle) {
+                VERIFY_RESULT(c.compensator.undoUnfinished(*entry));
+                c.drive.reboot();
+                QCOMPARE(c.text(tableOfX), std::string("Small1"));
+                QVERIFY(!c.isEmpty("small1"));
+                ++undone;
+                continue;
+            }
+            QCOMPARE(recovery->undoObstacle->code, ErrorCode::NotUndoable);
+            VERIFY_ERROR(c.compensator.undoUnfinished(*entry), ErrorCode::NotUndoable);
+            VERIFY_RESULT(c.compensator.finishUnfinished(*entry));
+            c.drive.reboot();
+            QCOMPARE(c.text(tableOfX), std::string("Disabled"));
+            QVERIFY(c.isEmpty("small1"));
+            ++finished;
+        }
+        QVERIFY(undone > 0);
+        QVERIFY(finished > 0);
+    }
+
     void aSlotThatNoAxisUsesIsFreed_data()
     {
         QTest::addColumn<bool>("persistent");
