@@ -4,6 +4,7 @@
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
 #include "core/csv/calibration_csv.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
@@ -262,12 +263,17 @@ py::tuple stateOf(const py::object& self)
 }
 
 /// Errors: ValueError, since in one file the notes of one table are those of all.
-void checkSameLookup(const TableObject& one, const TableObject& other)
+void checkSameStatements(const TableObject& one, const TableObject& other)
 {
     if (valueOf(lookupInNotes(one.notes)) != valueOf(lookupInNotes(other.notes)))
         throw py::value_error(
             "the tables of one file say the same in their notes of where they are "
             "looked up (lookup: encoder, lookup: set, or nothing): give each "
+            "alone, or make them with the same notes");
+    if (valueOf(measuredDriveInNotes(one.notes)) != valueOf(measuredDriveInNotes(other.notes)))
+        throw py::value_error(
+            "the tables of one file say the same in their notes of which drive was "
+            "measured (drive: NAME, serial number N, or nothing): give each "
             "alone, or make them with the same notes");
 }
 
@@ -280,7 +286,7 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
         if (object->table.grid != data.grid)
             throw py::value_error("the tables of one file have the same axes and units");
         if (object != tables.front())
-            checkSameLookup(*tables.front(), *object);
+            checkSameStatements(*tables.front(), *object);
         data.tables.push_back(object->table);
         if (object == tables.front() || object->notes != tables.front()->notes)
             data.notes.insert(data.notes.end(), object->notes.begin(), object->notes.end());

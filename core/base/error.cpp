@@ -375,6 +375,11 @@ constexpr std::array variants{
             "the {what} are in {unit} in the backup, and the drive has them in {other} "
             "now, so that the same numbers would mean something else; set the unit on the "
             "drive to {unit} again, or write the table from its file")},
+    Variant{ErrorCode::OtherDrive, "measured",
+        AXISCOMP_TEXT("Error",
+            "the line // drive: of the file says that the drive with the serial number {expected} "
+            "was measured, and this one has {found}: connect that drive, or, where it was replaced "
+            "since, correct the line or remove it")},
     Variant{ErrorCode::VerifyMismatch, "unfinished",
         AXISCOMP_TEXT("Error",
             "a write that did not end has left axis {axis} in neither its old nor its new "

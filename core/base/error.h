@@ -89,7 +89,7 @@ enum class ErrorCode {
     NotUndoable, ///< axis, slot
     CompensationActive, ///< axis
     NotHomed, ///< axis
-    OtherDrive, ///< expected, found
+    OtherDrive, ///< expected, found; measured: of a table, or of residuals
     ChangedMeanwhile, ///< what, before, now
     VerifyMismatch, ///< what, expected, found; or unfinished or half, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position

@@ -2,6 +2,7 @@
 #include "core/capture/run_file.h"
 
 #include "core/io/local_file.h"
+#include "core/neutral/drive_note.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"

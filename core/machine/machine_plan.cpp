@@ -158,6 +158,7 @@ Result<void> DrivePlanner::planAxis(
         AXISCOMP_TRY(auto settled, settledTable(axis, table, plan));
         request.table = std::move(settled.table);
         request.lookupAt = settled.lookupAt;
+        request.measuredDrive = settled.measuredDrive;
         request.unstatedUnit = unstatedUnit(axis.choices.units.values);
         request.dimensionality = request.table->grid.dimensions();
         request.persistency = axis.persistency;

@@ -6,6 +6,7 @@
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
 #include "core/io/local_file.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 
 #include <algorithm>
@@ -74,11 +75,14 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = std::move(table).error();
     } else if (const auto lookupAt = lookupInNotes(import.data->notes); !lookupAt) {
         result.problem = lookupAt.error();
+    } else if (const auto measured = measuredDriveInNotes(import.data->notes); !measured) {
+        result.problem = measured.error();
     } else if (!place && !isOfDrive(*import.format, axis.choices.sign)) {
         result.isOpen = true;
     } else {
         result.table = *std::move(table);
         result.lookupAt = *lookupAt;
+        result.measuredDrive = *measured;
         result.report = std::move(import.report);
     }
     return result;

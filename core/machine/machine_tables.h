@@ -7,6 +7,7 @@
 #include "core/table/compensation_table.h"
 #include "core/table/table_layout.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stop_token>
@@ -22,6 +23,7 @@ struct MachineTable {
     /// Its sources have to be known first, which the drive says: read again with its place.
     bool isOpen = false;
     std::optional<LookupAt> lookupAt = {}; ///< as WriteRequest has it
+    std::optional<std::int32_t> measuredDrive = {}; ///< likewise
     std::vector<Diagnostic> problems; ///< of the file, warnings too
     std::vector<Text> report; ///< of its conversion
     std::optional<Error> problem; ///< why there is no table

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/measurement.h"
 
+#include "core/neutral/drive_note.h"
 #include "core/text/crc_text.h"
 #include "core/text/text_file.h"
 
@@ -54,16 +55,7 @@ TextPattern measurementKindText(MeasurementKind kind)
 
 std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header)
 {
-    const std::size_t key = header.drive.rfind(driveSerialKey);
-    if (key == std::string::npos)
-        return std::nullopt;
-    const std::string_view digits =
-        trimmed(std::string_view(header.drive).substr(key + driveSerialKey.size()));
-    std::int32_t serial = 0;
-    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), serial);
-    if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())
-        return std::nullopt;
-    return serial;
+    return driveSerialIn(header.drive);
 }
 
 double Measurement::range() const

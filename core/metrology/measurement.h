@@ -113,9 +113,7 @@ struct MeasurementHeader {
     friend bool operator==(const MeasurementHeader&, const MeasurementHeader&) = default;
 };
 
-/// What stands before the serial number of a drive in a file of runs.
-inline constexpr std::string_view driveSerialKey = "serial number ";
-/// By which a drive is told: its name may change. Nothing: the header does not say it.
+/// Of the drive that measured. Nothing: the header does not say it.
 [[nodiscard]] std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header);
 
 /// A result that a file carries beside its values, such as E = 0.09065.

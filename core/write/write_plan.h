@@ -47,6 +47,9 @@ struct WriteRequest {
     /// The side of the compensation for which the table was made; none: not known. A source on the
     /// other side is refused.
     std::optional<LookupAt> lookupAt = {};
+    /// Serial number of the drive whose measurement the table was made of (measuredDriveInNotes);
+    /// none: not known. Another drive is refused.
+    std::optional<std::int32_t> measuredDrive = {};
     UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
     TableOrigin origin = TableOrigin::File;
     std::vector<Text> doubts = {}; ///< of whoever asks; they become warnings of the plan

@@ -4,6 +4,7 @@
 #include "core/axis/proposals.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
+#include "core/neutral/drive_note.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
 #include "core/table/position_unit.h"
@@ -465,6 +466,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     if (table.grid.dimensions() != request.dimensionality)
         return fail(ErrorCode::DimensionMismatch,
             {{"table", table.grid.dimensions()}, {"chosen", request.dimensionality}});
+    AXISCOMP_CHECK(checkMeasuredDrive(request.measuredDrive, m_drive.serialNumber));
     AXISCOMP_CHECK(checkTarget(m_access.profile(), m_axis, sourcePaths(m_write.plan.after), table));
     if (request.lookupAt)
         AXISCOMP_CHECK(checkLookupSources(

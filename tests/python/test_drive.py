@@ -19,10 +19,9 @@ from virtual_drive import VirtualDrive
 SOURCE = "Axes[0]/Signals/PathPlanner/Position"
 
 
-def table(largest=0.01, unit="mm"):
-    return axiscomp.Table(
-        [0, largest, 0, -largest, 0], [(-100, 50, "mm", "X")], name="X error", unit=unit, target="X"
-    )
+def table(largest=0.01, unit="mm", notes=()):
+    values = [0, largest, 0, -largest, 0]
+    return axiscomp.Table(values, [(-100, 50, "mm", "X")], name="X error", unit=unit, target="X", notes=list(notes))
 
 
 class Drives(unittest.TestCase):
@@ -90,6 +89,16 @@ class Drives(unittest.TestCase):
             with self.assertRaises(axiscomp.RequestError) as raised:
                 self.drive.write(given, axis="X", source1="Axes[0]/Signals/PositionController/MasterPosition")
             self.assertIn("made for a position after the compensation", raised.exception.message)
+        self.assertIsNone(self.drive.status("X")["table"])
+
+    def test_a_table_is_not_written_to_another_drive_than_the_one_that_was_measured(self):
+        other = table(notes=["drive: Mill, serial number 850618"])
+        for given in (other, pickle.loads(pickle.dumps(other)), axiscomp.resample(other, points=9)):
+            self.assertIn("drive: Mill, serial number 850618", given.notes)
+            for way in (self.drive.write, self.drive.plan):
+                with self.assertRaises(axiscomp.RefusedError) as raised:
+                    way(given, axis="X", source1=SOURCE)
+                self.assertEqual(raised.exception.code, "OtherDrive")
         self.assertIsNone(self.drive.status("X")["table"])
 
     def test_a_plan_writes_nothing_whatever_its_options_are(self):

@@ -102,6 +102,9 @@ class Tables(unittest.TestCase):
         for tables in ([one, other], [other, one]):
             with self.assertRaisesRegex(ValueError, "lookup: encoder, lookup: set, or nothing"):
                 axiscomp.write(tables, file)
+        measured = axiscomp.Table(one.values, axes, "M", "mm", "X", notes=["drive: Mill, serial number 7"])
+        with self.assertRaisesRegex(ValueError, "drive: NAME, serial number N, or nothing"):
+            axiscomp.write([one, measured], file)
         self.assertFalse(file.exists())
         axiscomp.write([other, axiscomp.Table(other.values, axes, "T", "mm", "X", notes=["a", "Lookup: set"])], file)
         self.assertEqual(len(axiscomp.read_all(file, dims=1)), 2)

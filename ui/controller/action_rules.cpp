@@ -339,8 +339,8 @@ Obstacle Rules::unfit() const
         return tr("Dim%1 Source is missing.").arg(m_now.missingSource);
     if (m_now.repeatedSource > 0)
         return tr("Dim%1 Source is the same as another source.").arg(m_now.repeatedSource);
-    if (m_now.lookupProblem)
-        return errorText(*m_now.lookupProblem);
+    if (m_now.noteProblem)
+        return errorText(*m_now.noteProblem);
     if (m_now.isNewTable && m_now.tableBytes > m_now.largestSlotBytes)
         return tr("The table needs %1 bytes, but the largest slot has %2.")
             .arg(m_now.tableBytes)

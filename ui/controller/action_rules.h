@@ -117,8 +117,9 @@ struct ActionSnapshot {
     int missingSource = 0; ///< the first dimension without one; 0: none is missing
     int repeatedSource = 0; ///< the second dimension with the same one; 0: none
     bool isSourceBeingChecked = false;
-    /// The selected table was made for a position on the other side of the compensation.
-    std::optional<Error> lookupProblem;
+    /// The selected table was made for a position on the other side of the compensation, or for
+    /// another drive.
+    std::optional<Error> noteProblem;
     bool hasTable = false;
     int tableDimensions = 0;
     std::size_t tableBytes = 0;

@@ -48,6 +48,7 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
     common.dimensionality = m_tables.file().file().data->grid.dimensions();
     common.persistency = m_setup.edited().persistency;
     common.lookupAt = m_tables.file().file().lookupAt;
+    common.measuredDrive = m_tables.file().file().measuredDrive;
     if (lookup == SourcesForSeveral::OfPage) {
         for (const DimSource& source : sources())
             common.sources.push_back(requestedSource(source));
@@ -59,7 +60,7 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
             tables.back().request.sources = {requestedSource(ownPosition(column.axis))};
     }
     ask(Task::WriteSeveral,
-        [tables, problem = m_tables.file().file().lookupProblem](AxisCompensator& compensator,
+        [tables, problem = m_tables.file().file().noteProblem](AxisCompensator& compensator,
             const OperationOptions& options) -> Result<PlannedTables> {
             if (problem)
                 return fail(*problem);

@@ -128,8 +128,10 @@ void OperationRunner::planWrite()
     m_plannedSetup = edited;
     m_request = requestFor(edited, m_setup.baseline());
     m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
-    if (m_requestTable.table)
+    if (m_requestTable.table) {
         m_request.lookupAt = m_tables.file().file().lookupAt;
+        m_request.measuredDrive = m_tables.file().file().measuredDrive;
+    }
     m_fileTable = m_tables.selectedOfFile().table;
     if (!m_setup.isDirty()) {
         // Only an earlier write is finished: its parameters are saved.

@@ -2,6 +2,7 @@
 #include "ui/controller/wizard_actions.h"
 
 #include "core/axis/activation.h"
+#include "core/neutral/drive_note.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
@@ -144,13 +145,15 @@ void WizardActions::lookAtTables(ActionSnapshot& now) const
     now.fileTables = file.data ? static_cast<int>(file.data->tables.size()) : 0;
     now.isReadingFile = file.isReading;
     if (now.isNewTable)
-        now.lookupProblem = file.lookupProblem;
-    if (now.isNewTable && file.lookupAt && status && !now.lookupProblem) {
-        const auto checked = checkLookupSources(
+        now.noteProblem = file.noteProblem;
+    if (!now.isNewTable || !status || now.noteProblem)
+        return;
+    auto checked = checkMeasuredDrive(file.measuredDrive, status->drive.serialNumber);
+    if (checked && file.lookupAt)
+        checked = checkLookupSources(
             *file.lookupAt, m_profile, status->axis.index, sourcePaths(m_setup.edited()));
-        if (!checked)
-            now.lookupProblem = checked.error();
-    }
+    if (!checked)
+        now.noteProblem = checked.error();
 }
 
 } // namespace axiscomp::ui

@@ -2,6 +2,7 @@
 #include "ui/data/data_file_model.h"
 
 #include "core/formats/formats.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 
 #include <QDir>
@@ -50,6 +51,7 @@ void DataFileModel::show(const MadeTables& made)
     m_file.data = made.data;
     m_file.format = &calibration_csv::format();
     m_file.isMade = true;
+    takeNotes();
     m_file.lookupAt = made.lookupAt;
     m_tables = made.tables;
     m_readWith = {};
@@ -143,14 +145,7 @@ void DataFileModel::take(const LoadedFile& loaded)
         m_file.path = loaded.path;
         m_readWith = loaded.choices;
         m_file.isMade = false;
-        m_file.lookupAt.reset();
-        m_file.lookupProblem.reset();
-        const auto lookupAt = lookupInNotes(
-            loaded.data ? std::span(loaded.data->notes) : std::span<const std::string>());
-        if (lookupAt)
-            m_file.lookupAt = *lookupAt;
-        else
-            m_file.lookupProblem = lookupAt.error();
+        takeNotes();
         m_stamp = loaded.stamp;
     } else if (isSameFile) {
         m_stamp = loaded.stamp; // the offer to read it again has been taken
@@ -165,6 +160,24 @@ void DataFileModel::take(const LoadedFile& loaded)
     Q_EMIT changed();
     if (loaded.refusal)
         Q_EMIT choiceNeeded(loaded.path);
+}
+
+/// What they say of the tables.
+void DataFileModel::takeNotes()
+{
+    m_file.lookupAt.reset();
+    m_file.measuredDrive.reset();
+    m_file.noteProblem.reset();
+    if (!m_file.data)
+        return;
+    const auto lookupAt = lookupInNotes(m_file.data->notes);
+    const auto measured = measuredDriveInNotes(m_file.data->notes);
+    if (!lookupAt)
+        m_file.noteProblem = lookupAt.error();
+    else if (!measured)
+        m_file.noteProblem = measured.error();
+    m_file.lookupAt = lookupAt.value_or(std::nullopt);
+    m_file.measuredDrive = measured.value_or(std::nullopt);
 }
 
 /// The file, and its folder: many programs save by putting a new file in the old one's place.

@@ -61,6 +61,7 @@ Q_SIGNALS:
 
 private:
     void take(const LoadedFile& loaded);
+    void takeNotes();
     void watch();
     void lookAtDisk();
 

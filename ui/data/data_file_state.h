@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +35,9 @@ struct DataFile {
     bool isMade = false;
     /// Where the drive has to look the tables up; nothing: that is not known.
     std::optional<LookupAt> lookupAt;
-    std::optional<Error> lookupProblem; ///< why what the file says of that is no statement
+    /// Serial number of the drive whose measurement the tables were made of; nothing: not known.
+    std::optional<std::int32_t> measuredDrive;
+    std::optional<Error> noteProblem; ///< why what the file says of these two is no statement
 };
 
 /// Tables that were made here, to be used as if they had been read from a file.

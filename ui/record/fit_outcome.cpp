@@ -4,6 +4,7 @@
 #include "core/conversion/table_import.h"
 #include "core/metrology/fit/fit_fields.h"
 #include "core/metrology/record/fit_record.h"
+#include "core/neutral/drive_note.h"
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
 #include "ui/record/record_assembly.h"
@@ -162,6 +163,8 @@ Result<void> Fitting::readDrive()
             AXISCOMP_TEXT("Error", "the table of the axis is still being read from the drive"));
     if (!drive.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(drive.axis->axis.index)}});
+    AXISCOMP_CHECK(
+        checkMeasuredDrive(driveSerialOf(m_measurement.header), drive.axis->serialNumber));
     if (m_choices.settings.lookupAt)
         AXISCOMP_CHECK(
             checkLookupAt(*m_choices.settings.lookupAt, *drive.profile, drive.axis->source));
@@ -341,7 +344,8 @@ std::vector<std::string> notesOf(const FitOutcome& outcome)
         sources += (sources.empty() ? "" : ", ")
             + QFileInfo(file.file.path).fileName().toStdString() + " ("
             + std::string(file.format->facts.name) + ')';
-    return notesOfFit(sources, outcome.settings, *outcome.report);
+    return notesOfFit(
+        sources, outcome.request.measurement->header, outcome.settings, *outcome.report);
 }
 
 std::shared_ptr<const CalibrationRecord> calibrationOf(const FitOutcome& outcome)

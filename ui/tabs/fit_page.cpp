@@ -2,6 +2,7 @@
 #include "ui/tabs/fit_page.h"
 
 #include "core/axis/proposals.h"
+#include "core/neutral/drive_note.h"
 #include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
 #include "ui/data/table_view_model.h"
@@ -287,14 +288,18 @@ void FitPage::offerUse()
         button->setAccessibleDescription(button->toolTip());
 }
 
-/// A table of another axis than the current one, or one that it would look up on the other side of
-/// the compensation.
+/// A table of another drive or axis than the current one, or one that it would look up on the other
+/// side of the compensation.
 QString FitPage::axisDoubt() const
 {
     const auto& outcome = m_record.state().fit;
     const FitDrive& drive = m_record.drive();
     if (!outcome || !outcome->report || !drive.profile || !drive.axis)
         return {};
+    const auto measured = checkMeasuredDrive(
+        driveSerialOf(outcome->request.measurement->header), drive.axis->serialNumber);
+    if (!measured)
+        return errorText(measured.error());
     const std::string& target = outcome->report->tables.front().table.target;
     if (outcome->report->tables.size() == 1 && areDifferentAxes(target, drive.axis->axis.name))
         return tr("The table corrects axis %1, and the current axis is %2: it is refused there. "

@@ -9,6 +9,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/large_correction.h"
 #include "core/table/position_unit.h"
@@ -127,6 +128,12 @@ void noteWhatIsNotHeld(Environment& environment, const CalibrationData& data)
                                    "up at the "
             + std::string(**lookupAt == LookupAt::Set ? "set" : "encoder")
             + " position, as the file does: write it with such sources only");
+    const auto measured = measuredDriveInNotes(data.notes);
+    if (measured && *measured)
+        environment.console().note("note: the .TAMtbl does not say that the drive with the serial "
+                                   "number "
+            + std::to_string(**measured)
+            + " was measured, as the file does: write it to that drive only");
     const std::string& target = data.tables.front().target;
     if (!target.empty())
         environment.console().note(

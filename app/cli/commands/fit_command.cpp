@@ -196,7 +196,7 @@ Result<StateSources> readStates(
     StateSources sources;
     auto lookupAt = lookupNamed(options.lookupAt);
     if (options.onto == ontoDrive) {
-        AXISCOMP_TRY(auto drive, options.drive.read(environment, unit, lookupAt));
+        AXISCOMP_TRY(auto drive, options.drive.read(environment, measurement, lookupAt));
         sources.onto = std::move(drive.active);
         sources.lookupAt = drive.lookupAt;
         sources.others = std::move(drive.backups);
@@ -285,7 +285,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (isWritten)
         AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, report.tables,
             notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement),
-                settings, report)));
+                measurement.header, settings, report)));
     if (!options.record.empty()) {
         AXISCOMP_TRY(
             const auto record, recordOfFit(input, options.input, corrections, settings, report));

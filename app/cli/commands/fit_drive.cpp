@@ -5,6 +5,7 @@
 #include "app/cli/session/command_session.h"
 #include "app/common/arguments.h"
 #include "core/compensator/known_tables.h"
+#include "core/neutral/drive_note.h"
 #include "core/store/drive_store.h"
 
 namespace axiscomp::app {
@@ -12,15 +13,17 @@ namespace axiscomp::app {
 namespace {
 
 Result<AxisTables> tablesOfAxis(
-    Environment& environment, CommandSession& session, int axis, const std::string& unit)
+    Environment& environment, CommandSession& session, int axis, const Measurement& measurement)
 {
     AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
+    AXISCOMP_CHECK(
+        checkMeasuredDrive(driveSerialOf(measurement.header), settled.status.drive.serialNumber));
     AXISCOMP_TRY(
         auto table, session.compensator().readDescribedTable(settled.status, session.operation()));
     const DriveStore store(session.storeRoot());
     AXISCOMP_TRY(auto tables,
         axiscomp::tablesOfAxis(axisOfDrive(settled.status, session.profile()), std::move(table),
-            session.profile(), store, unit));
+            session.profile(), store, std::string(positionUnit(measurement))));
     noteRemarks(environment, tables.remarks);
     for (const Error& error : tables.unreadable)
         environment.warn(sentence(error));
@@ -52,12 +55,12 @@ const std::string& FitDrive::profile() const
 }
 
 Result<DriveState> FitDrive::read(
-    Environment& environment, const std::string& unit, std::optional<LookupAt> stated) const
+    Environment& environment, const Measurement& measurement, std::optional<LookupAt> stated) const
 {
     AxisTables found;
     const auto read = [&](Environment& same, CommandSession& session,
                           int axis) -> Result<ExitCode> {
-        AXISCOMP_TRY(found, tablesOfAxis(same, session, axis, unit));
+        AXISCOMP_TRY(found, tablesOfAxis(same, session, axis, measurement));
         return ExitCode::Done;
     };
     AXISCOMP_CHECK(withAxis(environment, m_options->drive, read));

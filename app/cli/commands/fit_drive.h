@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/metrology/fit/lookup_frame.h"
 #include "core/metrology/fit/measured_state.h"
+#include "core/metrology/measurement.h"
 
 #include <CLI/App.hpp>
 
@@ -33,10 +34,10 @@ public:
     void addOptions(CLI::App& command);
     [[nodiscard]] const std::string& profile() const;
 
-    /// unit: of the measurement, mm or deg. stated: --lookup-at, which must agree with the axis.
-    /// Errors: InvalidArgument, NoTable, UnitMismatch, those of the link.
-    [[nodiscard]] Result<DriveState> read(
-        Environment& environment, const std::string& unit, std::optional<LookupAt> stated) const;
+    /// measurement: of that drive. stated: --lookup-at, which must agree with the axis. Errors:
+    /// OtherDrive, InvalidArgument, NoTable, UnitMismatch, those of the link.
+    [[nodiscard]] Result<DriveState> read(Environment& environment, const Measurement& measurement,
+        std::optional<LookupAt> stated) const;
 
     /// Of --onto.
     [[nodiscard]] static const char* description();

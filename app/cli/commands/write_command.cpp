@@ -101,6 +101,7 @@ Result<void> takeTable(const WriteOptions& options, const TableInput& input, Tab
     pending.request.dimensionality = made.table.grid.dimensions();
     pending.request.table = std::move(made.table);
     pending.request.lookupAt = made.lookupAt;
+    pending.request.measuredDrive = made.measuredDrive;
     pending.report = std::move(made.report);
     return {};
 }

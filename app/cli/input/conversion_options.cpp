@@ -6,6 +6,7 @@
 #include "core/conversion/lookup_sides.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/neutral/drive_note.h"
 #include "core/text/token_scanner.h"
 
 namespace axiscomp::app {
@@ -278,6 +279,7 @@ Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& 
         AXISCOMP_TRY(result.lookupAt, lookupInNotes(input.data->notes));
     }
     if (input.data && !options.isAnything()) {
+        AXISCOMP_TRY(result.measuredDrive, measuredDriveInNotes(input.data->notes));
         AXISCOMP_TRY(const auto index, chooseTable(*input.data, inputOptions));
         result.table = input.data->tables[index];
         takeStatedUnits(result.table, options.units);
@@ -285,6 +287,7 @@ Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& 
     }
     const std::vector<NeutralTable> columns = neutralColumns(input);
     AXISCOMP_TRY(const auto index, chooseColumn(columns, inputOptions));
+    AXISCOMP_TRY(result.measuredDrive, measuredDriveInNotes(columns[index].notes));
     AXISCOMP_TRY(const auto request,
         conversionRequest(
             options, *input.format, calibration_csv::format(), columns[index].axes.size()));

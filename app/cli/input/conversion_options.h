@@ -7,6 +7,7 @@
 
 #include <CLI/App.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,7 @@ void addLookupOption(CLI::App& command, std::string& lookupAt); ///< of a conver
 struct DriveTable {
     CompensationTable table;
     std::optional<LookupAt> lookupAt; ///< where it has to be looked up, as far as that is known
+    std::optional<std::int32_t> measuredDrive; ///< as WriteRequest has it
     std::vector<std::string> report; ///< of the conversion, for standard error
 };
 /// One column, converted where the format is another controller's or something was asked for.

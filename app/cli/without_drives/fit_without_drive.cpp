@@ -27,7 +27,7 @@ const std::string& FitDrive::profile() const
     return m_options->profile;
 }
 
-Result<DriveState> FitDrive::read(Environment& /*environment*/, const std::string& /*unit*/,
+Result<DriveState> FitDrive::read(Environment& /*environment*/, const Measurement& /*measurement*/,
     std::optional<LookupAt> /*stated*/) const
 {
     return wrongUsage("this program is built without drives: --onto takes the file of a table",

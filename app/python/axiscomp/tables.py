@@ -88,7 +88,8 @@ Table(values, axes, name="Table", unit="", target="", filled=[], notes=[]) copie
     target  the axis that is corrected; empty: what the name says, as in a file: "Y" of "Y error" over X
     filled  indices, dimension 1 fastest, of values that were made up
     notes   comments of the file: "lookup: encoder" or "lookup: set" says for which side a fit made the table, and
-            a write to a source on the other side is refused; tables of one file say the same
+            a write to a source on the other side is refused; "drive: NAME, serial number N" says which drive was
+            measured, and a write to another one is refused; tables of one file say the same
 Raises Error (InvalidArgument) for a value that is not finite, ValueError for a text with a control character.
 """
 Table.values.__doc__ = "float32, shape (n1[, n2[, n3]]): the table's own memory, which nobody can write to."

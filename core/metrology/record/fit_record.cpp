@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/fit_record.h"
 
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/missing_points.h"
 
@@ -32,11 +33,13 @@ CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& set
     return record;
 }
 
-std::vector<std::string> notesOfFit(
-    const std::string& sources, const FitSettings& settings, const FitReport& report)
+std::vector<std::string> notesOfFit(const std::string& sources, const MeasurementHeader& header,
+    const FitSettings& settings, const FitReport& report)
 {
     std::vector<std::string> notes{"made of " + sources, lookupNote(report.lookupAt),
         report.state.text.english(), "method " + std::string(madeBy(report, settings))};
+    if (driveSerialOf(header))
+        notes.push_back(driveNote(header.drive));
     for (const FittedTable& made : report.tables)
         if (const CompensationTable& table = made.table; !table.filled.empty())
             notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));

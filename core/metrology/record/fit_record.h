@@ -12,9 +12,10 @@ namespace axiscomp {
 [[nodiscard]] CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& settings,
     const FitReport& report, const std::string& program, WallTime time);
 
-/// What a person reads in the file of the table. sources: the files of the measurement and what
-/// they hold.
-[[nodiscard]] std::vector<std::string> notesOfFit(
-    const std::string& sources, const FitSettings& settings, const FitReport& report);
+/// What a person reads in the file of the table, and what a write holds the drive to: where it has
+/// to look the table up, and which one was measured. sources: the files of the measurement and what
+/// they hold. header: of the measurement.
+[[nodiscard]] std::vector<std::string> notesOfFit(const std::string& sources,
+    const MeasurementHeader& header, const FitSettings& settings, const FitReport& report);
 
 } // namespace axiscomp

@@ -187,6 +187,60 @@ private Q_SLOTS:
         VERIFY_CODE(write(test::positionSource(0)), 0);
     }
 
+    /// The file says which drive was measured: the axis X of a twin machine has another error.
+    void aTableIsNotWrittenToAnotherDriveThanTheOneThatWasMeasured()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        const QStringList axis{"--drive", drive.url(), "--axis", "0"};
+        const auto fit = [&](const QByteArray& head) {
+            box.file("x.csv", runs(head + "// axis: X\n", [](double x) { return 0.02 * x; }));
+            return box.run(
+                QStringList{"fit", "x.csv", "-o", "table.csv", "--points", "11"} + offAtEncoder);
+        };
+        const auto write = [&](const QStringList& more) {
+            return box.run(QStringList{"write", "--data", "table.csv", "--dims", "1", "--source1",
+                               "Axes[0]/Signals/PositionController/MasterPosition"}
+                + more + axis);
+        };
+        VERIFY_CODE(fit("// drive: Mill\n"), 0);
+        QVERIFY2(
+            !box.content("table.csv").contains("drive:"), box.content("table.csv").constData());
+        VERIFY_CODE(fit("// drive: Mill, serial number 850618\n"), 0);
+        QVERIFY2(box.content("table.csv").contains("// drive: Mill, serial number 850618\n"),
+            box.content("table.csv").constData());
+        for (const QStringList& more : {QStringList{"--dry-run"}, QStringList{"--scale", "2"}}) {
+            const ProgramRun refused = write(more);
+            VERIFY_CODE(refused, 4);
+            QVERIFY2(refused.err.contains("OtherDrive: ")
+                    && refused.err.contains(
+                        "serial number 850618 was measured, and this one has 100001"),
+                refused.err.constData());
+        }
+        // Other points are of the same drive.
+        VERIFY_CODE(
+            box.run({"convert", "table.csv", "denser.csv", "--dims", "1", "--points", "21"}), 0);
+        box.file("table.csv", box.content("denser.csv"));
+        VERIFY_CODE(write({}), 4);
+        const ProgramRun bare = box.run({"convert", "table.csv", "t.TAMtbl", "--dims", "1"});
+        VERIFY_CODE(bare, 0);
+        QVERIFY2(bare.err.contains("the drive with the serial number 850618 was measured"),
+            bare.err.constData());
+
+        box.file("table.csv", box.content("table.csv").replace("850618", "100001"));
+        VERIFY_CODE(write({}), 0);
+        // Residuals of another drive are not merged onto the table that this one holds.
+        const auto merge = [&](const QByteArray& head) {
+            box.file("after.csv",
+                runs(head + "// axis: X\n// compensation: on\n", [](double) { return 1.0; }));
+            return box.run(QStringList{"fit", "after.csv", "--onto", "drive"} + axis);
+        };
+        const ProgramRun other = merge("// drive: Mill, serial number 850618\n");
+        VERIFY_CODE(other, 4);
+        QVERIFY2(other.err.contains("OtherDrive: "), other.err.constData());
+        VERIFY_CODE(merge("// drive: Mill, serial number 100001\n"), 0);
+    }
+
     void aFitHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;

@@ -89,6 +89,33 @@ private Q_SLOTS:
         QVERIFY(machine.bench.state() == before);
     }
 
+    /// The axis X of a twin machine has another error.
+    void aTableThatWasMadeForAnotherDriveIsNotPlanned()
+    {
+        Machine machine;
+        machine.context.folder = machine.bench.folder.path().toStdString();
+        MachineAxis& axis = machine.drive.axes[0];
+        axis.file = "x.csv";
+        axis.sources = std::vector<std::string>{test::masterX};
+        const auto planOf = [&](const std::string& notes) {
+            std::ofstream(machine.context.folder / "x.csv")
+                << notes << "X [mm],X error [mm]\n0,0\n10,0.001\n20,0\n";
+            machine.tables = {
+                readMachineTable(axis, machine.context.folder, genericTableLayout(), std::nullopt)};
+            return machine.plan();
+        };
+        const auto other = planOf("// drive: Mill, serial number 4712\n");
+        QVERIFY(other.has_value());
+        QVERIFY(other->axes.at(0).problem.has_value());
+        QCOMPARE(other->axes[0].problem->code, ErrorCode::OtherDrive);
+        const auto own = planOf("// drive: Mill, serial number 4711\n");
+        QVERIFY(own.has_value());
+        QVERIFY(!own->axes.at(0).problem && own->axes[0].writes());
+        planOf("// drive: Mill, serial number 4711\n// drive: Mill, serial number 4712\n");
+        QVERIFY(machine.tables[0].problem.has_value());
+        QCOMPARE(machine.tables[0].problem->code, ErrorCode::InvalidArgument);
+    }
+
     /// It would work with a table that nobody has planned.
     void anAxisThatSomebodyHasChangedIsNotSwitchedOn()
     {

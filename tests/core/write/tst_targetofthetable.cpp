@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/target_axis.h"
 #include "tests/support/compensator_fixture.h"
@@ -377,6 +378,60 @@ private Q_SLOTS:
             QVERIFY(names(found.error(), "correct that line, or leave it out"));
         else
             QCOMPARE(std::string(*found ? lookupAtName(**found) : ""), said.toStdString());
+    }
+
+    void aFileSaysWhichDriveWasMeasured_data()
+    {
+        QTest::addColumn<QByteArray>("notes"); // a line each
+        QTest::addColumn<int>("said"); // 0: nothing; -1: refused
+        const auto row = [](const char* name, const std::string& notes, int said) {
+            QTest::newRow(name) << QByteArray::fromStdString(notes) << said;
+        };
+        row("nothing", "made of x.csv\nthe drive: serial number 7", 0);
+        row("as fit writes it", "made of x.csv\n" + driveNote("Mill, serial number 7"), 7);
+        row("without a name", "  Drive:serial number 7 ", 7);
+        row("a name alone", "drive: Mill", 0);
+        row("no number", "drive: Mill, serial number 7a", 0);
+        row("of another controller", "drive: E 7, commutated", 0);
+        row("behind a spreadsheet", "drive: Mill, serial number 7,,", 7);
+        row("with another name", "drive: Mill, serial number 7\ndrive: Lathe, serial number 7", 7);
+        row("two", "drive: Mill, serial number 7\ndrive: Mill, serial number 8", -1);
+    }
+    void aFileSaysWhichDriveWasMeasured()
+    {
+        QFETCH(QByteArray, notes);
+        QFETCH(int, said);
+        std::vector<std::string> lines;
+        for (const QByteArray& note : notes.split('\n'))
+            lines.push_back(note.toStdString());
+        const auto found = measuredDriveInNotes(lines);
+        QCOMPARE(found.has_value(), said != -1);
+        if (!found)
+            QVERIFY(names(found.error(), "correct the wrong line, or leave it out"));
+        else
+            QCOMPARE(found->value_or(0), said);
+    }
+
+    /// The axis X of a twin machine has another error.
+    void aTableIsNotWrittenToAnotherDriveThanTheOneThatWasMeasured()
+    {
+        CompensatorFixture f;
+        WriteRequest request = test::exampleRequest();
+        request.measuredDrive = 4712;
+        const auto before = f.state();
+        const auto refused = f.compensator.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::OtherDrive);
+        QVERIFY(names(refused.error(), "serial number 4712 was measured, and this one has 4711"));
+        QVERIFY(names(refused.error(), "correct the line or remove it"));
+        VERIFY_ERROR(f.compensator.plan(0, request), ErrorCode::OtherDrive);
+        QVERIFY(f.state() == before);
+        // Neither is it taken for one that is right, where the axis has it already.
+        request.measuredDrive = 4711;
+        VERIFY_RESULT(f.compensator.write(0, request));
+        request.measuredDrive = 4712;
+        VERIFY_ERROR(f.compensator.compare(0, request), ErrorCode::OtherDrive);
+        request.table.reset(); // of the axis's own table nobody says it
+        VERIFY_RESULT(f.compensator.compare(0, request));
     }
 
     void theErrorsOfOneSourceAreNotWrittenToTheAxisOfAnother()

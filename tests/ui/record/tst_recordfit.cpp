@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -292,6 +293,39 @@ private Q_SLOTS:
             fit->report->state.text.english().find("the table of axis 0 (X)") != std::string::npos);
     }
 
+    void residualsOfAnotherDriveAreNotMergedOntoTheTableOfTheAxis()
+    {
+        QTemporaryDir folder;
+        FitDrive drive = driveWith(test::masterX); // 1559
+        auto old = std::make_shared<CompensationTable>();
+        old->grid.axes = {{"", "", 0.0, 10.0, 5}};
+        old->values.assign(5, 0.001F);
+        drive.held = TableIdentity{1, old->grid};
+        drive.table = old;
+        drive.storeRoot = folder.path().toStdString();
+        FitChoices choices = asSpecified();
+        choices.onto = FitChoices::Onto::Drive;
+        for (const char* serial : {"850618", "1559"}) {
+            QFile file(folder.filePath(QString::fromLatin1(serial)) + QStringLiteral(".csv"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("// compensation: on\n// drive: Mill, serial number ");
+            file.write(QByteArray(serial) + "\ntarget [mm],direction,run,deviation [um]\n");
+            for (int target = 0; target <= 40; target += 10)
+                for (const char* direction : {"+", "-"})
+                    file.write(QByteArray::number(target) + ',' + direction + ",1,1.5\n");
+            file.close();
+            RecordModel model;
+            model.addFiles({file.fileName()});
+            model.setDrive(drive);
+            model.setFit(choices, {});
+            QVERIFY(settled(model));
+            if (serial == std::string_view("1559"))
+                QVERIFY(model.state().fit->report && model.state().fit->report->merge);
+            else
+                QVERIFY(isRefused(model, ErrorCode::OtherDrive, "serial number 850618"));
+        }
+    }
+
     /// Its own write would be corrected once more, and so would the table of another axis.
     void residualsAreMergedOntoTheTableAloneOfWhichItWasSaid_data()
     {
@@ -458,6 +492,9 @@ private Q_SLOTS:
         }
         report.lookupAt = LookupAt::Set;
         outcome.report = report;
+        Measurement measured;
+        measured.header.drive = "Mill, serial number 1559";
+        outcome.request.measurement = std::make_shared<const Measurement>(measured);
         outcome.request.files.resize(1);
         outcome.request.files.front().file.path = QStringLiteral("/data/plane.csv");
         outcome.request.files.front().format = *measurementFormatNamed("points");
@@ -467,6 +504,8 @@ private Q_SLOTS:
         QCOMPARE(made.data->tables[1].name, std::string("dX"));
         QCOMPARE(made.tables[2].table->name, std::string("dZ"));
         QVERIFY(made.lookupAt == LookupAt::Set);
+        QVERIFY(std::ranges::find(made.data->notes, "drive: Mill, serial number 1559")
+            != made.data->notes.end());
     }
 };
 

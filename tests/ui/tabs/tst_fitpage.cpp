@@ -375,6 +375,40 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
     }
 
+    /// The axis X of a twin machine has another error.
+    void aTableOfAnotherMeasuredDriveIsNotWritten()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.enter("source1Field", QString::fromStdString(test::masterX)));
+        QByteArray runs = "// axis: X\n// compensation: off\n// drive: Mill, serial number 850618\n"
+                          "target [mm],direction,run,deviation [um]\n";
+        for (int target = 0; target <= 40; target += 10)
+            for (const char* direction : {"+", "-"})
+                runs += QByteArray::number(target) + ',' + direction + ",1,"
+                    + QByteArray::number(target / 10) + '\n';
+        QVERIFY(fit(bench, bench.file(QStringLiteral("runs.csv"), runs)));
+        QVERIFY(hasTable(bench));
+        QVERIFY(hints(bench, QStringLiteral("The line // drive: of the file says")));
+        QVERIFY(bench.user.click("useAsTable"));
+        QTRY_VERIFY(bench.controller().selectedTable());
+        QCOMPARE(bench.controller().dataFile().measuredDrive, std::optional<std::int32_t>(850618));
+        const ActionState write = bench.controller().action(Action::Write);
+        QVERIFY(!write.isEnabled);
+        QVERIFY2(
+            write.reason.contains(QStringLiteral("850618 was measured, and this one has 1559")),
+            qPrintable(write.reason));
+        // As a file it says the same, and so does one of the drive that is connected.
+        const std::string text = writeCalibrationCsv(*bench.controller().dataFile().data);
+        QByteArray table = QByteArray::fromStdString(text);
+        bench.controller().importData(bench.file(QStringLiteral("table.csv"), table), {});
+        QTRY_VERIFY(!bench.controller().dataFile().isMade);
+        QVERIFY(!bench.controller().action(Action::Write).isEnabled);
+        table.replace("850618", "1559");
+        bench.controller().importData(bench.file(QStringLiteral("own.csv"), table), {});
+        QTRY_VERIFY(bench.controller().action(Action::Write).isEnabled);
+    }
+
     /// In one dimension both are the first source: their names tell them apart.
     void aTableOfAnotherAxisIsNotWritten()
     {

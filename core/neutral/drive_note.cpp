@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/neutral/drive_note.h"
+
+#include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
+#include "core/text/utf8.h"
+
+#include <charconv>
+#include <system_error>
+
+namespace axiscomp {
+
+namespace {
+
+constexpr std::string_view driveKey = "drive:";
+
+/// Nothing: a note of something else, or without a serial number.
+std::optional<std::int32_t> serialInNote(std::string_view note)
+{
+    const std::string_view text = trimmed(note);
+    if (!sameLetters(text.substr(0, driveKey.size()), driveKey))
+        return std::nullopt;
+    return driveSerialIn(text.substr(driveKey.size()));
+}
+
+} // namespace
+
+std::optional<std::int32_t> driveSerialIn(std::string_view text)
+{
+    const std::size_t key = text.rfind(driveSerialKey);
+    if (key == std::string_view::npos)
+        return std::nullopt;
+    std::string_view digits = trimmed(text.substr(key + driveSerialKey.size()));
+    // A spreadsheet gives each line the separators of the longest one.
+    digits = trimmed(digits.substr(0, digits.find_last_not_of(",;") + 1));
+    std::int32_t serial = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), serial);
+    if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())
+        return std::nullopt;
+    return serial;
+}
+
+std::string driveNote(std::string_view drive)
+{
+    return std::string(driveKey) + ' ' + std::string(drive);
+}
+
+Result<std::optional<std::int32_t>> measuredDriveInNotes(std::span<const std::string> notes)
+{
+    std::optional<std::int32_t> said;
+    for (const std::string& note : notes) {
+        const auto serial = serialInNote(note);
+        if (said && serial && *said != *serial)
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the file says \"{note}\", and another of its comments the serial number "
+                        "{serial}: a table is made of the measurement of one drive, so correct "
+                        "the wrong line, or leave it out")
+                        .with("note", shownText(trimmed(note), 60))
+                        .with("serial", Verbatim{std::to_string(*said)})}});
+        said = serial ? serial : said;
+    }
+    return said;
+}
+
+Result<void> checkMeasuredDrive(std::optional<std::int32_t> measured, std::int32_t found)
+{
+    if (!measured || *measured == found)
+        return {};
+    return fail(ErrorCode::OtherDrive,
+        {{"expected", *measured}, {"found", found}, {"measured", Verbatim{"drive"}}});
+}
+
+} // namespace axiscomp
