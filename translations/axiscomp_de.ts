@@ -8441,6 +8441,14 @@
         <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
         <translation>das Löschen von {slot} für Achse {axis} lässt sich nur abschließen: die gespeicherten Parameter, die seine Tabelle nach einem Neustart zurückbrächten, sind nicht bekannt; die Sicherung hat die Tabelle</translation>
     </message>
+    <message>
+        <source>the line // drive: of the file says that the drive with the serial number {expected} was measured, and this one has {found}: connect that drive, or, where it was replaced since, correct the line or remove it</source>
+        <translation>laut der Zeile // drive: der Datei wurde der Antrieb mit der Seriennummer {expected} gemessen, und der verbundene hat {found}: den gemessenen Antrieb verbinden, oder, wenn er seitdem ersetzt wurde, die Zeile berichtigen oder entfernen</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
+        <translation>in der Datei steht „{note}“ und in einem anderen Kommentar die Seriennummer {serial}: eine Tabelle entsteht aus der Messung eines einzigen Antriebs, also die falsche Zeile berichtigen oder weglassen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8441,6 +8441,14 @@
         <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
         <translation>la suppression de {slot} pour l&apos;axe {axis} ne peut être que terminée&#xa0;: les paramètres enregistrés qui rétabliraient sa table après un redémarrage ne sont pas connus&#xa0;; la sauvegarde contient la table</translation>
     </message>
+    <message>
+        <source>the line // drive: of the file says that the drive with the serial number {expected} was measured, and this one has {found}: connect that drive, or, where it was replaced since, correct the line or remove it</source>
+        <translation>d&apos;après la ligne // drive: du fichier, le variateur de numéro de série {expected} a été mesuré, et celui-ci a le numéro {found}&#xa0;: connecter le variateur mesuré, ou, s&apos;il a été remplacé depuis, corriger la ligne ou la supprimer</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
+        <translation>le fichier indique « {note} », et un autre de ses commentaires le numéro de série {serial}&#xa0;: une table est établie d&apos;après la mesure d&apos;un seul variateur, donc corriger ou supprimer la ligne erronée</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8400,6 +8400,14 @@
         <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
         <translation>軸 {axis} の {slot} の削除は完了させることしかできません: 再起動後にそのテーブルを復活させる保存済みパラメータが不明です。テーブルはバックアップにあります</translation>
     </message>
+    <message>
+        <source>the line // drive: of the file says that the drive with the serial number {expected} was measured, and this one has {found}: connect that drive, or, where it was replaced since, correct the line or remove it</source>
+        <translation>ファイルの行 // drive: によると、測定されたのはシリアル番号 {expected} のドライブですが、このドライブは {found} です。測定したドライブを接続するか、その後交換した場合はこの行を修正または削除してください</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
+        <translation>ファイルに &quot;{note}&quot; とあり、別のコメントにはシリアル番号 {serial} とあります。テーブルは 1 台のドライブの測定から作成されるものなので、誤っている行を修正または削除してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

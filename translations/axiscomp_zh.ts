@@ -8400,6 +8400,14 @@
         <source>the deletion of {slot} for axis {axis} can only be finished: the saved parameters that would bring its table back after a reboot are not known; the backup has the table</source>
         <translation>轴 {axis} 的 {slot} 的删除只能继续完成：重启后会恢复其表的已保存参数未知；备份中有该表</translation>
     </message>
+    <message>
+        <source>the line // drive: of the file says that the drive with the serial number {expected} was measured, and this one has {found}: connect that drive, or, where it was replaced since, correct the line or remove it</source>
+        <translation>文件中的 // drive: 行说明所测量的是序列号为 {expected} 的驱动器，而此驱动器为 {found}：请连接所测量的驱动器，若此后已更换，请更正该行或将其删去</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
+        <translation>文件中为“{note}”，而另一行注释为序列号 {serial}：一个表由一个驱动器的测量生成，因此请更正有误的行，或将其删去</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
