@@ -193,6 +193,27 @@ private Q_SLOTS:
         QVERIFY(!report(bench).isEmpty());
     }
 
+    void aSettingThatIsClearedDoesNotComeBackWithTheNextFormat()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        const auto counts = [&] { return &user.the<QLineEdit>("setting_counts-per-unit"); };
+        const QString first = QStringLiteral("CSV file of this program");
+        const QString second = QStringLiteral("leadscrew compensation of one source");
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, first));
+        QVERIFY(user.click("setting_counts-per-unit"));
+        user.type(QStringLiteral("1000"));
+        QVERIFY(user.choose("conversionFormat", second));
+        QCOMPARE(counts()->text(), QStringLiteral("1000"));
+        counts()->clear();
+        QVERIFY(user.choose("conversionFormat", first));
+        QCOMPARE(counts()->text(), QString());
+        counts()->setText(QStringLiteral("2000"));
+        QVERIFY(user.choose("conversionFormat", second));
+        QCOMPARE(counts()->text(), QStringLiteral("2000"));
+    }
+
     void aSettingThatMayHaveThousandsIsNotTaken()
     {
         PageFixture bench; // which sets the language of the window
