@@ -77,6 +77,10 @@ private Q_SLOTS:
         QVERIFY(!mayAccept(bench)); // the distance is missing
         QCOMPARE(reason(bench), QStringLiteral("Enter a number for the even grid."));
         QVERIFY(user.click("gridNumberField"));
+        user.type(QStringLiteral("1 250"));
+        QTRY_COMPARE(
+            reason(bench), QStringLiteral("\"1 250\" is no number, and no list such as 21; 31."));
+        user.the<QLineEdit>("gridNumberField").selectAll();
         user.type(QStringLiteral("10"));
         QTRY_VERIFY(mayAccept(bench));
         QVERIFY2(report(bench).contains(QStringLiteral("off by at most 0.00183 mm")),
