@@ -3917,7 +3917,7 @@
         <source>{file} is not a valid calibration file: {count} problems</source>
         <comment>{file} is not a valid calibration file: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide&#xa0;: 1 problème</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide&#xa0;: {count} problème</numerusform>
             <numerusform>{file} n&apos;est pas un fichier d&apos;étalonnage valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
@@ -3961,7 +3961,7 @@
         <source>{count} columns</source>
         <comment>1 column</comment>
         <translation>
-            <numerusform>1 colonne</numerusform>
+            <numerusform>{count} colonne</numerusform>
             <numerusform>{count} colonnes</numerusform>
         </translation>
     </message>
@@ -3993,7 +3993,7 @@
         <source>{count} corrections</source>
         <comment>1 correction</comment>
         <translation>
-            <numerusform>1 correction</numerusform>
+            <numerusform>{count} correction</numerusform>
             <numerusform>{count} corrections</numerusform>
         </translation>
     </message>
@@ -4001,7 +4001,7 @@
         <source>{count} rows</source>
         <comment>1 row</comment>
         <translation>
-            <numerusform>1 ligne</numerusform>
+            <numerusform>{count} ligne</numerusform>
             <numerusform>{count} lignes</numerusform>
         </translation>
     </message>
@@ -4009,7 +4009,7 @@
         <source>{count} corrections in this line, {all} in all</source>
         <comment>1 correction in this line, {all} in all</comment>
         <translation>
-            <numerusform>1 correction dans cette ligne, {all} en tout</numerusform>
+            <numerusform>{count} correction dans cette ligne, {all} en tout</numerusform>
             <numerusform>{count} corrections dans cette ligne, {all} en tout</numerusform>
         </translation>
     </message>
@@ -4017,7 +4017,7 @@
         <source>it has {count} source axes, possible are {range}</source>
         <comment>it has 1 source axis, possible are {range}</comment>
         <translation>
-            <numerusform>elle a 1 axe source, possible&#xa0;: {range}</numerusform>
+            <numerusform>elle a {count} axe source, possible&#xa0;: {range}</numerusform>
             <numerusform>elle a {count} axes sources, possible&#xa0;: {range}</numerusform>
         </translation>
     </message>
@@ -4025,7 +4025,7 @@
         <source>{count} numbers</source>
         <comment>1 number</comment>
         <translation>
-            <numerusform>1 nombre</numerusform>
+            <numerusform>{count} nombre</numerusform>
             <numerusform>{count} nombres</numerusform>
         </translation>
     </message>
@@ -4057,7 +4057,7 @@
         <source>{count} points</source>
         <comment>1 point</comment>
         <translation>
-            <numerusform>1 point</numerusform>
+            <numerusform>{count} point</numerusform>
             <numerusform>{count} points</numerusform>
         </translation>
     </message>
@@ -4069,7 +4069,7 @@
         <source>{count} heights</source>
         <comment>1 height</comment>
         <translation>
-            <numerusform>1 hauteur</numerusform>
+            <numerusform>{count} hauteur</numerusform>
             <numerusform>{count} hauteurs</numerusform>
         </translation>
     </message>
@@ -4077,7 +4077,7 @@
         <source>{count} lines of points</source>
         <comment>1 line of points</comment>
         <translation>
-            <numerusform>1 ligne de points</numerusform>
+            <numerusform>{count} ligne de points</numerusform>
             <numerusform>{count} lignes de points</numerusform>
         </translation>
     </message>
@@ -4085,7 +4085,7 @@
         <source>{count} entries</source>
         <comment>1 entry</comment>
         <translation>
-            <numerusform>1 entrée</numerusform>
+            <numerusform>{count} entrée</numerusform>
             <numerusform>{count} entrées</numerusform>
         </translation>
     </message>
@@ -4093,7 +4093,7 @@
         <source>{count} values</source>
         <comment>1 value</comment>
         <translation>
-            <numerusform>1 valeur</numerusform>
+            <numerusform>{count} valeur</numerusform>
             <numerusform>{count} valeurs</numerusform>
         </translation>
     </message>
@@ -4101,7 +4101,7 @@
         <source>{count} lines of counts</source>
         <comment>1 line of counts</comment>
         <translation>
-            <numerusform>1 ligne d&apos;incréments</numerusform>
+            <numerusform>{count} ligne d&apos;incréments</numerusform>
             <numerusform>{count} lignes d&apos;incréments</numerusform>
         </translation>
     </message>
@@ -4113,7 +4113,7 @@
         <source>{count} lines of heights</source>
         <comment>1 line of heights</comment>
         <translation>
-            <numerusform>1 ligne de hauteurs</numerusform>
+            <numerusform>{count} ligne de hauteurs</numerusform>
             <numerusform>{count} lignes de hauteurs</numerusform>
         </translation>
     </message>
@@ -4129,7 +4129,7 @@
         <source>{count} source axes</source>
         <comment>1 source axis</comment>
         <translation>
-            <numerusform>1 axe source</numerusform>
+            <numerusform>{count} axe source</numerusform>
             <numerusform>{count} axes sources</numerusform>
         </translation>
     </message>
@@ -4137,7 +4137,7 @@
         <source>{count} sizes</source>
         <comment>1 size</comment>
         <translation>
-            <numerusform>1 taille</numerusform>
+            <numerusform>{count} taille</numerusform>
             <numerusform>{count} tailles</numerusform>
         </translation>
     </message>
@@ -4145,7 +4145,7 @@
         <source>{count} positions and at least one correction</source>
         <comment>1 position and at least one correction</comment>
         <translation>
-            <numerusform>1 position et au moins une correction</numerusform>
+            <numerusform>{count} position et au moins une correction</numerusform>
             <numerusform>{count} positions et au moins une correction</numerusform>
         </translation>
     </message>
@@ -4213,7 +4213,7 @@
         <source>{count} positions</source>
         <comment>1 position</comment>
         <translation>
-            <numerusform>1 position</numerusform>
+            <numerusform>{count} position</numerusform>
             <numerusform>{count} positions</numerusform>
         </translation>
     </message>
@@ -4221,7 +4221,7 @@
         <source>{count} positions of {axis}</source>
         <comment>1 position of {axis}</comment>
         <translation>
-            <numerusform>1 position de {axis}</numerusform>
+            <numerusform>{count} position de {axis}</numerusform>
             <numerusform>{count} positions de {axis}</numerusform>
         </translation>
     </message>
@@ -4405,7 +4405,7 @@
         <source>{count} registers</source>
         <comment>one register</comment>
         <translation>
-            <numerusform>1 registre</numerusform>
+            <numerusform>{count} registre</numerusform>
             <numerusform>{count} registres</numerusform>
         </translation>
     </message>
@@ -4413,7 +4413,7 @@
         <source>{count} addresses</source>
         <comment>one address</comment>
         <translation>
-            <numerusform>1 adresse</numerusform>
+            <numerusform>{count} adresse</numerusform>
             <numerusform>{count} adresses</numerusform>
         </translation>
     </message>
@@ -4565,7 +4565,7 @@
         <source>{path}, or one of {count} others asked for with it</source>
         <comment>{path}, or another one asked for with it</comment>
         <translation>
-            <numerusform>{path}, ou un autre demandé avec lui</numerusform>
+            <numerusform>{path}, ou {count} autre demandé avec lui</numerusform>
             <numerusform>{path}, ou l&apos;un des {count} autres demandés avec lui</numerusform>
         </translation>
     </message>
@@ -4573,7 +4573,7 @@
         <source>a JSON array of {count} registers</source>
         <comment>a JSON array of one register</comment>
         <translation>
-            <numerusform>un tableau JSON d&apos;un registre</numerusform>
+            <numerusform>un tableau JSON de {count} registre</numerusform>
             <numerusform>un tableau JSON de {count} registres</numerusform>
         </translation>
     </message>
@@ -4581,7 +4581,7 @@
         <source>a JSON array of {count} registers, in the order asked for</source>
         <comment>a JSON array of the one register asked for</comment>
         <translation>
-            <numerusform>un tableau JSON du registre demandé</numerusform>
+            <numerusform>un tableau JSON de {count} registre, dans l&apos;ordre demandé</numerusform>
             <numerusform>un tableau JSON de {count} registres, dans l&apos;ordre demandé</numerusform>
         </translation>
     </message>
@@ -5001,7 +5001,7 @@
         <source>{count} more comment lines</source>
         <comment>1 more comment line</comment>
         <translation>
-            <numerusform>1 ligne de commentaire de plus</numerusform>
+            <numerusform>{count} ligne de commentaire de plus</numerusform>
             <numerusform>{count} lignes de commentaire de plus</numerusform>
         </translation>
     </message>
@@ -5037,7 +5037,7 @@
         <source>{file} is not a valid measurement: {count} problems</source>
         <comment>{file} is not a valid measurement: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas une mesure valide&#xa0;: un problème</numerusform>
+            <numerusform>{file} n&apos;est pas une mesure valide&#xa0;: {count} problème</numerusform>
             <numerusform>{file} n&apos;est pas une mesure valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
@@ -5149,7 +5149,7 @@
         <source>the name of a column, or its number from 1 to {count}</source>
         <comment>the name of the column, or 1</comment>
         <translation>
-            <numerusform>le nom de la colonne, ou 1</numerusform>
+            <numerusform>le nom d&apos;une colonne ou son numéro, de 1 à {count}</numerusform>
             <numerusform>le nom d&apos;une colonne ou son numéro, de 1 à {count}</numerusform>
         </translation>
     </message>
@@ -5257,7 +5257,7 @@
         <source>a number from 1 to {count}, as there are targets</source>
         <comment>1, the only target</comment>
         <translation>
-            <numerusform>1, la seule position cible</numerusform>
+            <numerusform>un nombre de 1 à {count}, le nombre de positions cibles</numerusform>
             <numerusform>un nombre de 1 à {count}, le nombre de positions cibles</numerusform>
         </translation>
     </message>
@@ -5277,7 +5277,7 @@
         <source>{count} runs of a unidirectional file that are exactly 0 throughout</source>
         <comment>1 run of a unidirectional file that is exactly 0 throughout</comment>
         <translation>
-            <numerusform>1 passe d&apos;un fichier unidirectionnel qui vaut partout exactement 0</numerusform>
+            <numerusform>{count} passe d&apos;un fichier unidirectionnel qui vaut partout exactement 0</numerusform>
             <numerusform>{count} passes d&apos;un fichier unidirectionnel qui valent partout exactement 0</numerusform>
         </translation>
     </message>
@@ -5337,7 +5337,7 @@
         <source>{count} targets</source>
         <comment>1 target</comment>
         <translation>
-            <numerusform>1 position cible</numerusform>
+            <numerusform>{count} position cible</numerusform>
             <numerusform>{count} positions cibles</numerusform>
         </translation>
     </message>
@@ -5365,7 +5365,7 @@
         <source>no value for {places} ({count} are missing)</source>
         <comment>no value for {places}</comment>
         <translation>
-            <numerusform>aucune valeur pour {places}</numerusform>
+            <numerusform>aucune valeur pour {places} (il en manque {count})</numerusform>
             <numerusform>aucune valeur pour {places} (il en manque {count})</numerusform>
         </translation>
     </message>
@@ -5457,7 +5457,7 @@
         <source>{count} samples</source>
         <comment>1 sample</comment>
         <translation>
-            <numerusform>1 échantillon</numerusform>
+            <numerusform>{count} échantillon</numerusform>
             <numerusform>{count} échantillons</numerusform>
         </translation>
     </message>
@@ -5469,7 +5469,7 @@
         <source>{count} samples after turns, until the axis had moved {overrun}</source>
         <comment>1 sample after a turn, until the axis had moved {overrun}</comment>
         <translation>
-            <numerusform>1 échantillon après une inversion, jusqu&apos;à ce que l&apos;axe ait parcouru {overrun}</numerusform>
+            <numerusform>{count} échantillon après une inversion, jusqu&apos;à ce que l&apos;axe ait parcouru {overrun}</numerusform>
             <numerusform>{count} échantillons après des inversions, jusqu&apos;à ce que l&apos;axe ait parcouru {overrun}</numerusform>
         </translation>
     </message>
@@ -5565,7 +5565,7 @@
         <source>{count} points of the grid, at {region}, are more than {distances} distances away from any measured point; measure there, take a smaller grid, or let them be filled (--fill smooth or --fill nearest)</source>
         <comment>one point of the grid, at {region}, is more than {distances} distances away from any measured point; measure there, take a smaller grid, or let it be filled (--fill smooth or --fill nearest)</comment>
         <translation>
-            <numerusform>un point de la grille, à {region}, est à plus de {distances} pas de tout point mesuré&#xa0;; mesurer à cet endroit, réduire la grille ou faire remplir ce point (--fill smooth ou --fill nearest)</numerusform>
+            <numerusform>{count} point de la grille, à {region}, est à plus de {distances} pas de tout point mesuré&#xa0;; mesurer à cet endroit, réduire la grille ou faire remplir ce point (--fill smooth ou --fill nearest)</numerusform>
             <numerusform>{count} points de la grille, à {region}, sont à plus de {distances} pas de tout point mesuré&#xa0;; mesurer à cet endroit, réduire la grille ou faire remplir ces points (--fill smooth ou --fill nearest)</numerusform>
         </translation>
     </message>
@@ -6241,7 +6241,7 @@
         <source>{file} is not a valid machine file: {count} problems</source>
         <comment>{file} is not a valid machine file: one problem</comment>
         <translation>
-            <numerusform>{file} n&apos;est pas un fichier machine valide&#xa0;: un problème</numerusform>
+            <numerusform>{file} n&apos;est pas un fichier machine valide&#xa0;: {count} problème</numerusform>
             <numerusform>{file} n&apos;est pas un fichier machine valide&#xa0;: {count} problèmes</numerusform>
         </translation>
     </message>
@@ -6449,7 +6449,7 @@
         <source>{count} values have no temperature; a table over temperature needs that of each (the column temperature)</source>
         <comment>1 value has no temperature; a table over temperature needs that of each (the column temperature)</comment>
         <translation>
-            <numerusform>1 valeur est sans température&#xa0;; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
+            <numerusform>{count} valeur est sans température&#xa0;; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
             <numerusform>{count} valeurs sont sans température&#xa0;; une table selon la température exige celle de chaque valeur (la colonne temperature)</numerusform>
         </translation>
     </message>
@@ -6957,7 +6957,7 @@
         <source>{count} values in the column BACKLASH</source>
         <comment>1 value in the column BACKLASH</comment>
         <translation>
-            <numerusform>1 valeur dans la colonne BACKLASH</numerusform>
+            <numerusform>{count} valeur dans la colonne BACKLASH</numerusform>
             <numerusform>{count} valeurs dans la colonne BACKLASH</numerusform>
         </translation>
     </message>
@@ -7061,7 +7061,7 @@
         <source>{count} numbers between commas</source>
         <comment>1 number between commas</comment>
         <translation>
-            <numerusform>1 nombre entre virgules</numerusform>
+            <numerusform>{count} nombre entre virgules</numerusform>
             <numerusform>{count} nombres entre virgules</numerusform>
         </translation>
     </message>
@@ -7185,7 +7185,7 @@
         <source>{count} numbers with commas between</source>
         <comment>1 number</comment>
         <translation>
-            <numerusform>1 nombre</numerusform>
+            <numerusform>{count} nombre</numerusform>
             <numerusform>{count} nombres séparés par des virgules</numerusform>
         </translation>
     </message>
@@ -7233,7 +7233,7 @@
         <source>no line for {count} points, the first of them {point}</source>
         <comment>no line for {point}</comment>
         <translation>
-            <numerusform>aucune ligne pour {point}</numerusform>
+            <numerusform>aucune ligne pour {count} point, {point}</numerusform>
             <numerusform>aucune ligne pour {count} points, le premier étant {point}</numerusform>
         </translation>
     </message>
@@ -7517,7 +7517,7 @@
         <source>{count} elements</source>
         <comment>1 element</comment>
         <translation>
-            <numerusform>1 élément</numerusform>
+            <numerusform>{count} élément</numerusform>
             <numerusform>{count} éléments</numerusform>
         </translation>
     </message>
@@ -9796,7 +9796,7 @@
         <source>{count} values excluded, not an evaluation by ISO 230-2</source>
         <comment>1 value excluded, not an evaluation by ISO 230-2</comment>
         <translation>
-            <numerusform>1 valeur exclue, pas une évaluation selon l&apos;ISO 230-2</numerusform>
+            <numerusform>{count} valeur exclue, pas une évaluation selon l&apos;ISO 230-2</numerusform>
             <numerusform>{count} valeurs exclues, pas une évaluation selon l&apos;ISO 230-2</numerusform>
         </translation>
     </message>
@@ -9868,7 +9868,7 @@
         <source>{count} points of {table} have nothing measured beside them and were filled</source>
         <comment>1 point of {table} has nothing measured beside it and was filled</comment>
         <translation>
-            <numerusform>1 point de {table} n&apos;a aucune mesure à côté de lui et a été rempli</numerusform>
+            <numerusform>{count} point de {table} n&apos;a aucune mesure à côté de lui et a été rempli</numerusform>
             <numerusform>{count} points de {table} n&apos;ont aucune mesure à côté d&apos;eux et ont été remplis</numerusform>
         </translation>
     </message>
@@ -9956,7 +9956,7 @@
         <source>{count} values lie outside the grid and were left out</source>
         <comment>1 value lies outside the grid and was left out</comment>
         <translation>
-            <numerusform>1 valeur est hors de la grille et a été omise</numerusform>
+            <numerusform>{count} valeur est hors de la grille et a été omise</numerusform>
             <numerusform>{count} valeurs sont hors de la grille et ont été omises</numerusform>
         </translation>
     </message>
@@ -9964,7 +9964,7 @@
         <source>{count} values of {table} do not fit the others and count little; the first is point {first}, {residual} off</source>
         <comment>1 value of {table} does not fit the others and counts little: point {first}, {residual} off</comment>
         <translation>
-            <numerusform>1 valeur de {table} ne concorde pas avec les autres et compte peu&#xa0;: point {first}, écart de {residual}</numerusform>
+            <numerusform>{count} valeur de {table} ne concorde pas avec les autres et compte peu&#xa0;: point {first}, écart de {residual}</numerusform>
             <numerusform>{count} valeurs de {table} ne concordent pas avec les autres et comptent peu&#xa0;; la première est le point {first}, écart de {residual}</numerusform>
         </translation>
     </message>
@@ -10000,7 +10000,7 @@
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; the drive will add {added}</source>
         <comment>where the encoder reads {reading} the reference said {reference}, measured once; the drive will add {added}</comment>
         <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois&#xa0;; le variateur ajoutera {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; le variateur ajoutera {added}</numerusform>
             <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; le variateur ajoutera {added}</numerusform>
         </translation>
     </message>
@@ -10008,7 +10008,7 @@
         <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
         <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
         <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré une fois&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
             <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
         </translation>
     </message>
@@ -10048,7 +10048,7 @@
         <source>{count} values do not fit the others: look at them, and exclude them or leave them in</source>
         <comment>1 value does not fit the others: look at it, and exclude it or leave it in</comment>
         <translation>
-            <numerusform>1 valeur ne concorde pas avec les autres&#xa0;: l&apos;examiner, puis l&apos;exclure ou la garder</numerusform>
+            <numerusform>{count} valeur ne concorde pas avec les autres&#xa0;: l&apos;examiner, puis l&apos;exclure ou la garder</numerusform>
             <numerusform>{count} valeurs ne concordent pas avec les autres&#xa0;: les examiner, puis les exclure ou les garder</numerusform>
         </translation>
     </message>
@@ -10144,7 +10144,7 @@
         <source>{count} values do not fit the others and are in the table; judging names them, and they can be excluded</source>
         <comment>1 value does not fit the others and is in the table; judging names it, and it can be excluded</comment>
         <translation>
-            <numerusform>1 valeur ne concorde pas avec les autres et figure dans la table&#xa0;; l&apos;analyse la signale, et elle peut être exclue</numerusform>
+            <numerusform>{count} valeur ne concorde pas avec les autres et figure dans la table&#xa0;; l&apos;analyse la signale, et elle peut être exclue</numerusform>
             <numerusform>{count} valeurs ne concordent pas avec les autres et figurent dans la table&#xa0;; l&apos;analyse les signale, et elles peuvent être exclues</numerusform>
         </translation>
     </message>
@@ -10896,7 +10896,7 @@
         <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
         <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
         <translation>
-            <numerusform>1 position cible de {from} à {to}, {up} passes ↑, {down} passes ↓</numerusform>
+            <numerusform>{count} position cible de {from} à {to}, {up} passes ↑, {down} passes ↓</numerusform>
             <numerusform>{count} positions cibles de {from} à {to}, {up} passes ↑, {down} passes ↓</numerusform>
         </translation>
     </message>
@@ -11032,7 +11032,7 @@
         <source>and {count} more in the record</source>
         <comment>and 1 more in the record</comment>
         <translation>
-            <numerusform>et 1 autre dans la fiche</numerusform>
+            <numerusform>et {count} autre dans la fiche</numerusform>
             <numerusform>et {count} autres dans la fiche</numerusform>
         </translation>
     </message>

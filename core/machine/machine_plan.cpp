@@ -277,6 +277,10 @@ public:
         , m_options(options)
         , m_outcomes(plan.axes.size())
     {
+        for (std::size_t n = 0; n < m_outcomes.size(); ++n) {
+            m_outcomes[n].awaitsWrite = plan.axes[n].writes();
+            m_outcomes[n].awaitsSwitch = context.activates && plan.axes[n].switches.has_value();
+        }
     }
 
     [[nodiscard]] std::vector<AxisOutcome> run()
@@ -314,11 +318,11 @@ Result<Activation> DriveApplication::switchOne(const AxisPlan& axis, Switch want
 
 bool DriveApplication::switchAll(Switch wanted)
 {
-    for (std::size_t n = 0; n < m_plan.axes.size() && m_context.activates; ++n) {
-        if (m_plan.axes[n].switches != std::optional(wanted))
-            continue;
+    for (std::size_t n = 0; n < m_plan.axes.size(); ++n) {
         AxisOutcome& outcome = m_outcomes[n];
-        outcome.isAttempted = true;
+        if (!outcome.awaitsSwitch || m_plan.axes[n].switches != std::optional(wanted))
+            continue;
+        outcome.awaitsSwitch = false;
         auto activation = switchOne(m_plan.axes[n], wanted);
         if (!activation)
             outcome.problem = std::move(activation).error();
@@ -336,7 +340,7 @@ bool DriveApplication::writeAxis(std::size_t index)
 {
     const AxisPlan& axis = m_plan.axes[index];
     AxisOutcome& outcome = m_outcomes[index];
-    outcome.isAttempted = true;
+    outcome.awaitsWrite = false;
     auto report = m_compensator.write(axis.axis, axis.request, m_options);
     if (report)
         outcome.report = *std::move(report);
@@ -349,7 +353,7 @@ bool DriveApplication::writeAll()
 {
     const auto hasSlot = [&](std::size_t n) { return m_plan.axes[n].request.slot.has_value(); };
     return std::ranges::all_of(inOrderOfWriting(m_plan.axes.size(), hasSlot),
-        [&](std::size_t n) { return !m_plan.axes[n].writes() || writeAxis(n); });
+        [&](std::size_t n) { return !m_outcomes[n].awaitsWrite || writeAxis(n); });
 }
 
 /// Also when the user has stopped the writes.

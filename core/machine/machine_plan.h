@@ -85,7 +85,9 @@ struct AxisOutcome {
     std::optional<WriteReport> report;
     std::optional<Activation> activation;
     std::optional<Error> problem;
-    bool isAttempted = false;
+    // What was wanted and has not been tried, because something before it failed.
+    bool awaitsWrite = false;
+    bool awaitsSwitch = false;
     std::optional<AxisStatus> now; ///< none: it cannot be read
 };
 

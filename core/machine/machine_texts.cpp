@@ -37,18 +37,22 @@ Text differenceText(const AxisPlan& axis)
     return AXISCOMP_TEXT("Machine", "differs: {fields}").with("fields", fields);
 }
 
-Text outcomeText(const AxisPlan& axis, const AxisOutcome& outcome)
+Text outcomeText(const AxisOutcome& outcome)
 {
     if (outcome.problem)
         return AXISCOMP_TEXT("Machine", "failed");
+    if (outcome.awaitsWrite)
+        return outcome.activation ? AXISCOMP_TEXT("Machine", "switched, not written")
+                                  : AXISCOMP_TEXT("Machine", "not written");
+    if (outcome.awaitsSwitch)
+        return outcome.report ? AXISCOMP_TEXT("Machine", "written, not switched")
+                              : AXISCOMP_TEXT("Machine", "not switched");
     if (outcome.report)
         return outcome.activation ? AXISCOMP_TEXT("Machine", "written and switched")
                                   : AXISCOMP_TEXT("Machine", "written");
     if (outcome.activation)
         return AXISCOMP_TEXT("Machine", "switched");
-    if (outcome.isAttempted || !axis.writes())
-        return AXISCOMP_TEXT("Machine", "nothing to do");
-    return AXISCOMP_TEXT("Machine", "not written");
+    return AXISCOMP_TEXT("Machine", "nothing to do");
 }
 
 Text heldText(const AxisStatus& status)

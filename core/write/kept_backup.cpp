@@ -28,6 +28,7 @@ KeptBackup toChoose(
     kept.time = backup.time;
     kept.drive = std::move(backup.drive);
     kept.axisName = std::move(backup.axisName);
+    kept.unit = std::move(backup.unit);
     kept.registers = std::move(backup.registers);
     if (backup.files.empty() || backup.files.front().bytes.empty())
         return kept;

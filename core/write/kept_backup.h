@@ -23,6 +23,7 @@ struct KeptBackup {
     std::optional<WallTime> time;
     DriveIdentity drive;
     std::string axisName;
+    std::string unit; ///< as in AxisBackup
     std::string slot; ///< that the axis used
     std::shared_ptr<const CompensationTable> table; ///< null: the axis had none
     std::uint32_t tableCrc = 0; ///< of its elements, as the drive says it

@@ -19,10 +19,32 @@ namespace {
 
 struct Totals {
     QStringList written;
+    QStringList switched;
     QStringList failed;
-    QStringList untouched;
+    QStringList notWritten;
+    QStringList notSwitched;
     std::optional<Error> first;
+
+    void add(const QString& name, const AxisOutcome& outcome);
 };
+
+/// An axis that is switched as wanted may still await its write, and the other way round.
+void Totals::add(const QString& name, const AxisOutcome& outcome)
+{
+    if (outcome.problem) {
+        failed += name;
+        first = first ? first : outcome.problem;
+        return;
+    }
+    if (outcome.report)
+        written += name;
+    if (outcome.activation)
+        switched += name;
+    if (outcome.awaitsWrite)
+        notWritten += name;
+    if (outcome.awaitsSwitch)
+        notSwitched += name;
+}
 
 Totals totalsOf(const std::vector<MachineApplication::Written>& drives)
 {
@@ -32,19 +54,9 @@ Totals totalsOf(const std::vector<MachineApplication::Written>& drives)
             totals.failed += drive.planned.name;
             totals.first = totals.first ? totals.first : drive.problem;
         }
-        for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
-            const AxisPlan& plan = drive.planned.look->plan->axes[n];
-            const AxisOutcome& outcome = drive.outcomes[n];
-            const QString name = axisOfDriveText(drive.planned.name, plan.name);
-            if (outcome.problem) {
-                totals.failed += name;
-                totals.first = totals.first ? totals.first : outcome.problem;
-            } else if (outcome.report || outcome.activation) {
-                totals.written += name;
-            } else if (!outcome.isAttempted && plan.writes()) {
-                totals.untouched += name;
-            }
-        }
+        for (std::size_t n = 0; n < drive.outcomes.size(); ++n)
+            totals.add(axisOfDriveText(drive.planned.name, drive.planned.look->plan->axes[n].name),
+                drive.outcomes[n]);
     }
     return totals;
 }
@@ -57,19 +69,20 @@ public:
         const QString& file, const std::vector<MachineApplication::Written>& drives)
     {
         const Totals totals = totalsOf(drives);
-        if (!totals.first)
-            return {totals.written.isEmpty()
-                    ? tr("All drives already had what %1 says; nothing was written.").arg(file)
-                    : tr("%1 is applied. Written and verified: %2.")
-                          .arg(file, listText(totals.written)),
+        const QStringList done = doneIn(totals);
+        if (!totals.first && done.isEmpty())
+            return {tr("All drives already had what %1 says; nothing was written.").arg(file),
                 false, {}};
+        if (!totals.first)
+            return {(QStringList{tr("%1 is applied.").arg(file)} + done).join(u' '), false, {}};
         QStringList sentences{
             tr("%1 is not applied as a whole: %2").arg(file, errorText(*totals.first)),
             tr("Failed: %1.").arg(listText(totals.failed))};
-        if (!totals.written.isEmpty())
-            sentences += tr("Written and verified: %1.").arg(listText(totals.written));
-        if (!totals.untouched.isEmpty())
-            sentences += tr("Not written: %1.").arg(listText(totals.untouched));
+        sentences += done;
+        if (!totals.notWritten.isEmpty())
+            sentences += tr("Not written: %1.").arg(listText(totals.notWritten));
+        if (!totals.notSwitched.isEmpty())
+            sentences += tr("Not switched: %1.").arg(listText(totals.notSwitched));
         sentences += tr("Applying it again does the rest.");
         return {sentences.join(u' '), true, errorOutcome(*totals.first).detail};
     }
@@ -77,13 +90,24 @@ public:
         const QString& drive, const AxisPlan& plan, const AxisOutcome& outcome)
     {
         const QString name = axisOfDriveText(drive, plan.name);
-        const QString what = translated(outcomeText(plan, outcome));
+        const QString what = translated(outcomeText(outcome));
         const QString said = outcome.now
             ? tr("%1: %2; it holds: %3.", "axis, what became of it, and its table")
                   .arg(name, what, translated(heldText(*outcome.now)))
             : tr("%1: %2; what it holds is not known.", "axis, and what became of it")
                   .arg(name, what);
         return outcome.problem ? said + u' ' + errorText(*outcome.problem) : said;
+    }
+
+private:
+    [[nodiscard]] static QStringList doneIn(const Totals& totals)
+    {
+        QStringList sentences;
+        if (!totals.written.isEmpty())
+            sentences += tr("Written and verified: %1.").arg(listText(totals.written));
+        if (!totals.switched.isEmpty())
+            sentences += tr("Switched: %1.").arg(listText(totals.switched));
+        return sentences;
     }
 };
 

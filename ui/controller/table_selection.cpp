@@ -140,10 +140,12 @@ LoadedTable TableSelection::selected() const
         m_source = ofFile.table;
         auto converted = inUnitsOfAxis(*ofFile.table, m_units, m_ownDimension);
         m_converted = ofFile;
-        m_fitsUnits = converted.has_value();
+        m_unitRefusal.reset();
         if (converted)
             m_converted.table =
                 std::make_shared<const CompensationTable>(std::move(converted->table));
+        else
+            m_unitRefusal = std::move(converted).error();
     }
     return m_converted;
 }
@@ -156,8 +158,13 @@ LoadedTable TableSelection::selectedOfFile() const
 
 bool TableSelection::isInDriveUnits() const
 {
+    return !unitRefusal();
+}
+
+std::optional<Error> TableSelection::unitRefusal() const
+{
     const bool isOfFile = selected().table && m_setup.edited().table.fileTable;
-    return !isOfFile || m_units.values.empty() || m_fitsUnits;
+    return isOfFile && !m_units.values.empty() ? m_unitRefusal : std::nullopt;
 }
 
 void TableSelection::setUnits(const TableUnits& units, std::optional<std::size_t> ownDimension)

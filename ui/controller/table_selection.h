@@ -55,6 +55,8 @@ public:
     /// Whether selected() has the numbers that the drive takes: those of a file that cannot be
     /// converted mean something else there.
     [[nodiscard]] bool isInDriveUnits() const;
+    /// Why they cannot be converted: the error of inUnitsOfAxis.
+    [[nodiscard]] std::optional<Error> unitRefusal() const;
     /// As the file has it.
     [[nodiscard]] LoadedTable selectedOfFile() const;
     /// What the drive says about the table that the axis has; none: it has none.
@@ -88,7 +90,7 @@ private:
     std::optional<std::size_t> m_ownDimension;
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
-    mutable bool m_fitsUnits = true; ///< m_source has units that the drive's can be made of
+    mutable std::optional<Error> m_unitRefusal; ///< why m_source has other units than the drive's
     std::shared_ptr<const CompensationTable> m_announced;
     std::optional<TableHeader> m_onDrive;
     std::shared_ptr<const CompensationTable> m_counted; ///< m_crc is of

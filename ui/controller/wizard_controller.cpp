@@ -524,9 +524,9 @@ QString WizardController::signSentence() const
 {
     const AxisInfo axis = status() ? status()->axis : AxisInfo{};
     const LoadedTable table = m_parts->tables.selected();
-    // Numbers without a unit would be read in that of the axis.
-    if (table.table && table.table->unit.empty() && !m_parts->tables.isInDriveUnits())
-        return {};
+    // Which unit is meant may depend on sources that are still to be chosen.
+    if (const auto refusal = m_parts->tables.unitRefusal())
+        return refusal->code == ErrorCode::UnitMissing ? QString() : errorText(*refusal);
     const auto& sources = setup().edited().sources;
     std::vector<std::string> paths;
     std::ranges::transform(sources, std::back_inserter(paths), &DimSource::path);

@@ -6,6 +6,7 @@
 #include "ui/dialogs/setting_fields.h"
 #include "ui/style/plain_label.h"
 #include "ui/text/free_key.h"
+#include "ui/text/typed_number.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -223,12 +223,11 @@ std::optional<std::vector<double>> ConversionForm::numbers() const
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::RejectGroupSeparator);
-    const bool isComma = locale.decimalPoint() == QStringLiteral(",");
-    const QRegularExpression separator(
-        isComma ? QStringLiteral("[;\\s]+") : QStringLiteral("[;,\\s]+"));
+    const auto parts = typedList(m_number->text(), locale.decimalPoint() != QStringLiteral(","));
+    if (!parts)
+        return std::nullopt;
     std::vector<double> numbers;
-    const QStringList parts = m_number->text().split(separator, Qt::SkipEmptyParts);
-    for (const QString& part : parts) {
+    for (const QString& part : *parts) {
         bool isNumber = false;
         numbers.push_back(locale.toDouble(part, &isNumber));
         if (!isNumber)

@@ -150,10 +150,14 @@ SettingFields::SettingFields(QFormLayout& form, int firstRow, bool isWriting, QO
 
 void SettingFields::setFormat(const TableFormat* format)
 {
-    for (const auto& [key, value] : values())
-        m_given[key] = value;
-    for (const Row& row : m_rows)
+    for (const Row& row : m_rows) {
+        const std::string value = valueOf(row);
+        if (value != row.shown && value.empty())
+            m_given.erase(std::string(row.setting.key));
+        else if (value != row.shown)
+            m_given[std::string(row.setting.key)] = value;
         m_form.removeRow(row.field);
+    }
     m_rows.clear();
     if (format == nullptr)
         return;
@@ -190,7 +194,7 @@ QWidget* SettingFields::makeField(const FormatSetting& setting)
 
 void SettingFields::addRow(const FormatSetting& setting)
 {
-    Row row{setting, nullptr, makeField(setting)};
+    Row row{setting, nullptr, makeField(setting), {}};
     row.field->setObjectName(QStringLiteral("setting_") + qString(setting.key));
     const int place = m_firstRow + static_cast<int>(m_rows.size());
     if (setting.kind == FormatSetting::Kind::YesNo) {
@@ -218,9 +222,10 @@ void SettingFields::show(const Row& row, const std::string& value)
 void SettingFields::setValues(const FormatSettings& values)
 {
     m_given = values;
-    for (const Row& row : m_rows) {
+    for (Row& row : m_rows) {
         const auto given = values.find(row.setting.key);
         show(row, given == values.end() ? std::string() : given->second);
+        row.shown = valueOf(row);
     }
 }
 

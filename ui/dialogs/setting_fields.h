@@ -20,7 +20,8 @@ public:
     /// The rows begin at firstRow. form must outlive this.
     SettingFields(QFormLayout& form, int firstRow, bool isWriting, QObject* parent);
 
-    /// What was given for a setting of the same key stays. Null: none.
+    /// What was given for a setting of the same key stays until the user changes or clears it.
+    /// Null: none.
     void setFormat(const TableFormat* format);
     void setValues(const FormatSettings& values);
     /// Those that were given.
@@ -39,6 +40,7 @@ private:
         FormatSetting setting;
         QLabel* label = nullptr; ///< null for a check box
         QWidget* field = nullptr;
+        std::string shown; ///< what the field gave before the user changed it
     };
     void addRow(const FormatSetting& setting);
     [[nodiscard]] QWidget* makeField(const FormatSetting& setting);

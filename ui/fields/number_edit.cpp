@@ -7,7 +7,6 @@
 
 #include <QAction>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QStringList>
 
 #include <cmath>
@@ -81,9 +80,11 @@ void NumberEdit::setWrong(bool isWrong)
 
 std::optional<std::vector<double>> NumberEdit::numbersOf(const QString& text) const
 {
-    static const QRegularExpression between(QStringLiteral("[;\\s]+"));
+    const auto parts = typedList(text);
+    if (!parts)
+        return std::nullopt;
     std::vector<double> numbers;
-    for (const QString& part : text.split(between, Qt::SkipEmptyParts)) {
+    for (const QString& part : *parts) {
         const auto number = typedNumber(part);
         if (!number)
             return std::nullopt;

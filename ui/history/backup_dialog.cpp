@@ -271,7 +271,7 @@ void BackupDialog::drawPicture(const TableChange& change)
     const KeptBackup* backup = current();
     if (!backup)
         return;
-    const std::string unit = unitOf(backup->axis);
+    const std::string unit = unitOf(*backup);
     m_picture->setPicture(change.after.drawn, change.scale(), unitSymbol(unit).toStdString());
     m_picture->setTexts(tr("Table of the backup"), pictureText(change.after, unit));
 }
@@ -285,10 +285,11 @@ const AxisEntry* BackupDialog::entryOf(int axis) const
     return found == axes.end() ? nullptr : &*found;
 }
 
-std::string BackupDialog::unitOf(int axis) const
+/// As the backup has it; the axis of another drive has another one.
+std::string BackupDialog::unitOf(const KeptBackup& backup) const
 {
-    const AxisEntry* entry = entryOf(axis);
-    return entry ? entry->axis.unit : std::string();
+    const AxisEntry* entry = isOther(backup) ? nullptr : entryOf(backup.axis);
+    return backup.unit.empty() && entry ? entry->axis.unit : backup.unit;
 }
 
 /// As the backup has it; it need not have one, and the axis of another drive has another name.

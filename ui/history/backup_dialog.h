@@ -56,7 +56,7 @@ private:
     void showPicture(const KeptBackup& backup);
     void drawPicture(const TableChange& change);
     [[nodiscard]] const AxisEntry* entryOf(int axis) const;
-    [[nodiscard]] std::string unitOf(int axis) const;
+    [[nodiscard]] std::string unitOf(const KeptBackup& backup) const;
     [[nodiscard]] QString nameOf(const KeptBackup& backup) const;
     void updateButtons();
     [[nodiscard]] QTreeWidgetItem* itemFor(const KeptBackup& backup) const;

@@ -69,8 +69,8 @@ LimitFields::LimitFields(RecordModel& record, QWidget* parent)
 
 bool LimitFields::isAngular() const
 {
-    const auto& measurement = m_record.state().measurement;
-    return measurement ? measurement->isAngular : m_record.record().areLimitsAngles;
+    return m_record.isMeasurementShown() ? m_record.state().measurement->isAngular
+                                         : m_record.record().areLimitsAngles;
 }
 
 /// A limit in mm is none of an angle: it is not shown as if it were.
@@ -87,9 +87,11 @@ std::optional<double> LimitFields::valueOf(const Field& field) const
 
 void LimitFields::follow()
 {
-    const auto& measurement = m_record.state().measurement;
+    // The unit is that of the measurement, which is not known while it is being read.
+    const bool hasTargets =
+        m_record.isMeasurementShown() && m_record.state().measurement->hasTargets();
     for (const Field& field : m_fields) {
-        field.edit->setEnabled(measurement && measurement->hasTargets());
+        field.edit->setEnabled(hasTargets);
         // What is being typed is the user's, until it is done.
         if (field.edit->isModified())
             continue;
@@ -107,7 +109,7 @@ void LimitFields::forgetTyped()
 
 void LimitFields::take(const Field& field)
 {
-    if (!field.edit->isModified())
+    if (!field.edit->isModified() || !m_record.isMeasurementShown())
         return;
     const QString text = field.edit->text().trimmed();
     std::optional<double> value;

@@ -269,7 +269,7 @@ void ApplyMachineDialog::fillOutcomes()
                 continue;
             }
             const AxisOutcome& outcome = written.outcomes[n];
-            rows += QStringList{name, translated(outcomeText(plans[n], outcome)),
+            rows += QStringList{name, translated(outcomeText(outcome)),
                 outcome.now ? translated(heldText(*outcome.now)) : tr("not known")};
             if (outcome.problem)
                 failures += tr("%1: %2", "axis and problem").arg(name, errorText(*outcome.problem));

@@ -196,6 +196,8 @@ Result<RecordFile::Saving> RecordFile::write(const RecordParts& parts, const Tar
         AXISCOMP_TRY(const auto bytes, loadFile(target.file, maximumRecordSize));
         if (sha256Of(bytes) != target.sha256)
             return Saving{Obstacle::Changed, {}};
+        if (!target.isModified)
+            return Saving{{}, {parts.base, target.sha256}}; // byte for byte
         if (losesTable(*parts.base, made))
             return Saving{Obstacle::OtherTable, {}};
     }
@@ -214,15 +216,10 @@ void RecordFile::saveNow(const QString& path, bool overwrites)
 {
     const QFileInfo info(path);
     const QString absolute = info.absoluteFilePath();
-    const bool isOwn = isSameFile(m_path, absolute);
-    if (isOwn && !isModified() && info.exists()) {
-        Q_EMIT saved(); // byte for byte
-        return;
-    }
     ++m_saves;
     setBusy(true);
-    const Target target{
-        info.filesystemAbsoluteFilePath(), isOwn, m_content.sha256, overwrites, m_store};
+    const Target target{info.filesystemAbsoluteFilePath(), isSameFile(m_path, absolute),
+        isModified(), m_content.sha256, overwrites, m_store};
     const OpenedRecord known = current();
     const FileDigests knownFiles = fileDigests(m_record.state(), m_after.state());
     const auto saving =

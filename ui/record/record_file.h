@@ -82,6 +82,7 @@ private:
     struct Target {
         std::filesystem::path file;
         bool isOwn = false; ///< it is the file of this record
+        bool isModified = false; ///< there is something that it does not have
         std::string sha256; ///< of what is there as far as is known
         bool overwrites = false;
         std::filesystem::path store; ///< which keeps the figures; empty: none

@@ -358,6 +358,12 @@ bool RecordModel::isMeasurementShown() const
         && m_state.record.swapsDirections == m_record.swapsDirections;
 }
 
+/// What is said while the files are being read is not about the measurement before.
+const Measurement* RecordModel::shownMeasurement() const
+{
+    return isMeasurementShown() ? m_state.measurement.get() : nullptr;
+}
+
 void RecordModel::exclude(const std::vector<Exclusion>& exclusions)
 {
     Record next = m_record;
@@ -414,8 +420,8 @@ void RecordModel::setCorrections(const CorrectionsBefore& corrections)
 Record RecordModel::withLimitsOfTheMeasurement() const
 {
     Record next = m_record;
-    const bool areAngles =
-        m_state.measurement ? m_state.measurement->isAngular : next.areLimitsAngles;
+    const Measurement* const shown = shownMeasurement();
+    const bool areAngles = shown ? shown->isAngular : next.areLimitsAngles;
     if (areAngles == next.areLimitsAngles)
         return next;
     next.areLimitsAngles = areAngles;
@@ -452,8 +458,8 @@ FitChoices RecordModel::choicesOfDrive() const
         return choices;
     choices.ontoTable.reset();
     const MeasuredState none;
-    const MeasuredState& onFile =
-        m_state.measurement ? m_state.measurement->header.compensation : none;
+    const Measurement* const shown = shownMeasurement();
+    const MeasuredState& onFile = shown ? shown->header.compensation : none;
     if (choices.measuredWith == FitChoices::MeasuredWith::On)
         choices.measuredWith = FitChoices::MeasuredWith::NotSaid;
     else if (onFile.kind == MeasuredState::Kind::On && !onFile.tableCrc)
@@ -464,9 +470,10 @@ FitChoices RecordModel::choicesOfDrive() const
 FitChoices RecordModel::fitChoices() const
 {
     FitChoices choices = choicesOfDrive();
-    if (m_state.measurement && m_state.measurement->isAngular != choices.areLengthsAngles) {
+    const Measurement* const shown = shownMeasurement();
+    if (shown && shown->isAngular != choices.areLengthsAngles) {
         choices.settings = withoutLengths(std::move(choices.settings));
-        choices.areLengthsAngles = m_state.measurement->isAngular;
+        choices.areLengthsAngles = shown->isAngular;
     }
     return choices;
 }
@@ -479,8 +486,8 @@ void RecordModel::setFit(const FitChoices& choices, const QString& name)
         next.fit.ontoTable.reset();
     else if (!choices.ontoTable)
         next.fit.ontoTable = m_drive.heldTable();
-    if (m_state.measurement)
-        next.fit.areLengthsAngles = m_state.measurement->isAngular;
+    if (const Measurement* const shown = shownMeasurement())
+        next.fit.areLengthsAngles = shown->isAngular;
     change(std::move(next), StepKind::Fit, name);
 }
 

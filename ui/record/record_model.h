@@ -126,6 +126,8 @@ private:
     void apply(const Record& record);
     void evaluate();
     void take(const RecordState& state);
+    [[nodiscard]] const Measurement*
+    shownMeasurement() const; ///< null: isMeasurementShown() is not
     [[nodiscard]] Record withLimitsOfTheMeasurement() const;
     [[nodiscard]] FitChoices choicesOfDrive() const;
     void fit();

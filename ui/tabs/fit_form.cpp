@@ -322,14 +322,13 @@ void FitForm::show(const FitChoices& choices, const RecordState& state, const Fi
     m_shown = choices;
     const Measurement none;
     const Measurement& shown = state.measurement ? *state.measurement : none;
-    m_hasMeasurement = state.measurement != nullptr;
     m_kind = shown.kind;
     m_unit = positionUnit(shown);
     m_axes = shown.points.axes;
     offerMethods();
     offerBodies();
     m_fields = fitFields(shown, choices.settings);
-    m_hasRaw = m_hasMeasurement && state.hasRaw;
+    m_hasRaw = state.measurement && state.hasRaw;
     m_onFile = shown.header.compensation;
     m_isStateAsked = !m_hasRaw && m_onFile.kind == MeasuredState::Kind::NotSaid;
     const FitChoices& said = state.record.fit;
@@ -337,7 +336,6 @@ void FitForm::show(const FitChoices& choices, const RecordState& state, const Fi
     m_wasOntoOther = said.onto != choices.onto;
     m_lookupOfDrive = drive.lookupAt();
     m_source = drive.axis ? drive.axis->source : std::string();
-    setEnabled(m_hasMeasurement);
     for (NumberEdit* field : {m_points, m_distance, m_zeroPosition})
         field->setMost(dimensionsOf(m_axes));
     showDrive();

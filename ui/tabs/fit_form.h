@@ -84,7 +84,6 @@ private:
     FitChoices m_shown;
     bool m_haveRowsChanged = false;
     bool m_isReporting = false; ///< what is shown next was said here
-    bool m_hasMeasurement = false;
     MeasurementKind m_kind = MeasurementKind::Runs;
     std::vector<std::string> m_axes; ///< of points
     std::string m_unit = "mm";

@@ -183,6 +183,7 @@ FitPage::State FitPage::state() const
 void FitPage::follow()
 {
     m_form->show(m_record.fitChoices(), m_record.state(), m_record.drive());
+    m_form->setEnabled(m_record.isMeasurementShown());
     const bool isOld = isPending();
     m_busy->setBusy(isOld);
     showOutcome();

@@ -59,6 +59,7 @@ public:
         std::optional<std::size_t> own, std::optional<LookupAt> lookupAt)
         : m_table(table)
         , m_isAtSet(lookupAt == LookupAt::Set)
+        , m_positionUnit(axis.unit)
         , m_unit(unitSymbol(axis.unit))
         , m_value(static_cast<double>(table.values[element]))
         , m_own(own ? static_cast<int>(*own) : -1)
@@ -73,17 +74,20 @@ public:
     {
         if (m_value == 0.0)
             return tr("all values are 0: the drive will add nothing");
-        const QString unit = QString::fromStdString(m_table.unit);
-        const bool isOfTheDrive =
-            unit.isEmpty() || m_unit.isEmpty() || isSameUnit(m_table.unit, m_unit.toStdString());
+        const bool isOfTheDrive = isOfTheAxis(m_table.unit)
+            && (m_own < 0 || isOfTheAxis(m_table.grid.axes[static_cast<std::size_t>(m_own)].unit));
         if (!isOfTheDrive) // what could be converted has been
-            return tr("the values are in %1, which cannot be converted to %2, the unit of the "
-                      "axis: they will not be written")
-                .arg(unit, m_unit);
+            return {};
         return m_own >= 0 ? withReadings() : withDifference();
     }
 
 private:
+    /// An axis that is known to have no unit has none of a length or an angle.
+    [[nodiscard]] bool isOfTheAxis(const std::string& unit) const
+    {
+        return unit.empty() || m_positionUnit.empty() || isSameUnit(unit, m_positionUnit);
+    }
+
     [[nodiscard]] QString added() const
     {
         const QString number = fixedText(m_value, decimalsFor(m_value));
@@ -136,6 +140,7 @@ private:
 
     const CompensationTable& m_table;
     bool m_isAtSet = false; ///< the axis's own position is one after the compensation
+    std::string m_positionUnit; ///< as the drive says it
     QString m_unit; ///< of what the drive adds
     double m_value = 0.0;
     int m_own = -1; ///< the dimension that is the axis's own position

@@ -11,12 +11,12 @@
 
 namespace axiscomp::ui {
 
-/// What the table does, in numbers, at its largest value: "where the encoder reads 40.0000 mm the
-/// reference says 40.0021 mm: the drive will add +0.0021 mm". It is there so that a wrong sign,
+/// What the table does, in numbers, at its largest value: "where the encoder reads 40.0000 mm, the
+/// reference reads 40.0021 mm: the drive will add +0.0021 mm". It is there so that a wrong sign,
 /// unit or column is seen before it moves a machine. Positions have the file's names and units;
-/// what the drive adds is in the axis's own unit, whatever the file calls it, and a difference
-/// between the two is said. own: the dimension that is the axis's own position; nothing: none is.
-/// lookupAt: on which side of the compensation that is.
+/// what the drive adds is in the axis's own unit. Empty: table or positions are in a unit that is
+/// not the axis's, and will not be written. own: the dimension that is the axis's own position;
+/// nothing: none is. lookupAt: on which side of the compensation that is.
 [[nodiscard]] QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
     std::optional<std::size_t> own, std::optional<LookupAt> lookupAt);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/typed_number.h"
 
+#include <QRegularExpression>
+
 #include <cmath>
 
 namespace axiscomp::ui {
@@ -32,6 +34,19 @@ std::optional<double> typedNumber(const QString& text)
     if (!number && !hasThousands(text))
         number = withoutGroups(text, QLocale::c());
     return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<QStringList> typedList(const QString& text, bool hasCommas)
+{
+    // One to three digits that are no decimals, then three.
+    static const QRegularExpression blank(
+        QStringLiteral("(?<![\\d.,])\\d{1,3}[ \\x{a0}\\x{202f}]\\d{3}(?!\\d)"));
+    static const QRegularExpression comma(QStringLiteral("(?<![\\d.,])\\d{1,3},\\d{3}(?!\\d)"));
+    if (text.contains(blank) || (hasCommas && text.contains(comma)))
+        return std::nullopt;
+    static const QRegularExpression between(QStringLiteral("[;\\s]+"));
+    static const QRegularExpression betweenOrComma(QStringLiteral("[;,\\s]+"));
+    return text.split(hasCommas ? betweenOrComma : between, Qt::SkipEmptyParts);
 }
 
 Text thousandsProblem(const QString& text)

@@ -5,6 +5,7 @@
 
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -16,6 +17,9 @@ namespace axiscomp::ui {
 /// What a person has typed, as the language writes it, or with a point where that can be nothing
 /// else. Nothing: it is no finite number, or hasThousands().
 [[nodiscard]] std::optional<double> typedNumber(const QString& text);
+/// The parts of a list, "21; 31", in which blanks separate, too, and commas where hasCommas.
+/// Nothing: one of these may stand between thousands, as in "1 250".
+[[nodiscard]] std::optional<QStringList> typedList(const QString& text, bool hasCommas = false);
 /// Why a text that hasThousands() is not taken.
 [[nodiscard]] Text thousandsProblem(const QString& text);
 

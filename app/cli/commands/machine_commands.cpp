@@ -163,7 +163,7 @@ void printOutcomes(Environment& environment, const MachineRun& run)
         for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
             const AxisOutcome& outcome = drive.outcomes[n];
             table.add({drive.plan->drive.name, std::to_string(drive.plan->drive.serialNumber),
-                drive.plan->axes[n].name, outcomeText(drive.plan->axes[n], outcome).english(),
+                drive.plan->axes[n].name, outcomeText(outcome).english(),
                 outcome.now ? heldText(*outcome.now).english() : "not known",
                 outcome.now ? outcome.now->axis.stateWord : "not known"});
         }

@@ -2,6 +2,7 @@
 #include "core/formats/formats.h"
 #include "core/machine/machine_plan.h"
 #include "core/machine/machine_tables.h"
+#include "core/machine/machine_texts.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
 #include "core/table/tam_table.h"
@@ -468,6 +469,56 @@ private Q_SLOTS:
             const std::string& name = snapshot->drive.axes.at(static_cast<std::size_t>(axis)).axis;
             QCOMPARE(bench.compensator.findAxis(name).value_or(-1), axis);
         }
+    }
+
+    /// X fails because somebody has changed it, and Y is never come to.
+    void anAxisThatWasToBeSwitchedAndWasNotIsNotDone()
+    {
+        Machine machine;
+        machine.context.activates = true;
+        auto& compensator = machine.bench.compensator;
+        VERIFY_RESULT(compensator.write(1, test::exampleRequest()));
+        MachineAxis second = machine.drive.axes[0];
+        second.axis = "1";
+        second.isActive = true;
+        machine.drive.axes.push_back(second);
+        machine.tables.push_back(MachineTable{});
+        machine.tables[1].table = test::exampleTable(2);
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->axes.at(1).writes());
+        QVERIFY(plan->axes[1].switches == std::optional(Switch::Activate));
+        VERIFY_RESULT(compensator.write(0, test::exampleRequest(2)));
+        const auto outcomes = machine.apply(*plan);
+        VERIFY_RESULT(outcomes);
+        QCOMPARE(outcomeText(outcomes->at(0)).english(), std::string("failed"));
+        QCOMPARE(outcomeText(outcomes->at(1)).english(), std::string("not switched"));
+
+        // Nobody has asked for it.
+        machine.context.activates = false;
+        const auto unasked = machine.apply(*plan);
+        VERIFY_RESULT(unasked);
+        QCOMPARE(outcomeText(unasked->at(1)).english(), std::string("nothing to do"));
+    }
+
+    void whatWasWrittenAndWhatWasSwitchedAreToldApart()
+    {
+        const auto said = [](bool isWritten, bool isSwitched, bool awaitsWrite, bool awaitsSwitch) {
+            AxisOutcome outcome;
+            if (isWritten)
+                outcome.report.emplace();
+            if (isSwitched)
+                outcome.activation.emplace();
+            outcome.awaitsWrite = awaitsWrite;
+            outcome.awaitsSwitch = awaitsSwitch;
+            return outcomeText(outcome).english();
+        };
+        QCOMPARE(said(true, true, false, false), std::string("written and switched"));
+        QCOMPARE(said(true, false, false, true), std::string("written, not switched"));
+        QCOMPARE(said(false, true, true, false), std::string("switched, not written"));
+        QCOMPARE(said(false, true, false, false), std::string("switched"));
+        QCOMPARE(said(false, false, true, true), std::string("not written"));
+        QCOMPARE(said(false, false, false, false), std::string("nothing to do"));
     }
 
     void anAxisThatNobodyHasChangedIsSwitchedOn()

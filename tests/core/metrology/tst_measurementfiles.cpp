@@ -868,7 +868,7 @@ private Q_SLOTS:
 
     void theDriveThatMeasuredIsReadAndWrittenAgain()
     {
-        const auto read = readAs("runs",
+        const auto read = test::readAs("runs",
             "// axiscomp runs: 1\n// drive: Mill, serial number 850618\n"
             "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
         QVERIFY(read.measurement);

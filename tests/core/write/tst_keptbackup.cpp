@@ -47,6 +47,8 @@ private Q_SLOTS:
         QVERIFY(!ofX[3]->table);
         QVERIFY(ofX[2]->table && ofX[2]->table->values == exampleRequest(2).table->values);
         QVERIFY(ofX[0]->isPersistent && !ofX[1]->isPersistent);
+        for (const KeptBackup* backup : ofX)
+            QCOMPARE(backup->unit, std::string("Millimeter"));
     }
 };
 

@@ -249,6 +249,28 @@ private Q_SLOTS:
         QCOMPARE(bench->driveTable()->values, shown->values);
     }
 
+    void whatCannotBeWrittenInTheUnitOfTheAxisSaysWhyInPlaceOfTheSignSentence_data()
+    {
+        QTest::addColumn<QByteArray>("header");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("values") << QByteArray("X [mm],X error [deg]")
+                                << QStringLiteral("The values are in deg, ");
+        QTest::newRow("positions") << QByteArray("X [deg],X error [mm]")
+                                   << QStringLiteral("The positions of dimension 1 are in deg, ");
+    }
+    void whatCannotBeWrittenInTheUnitOfTheAxisSaysWhyInPlaceOfTheSignSentence()
+    {
+        QFETCH(const QByteArray, header);
+        QFETCH(const QString, said);
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench.chooseMasterSources(1);
+        bench->openData(bench.file(QStringLiteral("x.csv"), header + "\n0,0\n20,5\n40,0\n"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().data);
+        QTRY_VERIFY2(bench->signSentence().startsWith(said), qPrintable(bench->signSentence()));
+    }
+
     void anUnevenFileNeedsAChoiceAndKeepsWhatThereWas()
     {
         ControllerFixture bench;

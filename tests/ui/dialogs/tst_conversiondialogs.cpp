@@ -77,6 +77,10 @@ private Q_SLOTS:
         QVERIFY(!mayAccept(bench)); // the distance is missing
         QCOMPARE(reason(bench), QStringLiteral("Enter a number for the even grid."));
         QVERIFY(user.click("gridNumberField"));
+        user.type(QStringLiteral("1 250"));
+        QTRY_COMPARE(
+            reason(bench), QStringLiteral("\"1 250\" is no number, and no list such as 21; 31."));
+        user.the<QLineEdit>("gridNumberField").selectAll();
         user.type(QStringLiteral("10"));
         QTRY_VERIFY(mayAccept(bench));
         QVERIFY2(report(bench).contains(QStringLiteral("off by at most 0.00183 mm")),
@@ -191,6 +195,27 @@ private Q_SLOTS:
         QTRY_VERIFY(mayAccept(bench));
         QVERIFY(reason(bench).isEmpty());
         QVERIFY(!report(bench).isEmpty());
+    }
+
+    void aSettingThatIsClearedDoesNotComeBackWithTheNextFormat()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        const auto counts = [&] { return &user.the<QLineEdit>("setting_counts-per-unit"); };
+        const QString first = QStringLiteral("CSV file of this program");
+        const QString second = QStringLiteral("leadscrew compensation of one source");
+        QVERIFY(open1D(bench));
+        QVERIFY(openExport(bench, first));
+        QVERIFY(user.click("setting_counts-per-unit"));
+        user.type(QStringLiteral("1000"));
+        QVERIFY(user.choose("conversionFormat", second));
+        QCOMPARE(counts()->text(), QStringLiteral("1000"));
+        counts()->clear();
+        QVERIFY(user.choose("conversionFormat", first));
+        QCOMPARE(counts()->text(), QString());
+        counts()->setText(QStringLiteral("2000"));
+        QVERIFY(user.choose("conversionFormat", second));
+        QCOMPARE(counts()->text(), QStringLiteral("2000"));
     }
 
     void aSettingThatMayHaveThousandsIsNotTaken()

@@ -2,6 +2,7 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/fields/number_edit.h"
 #include "ui/text/fine_scale.h"
+#include "ui/text/typed_number.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -12,6 +13,7 @@ namespace tst_numberedit {
 
 using axiscomp::ui::amountOf;
 using axiscomp::ui::NumberEdit;
+using axiscomp::ui::typedList;
 using Numbers = std::vector<double>;
 
 namespace {
@@ -58,6 +60,38 @@ private Q_SLOTS:
                 QVERIFY(field.numbers().empty() && !field.problem().isEmpty());
             }
         }
+    }
+
+    /// French has blanks between thousands, and lists may have them between numbers.
+    void aBlankThatMayStandBetweenThousandsIsNotTaken()
+    {
+        for (const auto language : {QLocale::English, QLocale::French}) {
+            QLocale::setDefault(QLocale(language));
+            NumberEdit field({.most = 3});
+            for (const char* text :
+                {"1 250", "1\u00a0250", "1\u202f250", "2; 12 250", "1 250 000", "-1 250"}) {
+                enter(field, QString::fromUtf8(text));
+                QVERIFY2(field.numbers().empty() && !field.problem().isEmpty(), text);
+            }
+            enter(field, QStringLiteral("1250; 11 7"));
+            QCOMPARE(field.numbers(), (Numbers{1250.0, 11.0, 7.0}));
+            enter(field, QStringLiteral("101; 201"));
+            QCOMPARE(field.numbers(), (Numbers{101.0, 201.0}));
+            enter(field, QStringLiteral("1500 250"));
+            QCOMPARE(field.numbers(), (Numbers{1500.0, 250.0}));
+        }
+    }
+
+    void inAListWithCommasTheseMayStandBetweenThousandsToo()
+    {
+        QCOMPARE(typedList(QStringLiteral("21, 31;41,51"), true).value_or(QStringList()),
+            (QStringList{QStringLiteral("21"), QStringLiteral("31"), QStringLiteral("41"),
+                QStringLiteral("51")}));
+        QVERIFY(!typedList(QStringLiteral("1,250"), true));
+        QVERIFY(!typedList(QStringLiteral("1 250"), true));
+        QVERIFY(typedList(QStringLiteral("1,250"), false));
+        QCOMPARE(typedList(QStringLiteral("0.5 250"), false).value_or(QStringList()).size(),
+            qsizetype(2));
     }
 
     void anAmountThatMayHaveThousandsIsNotTaken()

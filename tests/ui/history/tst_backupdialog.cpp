@@ -181,6 +181,27 @@ private Q_SLOTS:
         QVERIFY(!(bench.state() == before));
     }
 
+    void aTableIsShownInTheUnitThatItWasKeptIn()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.openWritten());
+        QVERIFY(user.choose("tableField", QStringLiteral("second")));
+        QVERIFY(bench.write());
+        const auto file = filesOf(bench, 0).front();
+        const QString moved = bench.path(QStringLiteral("turned.json"));
+        QVERIFY(QFile::copy(QString::fromStdString(file.string()), moved));
+        QVERIFY(QFile::setPermissions(moved, QFile::ReadOwner | QFile::WriteOwner));
+        replaceIn(moved.toStdString(), "\"Millimeter\"", "\"Degree\"");
+        QVERIFY(openList(bench));
+        bench.picked = moved;
+        QVERIFY(user.click("openBackupButton"));
+        QTRY_COMPARE(user.the<QTreeWidget>("backups").topLevelItemCount(), 3);
+        const auto& line =
+            *user.the("backupPicture").findChild<QLabel*>(QStringLiteral("thumbnailLine"));
+        QTRY_VERIFY2(line.text().contains(QStringLiteral("° at Dim 1 ")), qPrintable(line.text()));
+    }
+
     void aBackupFileOfThisDriveIsNotSaidToBeFromBeforeAWrite()
     {
         PageFixture bench;

@@ -33,6 +33,7 @@ using Column = OverviewModel::Column;
 using State = AxisDrift::State;
 
 const QByteArray first1D = "Position [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
+const QByteArray second1D = "Position [mm],Error [mm]\n0,0\n40,0.0022\n80,-0.001\n";
 
 QByteArray driveSection(const QString& endpoint, int serialNumber)
 {
@@ -435,7 +436,35 @@ private Q_SLOTS:
         QTRY_COMPARE(all.machine().applyObstacle(false), QString());
         QVERIFY(all.apply());
         QVERIFY(all.bench->status()->isOn());
+        QCOMPARE(
+            all.bench->outcome(), QStringLiteral("mill.toml is applied. Switched: X · Test-1."));
         QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+    }
+
+    void whatWasToBeSwitchedAndWasNotIsSaid()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        const QByteArray axes = axisSection("X") + axisSection("Y", "active = true\n");
+        const QString file = all.write(driveSection(QStringLiteral("http://x"), 4711) + axes);
+        QVERIFY(all.open(file));
+        QVERIFY(all.apply());
+        QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+        // Another table for X alone: Y has what it shall have, and is to be switched on.
+        static_cast<void>(all.bench.file(QStringLiteral("other.csv"), second1D));
+        static_cast<void>(all.write(driveSection(QStringLiteral("http://x"), 4711)
+            + QByteArray(axes).replace(axes.indexOf("first"), 5, "other")));
+        all.machine().setActivates(true);
+        QVERIFY(all.open(file));
+        QTRY_COMPARE(all.machine().applyObstacle(false), QString());
+        all.bench.drive().gate.holdUploads();
+        all.machine().apply();
+        QTRY_VERIFY(all.bench->busy().fraction > 0.1);
+        all.bench->cancel();
+        QTRY_VERIFY(all.bench->isOutcomeAnError());
+        QTRY_VERIFY2(all.bench->outcome().contains(
+                         QStringLiteral("Failed: X · Test-1. Not switched: Y · Test-1. ")),
+            qPrintable(all.bench->outcome()));
     }
 
     void aStoppedApplicationPutsBackAndSaysSo()

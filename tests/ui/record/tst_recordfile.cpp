@@ -474,6 +474,23 @@ private Q_SLOTS:
         QCOMPARE(bench.file.path(), path);
     }
 
+    /// "Saved" is said of what is in the file.
+    void aRecordThatWasNotChangedIsNotSavedWhereSomebodyElseHasPutSomething()
+    {
+        Bench bench;
+        const QString path = bench.saved(QStringLiteral("x.axcal"), test::recordOfFit());
+        QVERIFY(bench.open(path));
+        const QByteArray mine = contentOf(path);
+        QVERIFY(bench.save(path));
+        QCOMPARE(contentOf(path), mine);
+        put(path, "of another program");
+        QVERIFY(!bench.save(path));
+        QCOMPARE(bench.obstacle, std::optional(RecordFile::Obstacle::Changed));
+        QCOMPARE(contentOf(path), QByteArray("of another program"));
+        QVERIFY(bench.save(path, true));
+        QCOMPARE(contentOf(path), mine);
+    }
+
     void theHistoryOfAnotherTableIsNotLostWithoutAsking()
     {
         Bench bench;

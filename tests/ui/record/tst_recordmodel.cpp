@@ -2,8 +2,10 @@
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/settled_record.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/judging/limit_fields.h"
 #include "ui/record/record_model.h"
 
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -151,6 +153,43 @@ private Q_SLOTS:
             model.redo();
             QVERIFY(model.record() == records[n]);
         }
+    }
+
+    /// It would be in the unit of the one before.
+    void nothingIsSaidOfAMeasurementThatIsBeingRead()
+    {
+        QTemporaryDir folder;
+        const QString angle = folder.filePath(QStringLiteral("angle.csv"));
+        QFile file(angle);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("target [deg],direction,run,deviation [arcsec]\n"
+                   "0,+,1,1\n90,+,1,2\n0,-,1,1\n90,-,1,2\n");
+        file.close();
+        RecordModel model;
+        LimitFields fields(model);
+        const auto* accuracy = fields.findChild<QLineEdit*>(QStringLiteral("toleranceA"));
+        QVERIFY(accuracy);
+        model.addFiles({angle});
+        QVERIFY(settled(model));
+        QVERIFY(model.state().measurement && model.state().measurement->isAngular);
+        QVERIFY(accuracy->isEnabled());
+        Record next;
+        next.files = {{publicMeasurement("b02_x"), {}}};
+        model.open(next);
+        QVERIFY(model.state().measurement && !model.isMeasurementShown());
+        QVERIFY(!accuracy->isEnabled());
+        FitChoices choices = model.fitChoices();
+        QVERIFY(!choices.areLengthsAngles);
+        choices.settings.zero = FitZero::Position;
+        choices.settings.zeroPosition = {90.0};
+        model.setFit(choices, {});
+        QVERIFY(!model.record().fit.areLengthsAngles);
+        model.setTolerance(Iso230Figure::A, 0.01);
+        QVERIFY(!model.record().areLimitsAngles);
+        QVERIFY(settled(model));
+        QVERIFY(accuracy->isEnabled());
+        QVERIFY(!accuracy->text().isEmpty());
+        QCOMPARE(model.fitChoices().settings.zeroPosition, std::vector<double>{90.0});
     }
 
     void nothingIsAStepThatChangesNothing()

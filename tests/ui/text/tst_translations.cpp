@@ -6,10 +6,13 @@
 #include "ui/text/translated_text.h"
 
 #include <QDir>
+#include <QFile>
 #include <QHash>
 #include <QMap>
 #include <QRegularExpression>
 #include <QTest>
+
+#include <algorithm>
 
 namespace tst_translations {
 
@@ -65,6 +68,25 @@ QStringList edgesOf(QString text)
     static const QRegularExpression edge(QStringLiteral("^\\s+|\\s+$|(…|\\.\\.\\.|[.?!])$"));
     text.replace(u'。', u'.').replace(u'？', u'?').replace(u'！', u'!');
     return captured(text, edge);
+}
+
+/// What stands in the first column of the table about the line under the buttons.
+QStringList sentencesOfTheGuide()
+{
+    QFile guide(sources + QStringLiteral("/docs/user-guide.md"));
+    if (!guide.open(QIODevice::ReadOnly))
+        return {};
+    const QString text = QString::fromUtf8(guide.readAll());
+    const QString chapter =
+        text.section(QStringLiteral("\n## What the line under the buttons says\n"), 1)
+            .section(QStringLiteral("\n## "), 0, 0);
+    QStringList found;
+    for (const QString& line : chapter.split(u'\n')) {
+        const QString cell = line.section(u'|', 1, 1).trimmed();
+        if (cell.contains(u'.'))
+            found += cell.split(QStringLiteral(" / "));
+    }
+    return found;
 }
 
 QByteArray joined(const QStringList& lines)
@@ -126,13 +148,14 @@ private Q_SLOTS:
     void placeholdersAreTheSameOnBothSides_data() { addLanguages(); }
     void placeholdersAreTheSameOnBothSides()
     {
+        QFETCH(const QString, language);
         const Messages& translation = ofTheRow();
         QStringList wrong;
         for (const Message& message : translation) {
             for (const QString& text : message.translations) {
-                // The form for one may say the number in words.
-                const bool isForOne =
-                    message.translations.size() > 1 && text == message.translations.front();
+                // The form for one may say the number in words; in French it is that of 0, too.
+                const bool isForOne = language != QStringLiteral("fr")
+                    && message.translations.size() > 1 && text == message.translations.front();
                 QStringList wanted = placeholdersOf(message.source);
                 QStringList found = placeholdersOf(text);
                 if (isForOne) {
@@ -173,6 +196,29 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(wrong.isEmpty(), joined(wrong));
+    }
+
+    /// Who reads a sentence on the page looks for it there.
+    void theGuideHasTheSentencesOfTheLineUnderTheButtons()
+    {
+        static const QRegularExpression number(QStringLiteral("\\\\%L?\\d"));
+        std::vector<QRegularExpression> known;
+        for (const Message& message : m_sources.messages) {
+            if (message.context != QStringLiteral("axiscomp::ui::ActionRules"))
+                continue;
+            const QString words = QRegularExpression::escape(message.source);
+            known.emplace_back(QRegularExpression::anchoredPattern(
+                QString(words).replace(number, QStringLiteral("[\\d:]+"))));
+        }
+        QStringList unknown;
+        const QStringList sentences = sentencesOfTheGuide();
+        QVERIFY(sentences.size() > 10);
+        for (const QString& sentence : sentences)
+            if (std::ranges::none_of(known, [&](const QRegularExpression& expression) {
+                    return expression.match(sentence).hasMatch();
+                }))
+                unknown += sentence;
+        QVERIFY2(unknown.isEmpty(), joined(unknown));
     }
 
     void theLanguagesOfTheLibraryAreOffered()

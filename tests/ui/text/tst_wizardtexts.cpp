@@ -173,9 +173,17 @@ private Q_SLOTS:
 
     void theSignSentencePromisesNothingThatCannotBeWritten()
     {
-        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), 0, {}),
-            QStringLiteral("the values are in arcsec, which cannot be converted to mm, the unit of "
-                           "the axis: they will not be written"));
+        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), 0, {}), QString());
+        // A length, where the axis is known to have no unit.
+        QCOMPARE(
+            signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, "um"), axisX("None"), 0, {}), QString());
+        QCOMPARE(signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, ""), axisX("None"), 0, {}), QString());
+        // Positions of an angle are added to nothing in mm.
+        CompensationTable turned = *table1D({0.0F, 2.1F, 0.0F}, "mm").table;
+        turned.grid.axes[0].unit = "deg";
+        QCOMPARE(signSentenceFor(kept(turned), axisX(), 0, {}), QString());
+        QVERIFY(signSentenceFor(kept(turned), axisX(), {}, {})
+                    .contains(QStringLiteral("the reference reads 2.1 mm more")));
         QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), 0, {})
                     .contains(QStringLiteral("the drive will add +2.1 mm")));
     }
