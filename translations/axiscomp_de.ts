@@ -9685,6 +9685,18 @@
         <source>{slot}, volatile, CRC {crc}</source>
         <translation>{slot}, flüchtig, CRC {crc}</translation>
     </message>
+    <message>
+        <source>switched, not written</source>
+        <translation>geschaltet, nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>written, not switched</source>
+        <translation>geschrieben, nicht geschaltet</translation>
+    </message>
+    <message>
+        <source>not switched</source>
+        <translation>nicht geschaltet</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -15469,8 +15481,8 @@
         <translation>Alle Antriebe hatten schon, was in %1 steht; nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <source>%1 is applied. Written and verified: %2.</source>
-        <translation>%1 ist angewendet. Geschrieben und verifiziert: %2.</translation>
+        <source>%1 is applied.</source>
+        <translation>%1 ist angewendet.</translation>
     </message>
     <message>
         <source>%1 is not applied as a whole: %2</source>
@@ -15510,6 +15522,14 @@
         <source>%1: %2</source>
         <comment>drive and problem</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Switched: %1.</source>
+        <translation>Geschaltet: %1.</translation>
+    </message>
+    <message>
+        <source>Not switched: %1.</source>
+        <translation>Nicht geschaltet: %1.</translation>
     </message>
 </context>
 <context>
@@ -18129,10 +18149,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
         <translation>bei %1 zeigt die Referenz %2 weniger als der Geber: der Antrieb addiert %3</translation>
-    </message>
-    <message>
-        <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
-        <translation>die Werte sind in %1, was sich nicht in %2 umrechnen lässt, die Einheit der Achse: Sie werden nicht geschrieben</translation>
     </message>
     <message>
         <source>at the set position %1 the drive will add %2</source>

@@ -9685,6 +9685,18 @@
         <source>{slot}, volatile, CRC {crc}</source>
         <translation>{slot}, volatile, CRC {crc}</translation>
     </message>
+    <message>
+        <source>switched, not written</source>
+        <translation>commuté, non écrit</translation>
+    </message>
+    <message>
+        <source>written, not switched</source>
+        <translation>écrit, non commuté</translation>
+    </message>
+    <message>
+        <source>not switched</source>
+        <translation>non commuté</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -15469,8 +15481,8 @@
         <translation>Tous les variateurs avaient déjà le contenu de %1&#xa0;; rien n&apos;a été écrit.</translation>
     </message>
     <message>
-        <source>%1 is applied. Written and verified: %2.</source>
-        <translation>%1 est appliqué. Écrit et vérifié&#xa0;: %2.</translation>
+        <source>%1 is applied.</source>
+        <translation>%1 est appliqué.</translation>
     </message>
     <message>
         <source>%1 is not applied as a whole: %2</source>
@@ -15510,6 +15522,14 @@
         <source>%1: %2</source>
         <comment>drive and problem</comment>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Switched: %1.</source>
+        <translation>Commuté&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Not switched: %1.</source>
+        <translation>Non commuté&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -18129,10 +18149,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
         <translation>à %1, la référence indique %2 de moins que le codeur&#xa0;: le variateur ajoutera %3</translation>
-    </message>
-    <message>
-        <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
-        <translation>les valeurs sont en %1, ce qui ne peut pas être converti en %2, l&apos;unité de l&apos;axe&#xa0;: elles ne seront pas écrites</translation>
     </message>
     <message>
         <source>at the set position %1 the drive will add %2</source>

@@ -9644,6 +9644,18 @@
         <source>{slot}, volatile, CRC {crc}</source>
         <translation>{slot}、揮発、CRC {crc}</translation>
     </message>
+    <message>
+        <source>switched, not written</source>
+        <translation>切り替え済み、書き込みなし</translation>
+    </message>
+    <message>
+        <source>written, not switched</source>
+        <translation>書き込み済み、切り替えなし</translation>
+    </message>
+    <message>
+        <source>not switched</source>
+        <translation>切り替えなし</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -15418,8 +15430,8 @@
         <translation>すべてのドライブがすでに %1 と同じ内容です。何も書き込んでいません。</translation>
     </message>
     <message>
-        <source>%1 is applied. Written and verified: %2.</source>
-        <translation>%1 を適用しました。書き込み・照合済み: %2。</translation>
+        <source>%1 is applied.</source>
+        <translation>%1 を適用しました。</translation>
     </message>
     <message>
         <source>%1 is not applied as a whole: %2</source>
@@ -15459,6 +15471,14 @@
         <source>%1: %2</source>
         <comment>drive and problem</comment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Switched: %1.</source>
+        <translation>切り替え済み: %1。</translation>
+    </message>
+    <message>
+        <source>Not switched: %1.</source>
+        <translation>切り替えなし: %1。</translation>
     </message>
 </context>
 <context>
@@ -18078,10 +18098,6 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
         <translation>%1 で基準がエンコーダより %2 小さいとき、ドライブは %3 を加算します</translation>
-    </message>
-    <message>
-        <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
-        <translation>値の単位 %1 を軸の単位 %2 に変換できないため、書き込みません</translation>
     </message>
     <message>
         <source>at the set position %1 the drive will add %2</source>

@@ -9644,6 +9644,18 @@
         <source>{slot}, volatile, CRC {crc}</source>
         <translation>{slot}，易失，CRC {crc}</translation>
     </message>
+    <message>
+        <source>switched, not written</source>
+        <translation>已切换，未写入</translation>
+    </message>
+    <message>
+        <source>written, not switched</source>
+        <translation>已写入，未切换</translation>
+    </message>
+    <message>
+        <source>not switched</source>
+        <translation>未切换</translation>
+    </message>
 </context>
 <context>
     <name>Measurement</name>
@@ -15418,8 +15430,8 @@
         <translation>所有驱动器已与 %1 一致；未写入任何内容。</translation>
     </message>
     <message>
-        <source>%1 is applied. Written and verified: %2.</source>
-        <translation>已应用 %1。已写入并校验：%2。</translation>
+        <source>%1 is applied.</source>
+        <translation>已应用 %1。</translation>
     </message>
     <message>
         <source>%1 is not applied as a whole: %2</source>
@@ -15459,6 +15471,14 @@
         <source>%1: %2</source>
         <comment>drive and problem</comment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Switched: %1.</source>
+        <translation>已切换：%1。</translation>
+    </message>
+    <message>
+        <source>Not switched: %1.</source>
+        <translation>未切换：%1。</translation>
     </message>
 </context>
 <context>
@@ -18078,10 +18098,6 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>at %1 the reference reads %2 less than the encoder: the drive will add %3</source>
         <translation>在 %1，基准读数比编码器小 %2：驱动器将叠加 %3</translation>
-    </message>
-    <message>
-        <source>the values are in %1, which cannot be converted to %2, the unit of the axis: they will not be written</source>
-        <translation>值以 %1 为单位，无法换算成轴的单位 %2：不会写入</translation>
     </message>
     <message>
         <source>at the set position %1 the drive will add %2</source>
