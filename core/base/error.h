@@ -25,7 +25,8 @@ enum class ErrorCode {
     UnitMissing, ///< file; or positions (their units), of values that have none
     InstrumentScale, ///< file
     NoTargets, ///< file
-    InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md)
+    InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md); or as
+    ///< VerifyMismatch
     InvalidProfile, ///< file, path (JSON path), reason
     InvalidConfiguration, ///< file, line, reason (TAM configuration)
     InvalidBackup, ///< file, reason
@@ -90,7 +91,8 @@ enum class ErrorCode {
     NotHomed, ///< axis
     OtherDrive, ///< expected, found
     ChangedMeanwhile, ///< what, before, now
-    VerifyMismatch, ///< what, expected, found; or unfinished or half, axis, backup: half of a write
+    VerifyMismatch, ///< what, expected, found; or layout, slot, dimension, found,
+    ///< expected; or unfinished or half, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which

@@ -146,8 +146,9 @@ public:
     [[nodiscard]] Result<void> checkUnchanged(
         const AxisStatus& read, const OperationOptions& options = {});
 
-    /// The table that the axis uses, and no mixture of two. Errors: NoTable, InvalidTable, those of
-    /// checkUnchanged.
+    /// The table that the axis uses, and no mixture of two. Errors: NoTable, those of
+    /// checkUnchanged; InvalidTable, also when the drive shows other positions than the layout of
+    /// the profile has.
     [[nodiscard]] Result<CompensationTable> readTable(
         int axis, const OperationOptions& options = {});
     /// The table that belongs to a state that was read before; whoever shows or keeps both must
