@@ -160,6 +160,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     m_write = {};
     if (m_status.table)
         m_write.gridBefore = m_status.table->grid;
+    m_keepsTable = false;
     m_positionFacts.clear();
     m_names.clear();
     WritePlan& plan = m_write.plan;
@@ -367,7 +368,7 @@ bool WritePlanner::isTargetSettled(TableOrigin origin, bool isThere) const
 {
     const WritePlan& plan = m_write.plan;
     const bool hasAll = isThere && plan.before.sources == plan.after.sources;
-    return origin == TableOrigin::Axis || (origin == TableOrigin::Drive && hasAll);
+    return origin == TableOrigin::Axis || (origin != TableOrigin::File && hasAll);
 }
 
 /// A file that corrects Y is not for axis X, wherever it is looked up; nor is one for X2 where the
@@ -433,6 +434,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         if (m_status.table->grid.dimensions() != request.dimensionality)
             return fail(ErrorCode::DimensionMismatch,
                 {{"table", m_status.table->grid.dimensions()}, {"chosen", request.dimensionality}});
+        m_keepsTable = true;
         AXISCOMP_CHECK(checkKeptUnits());
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.elementCrc = m_status.table->crc;
@@ -456,6 +458,9 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     if (!isTargetSettled(request.origin, alreadyThere))
         AXISCOMP_CHECK(checkTargetName(table, request.origin));
     if (alreadyThere) {
+        m_keepsTable = request.origin == TableOrigin::InUse;
+        if (m_keepsTable)
+            AXISCOMP_CHECK(checkKeptUnits());
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
         return {};

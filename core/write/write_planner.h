@@ -81,6 +81,7 @@ private:
     [[nodiscard]] bool isTargetSettled(TableOrigin origin, bool isThere) const;
     [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table, TableOrigin origin);
     void warn();
+    void warnOfKeptTable();
     void warnOfDeletion();
     void warnOfDetaching();
     void warnOfSavedTable();
@@ -99,6 +100,7 @@ private:
     SavedState m_saved;
     PreparedWrite m_write;
     std::string m_returningSlot; ///< of an axis that uses no table, and shall use none
+    bool m_keepsTable = false; ///< the axis keeps the table that it uses, as the drive has it
     bool m_isSlotNamed = false; ///< by the request: others may be free
     bool m_isSlotEmpty = false; ///< nothing is overwritten
     bool m_isInSlot = false; ///< the new table is in its slot already
