@@ -365,6 +365,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the {what} of the table on the drive are in {unit}, and the new source is in "
             "{other}; write the table from its file, together with the source")},
+    Variant{ErrorCode::UnitMismatch, "keptKind",
+        AXISCOMP_TEXT("Error",
+            "dimension {number} of the table on the drive is one of {before}, and {source} is "
+            "something else: one of them is a position, the other a temperature; write the table "
+            "from its file, together with the source")},
     Variant{ErrorCode::UnitMismatch, "restored",
         AXISCOMP_TEXT("Error",
             "the {what} are in {unit} in the backup, and the drive has them in {other} "

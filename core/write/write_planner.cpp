@@ -468,6 +468,22 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     return decideNewTable(request, std::move(file));
 }
 
+/// A dimension over positions of an axis is none over temperatures, whatever the units.
+Result<void> WritePlanner::checkKeptKind(std::size_t dimension) const
+{
+    const DriveProfile& profile = m_access.profile();
+    const std::string& was = m_write.plan.before.sources[dimension].path;
+    const std::string& is = m_write.plan.after.sources[dimension].path;
+    const auto areOf = [&profile](const std::string& position, const std::string& temperature) {
+        return profile.axisOfPosition(position) && profile.isTemperature(temperature);
+    };
+    if (!areOf(was, is) && !areOf(is, was))
+        return {};
+    return fail(ErrorCode::UnitMismatch,
+        {{"keptKind", Verbatim{"table"}}, {"number", dimension + 1}, {"before", Verbatim{was}},
+            {"source", Verbatim{is}}});
+}
+
 /// The table that stays has its positions in the units of the sources that it had.
 Result<void> WritePlanner::checkKeptUnits()
 {
@@ -477,6 +493,7 @@ Result<void> WritePlanner::checkKeptUnits()
     AXISCOMP_TRY(const auto before, unitsOf(plan.before.sources));
     AXISCOMP_TRY(const auto after, unitsOf(plan.after.sources));
     for (std::size_t n = 0; n < after.positions.size(); ++n) {
+        AXISCOMP_CHECK(checkKeptKind(n));
         const std::string was = unitSymbol(before.positions[n]);
         const std::string is = unitSymbol(after.positions[n]);
         if (!was.empty() && !is.empty() && !isSameUnit(was, is))

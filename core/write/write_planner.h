@@ -59,6 +59,7 @@ private:
     void noteUnknownUnits(const Grid& grid);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<void> checkKeptUnits();
+    [[nodiscard]] Result<void> checkKeptKind(std::size_t dimension) const;
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
@@ -82,6 +83,7 @@ private:
     [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table, TableOrigin origin);
     void warn();
     void warnOfKeptTable();
+    void warnOfUnknownKinds();
     void warnOfDeletion();
     void warnOfDetaching();
     void warnOfSavedTable();

@@ -6,11 +6,14 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <algorithm>
+
 namespace tst_unitsofthedrive {
 
 using namespace axiscomp;
 using test::CompensatorFixture;
 using test::exampleRequest;
+using test::masterX;
 
 namespace {
 
@@ -266,9 +269,51 @@ private Q_SLOTS:
 
         request.sources = {"Axes[0]/Signals/PathPlanner/Position", test::masterY};
         VERIFY_RESULT(f.compensator.write(0, request)); // millimetres as well
-        // What is no position has no unit that the drive says.
-        request.sources = {"Axes[0]/Signals/General/MotorTemperature", test::masterY};
+    }
+
+    /// The profile says no unit of a temperature: it is another thing than a position all the same.
+    void aTableThatStaysGetsNoTemperatureForAPosition_data()
+    {
+        QTest::addColumn<std::string>("had");
+        QTest::addColumn<std::string>("wanted");
+        const std::string warmth = "Axes[0]/Signals/General/MotorTemperature";
+        QTest::newRow("a temperature for a position") << masterX << warmth;
+        QTest::newRow("a position for a temperature") << warmth << masterX;
+    }
+    void aTableThatStaysGetsNoTemperatureForAPosition()
+    {
+        QFETCH(std::string, had);
+        QFETCH(std::string, wanted);
+        CompensatorFixture f;
+        WriteRequest request = exampleRequest();
+        request.sources[0] = had;
         VERIFY_RESULT(f.compensator.write(0, request));
+        request.table.reset();
+        request.sources[0] = wanted;
+        const auto refused = f.compensator.plan(0, request);
+        VERIFY_ERROR(refused, ErrorCode::UnitMismatch);
+        QCOMPARE(sentence(refused.error()),
+            "dimension 1 of the table on the drive is one of " + had + ", and " + wanted
+                + " is something else: one of them is a position, the other a temperature; write "
+                  "the table from its file, together with the source");
+    }
+
+    void aTableThatStaysForARegisterOfWhichNothingIsKnownIsWarnedOf()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        WriteRequest request = exampleRequest();
+        request.table.reset();
+        request.sources[0] = "Application/Variables/Floats[0]";
+        const auto plan = f.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
+            return warning.english()
+                == "The table stays, its dimension 1 has positions of an axis, and the profile "
+                   "does "
+                   "not say what Application/Variables/Floats[0] is. Write the table that was made "
+                   "for this source.";
+        }));
     }
 
     /// As after a change of the order of the axes: the table of X is not for Y.
