@@ -25,6 +25,15 @@ struct LinearAndRotary : CompensatorFixture {
     }
 };
 
+/// Whose tables have their elements the other way round.
+DriveProfile transposing(const std::string& name)
+{
+    DriveProfile profile = drivecomm::genericProfile();
+    profile.name = name;
+    profile.layout.dimension1Fastest = false;
+    return profile;
+}
+
 WriteRequest requestIn(const std::string& values, const std::string& x, const std::string& y)
 {
     WriteRequest request = exampleRequest();
@@ -310,8 +319,8 @@ private Q_SLOTS:
         QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
             return warning.english()
                 == "The table stays, its dimension 1 has positions of an axis, and the profile "
-                   "does "
-                   "not say what Application/Variables/Floats[0] is. Write the table that was made "
+                   "does not say what Application/Variables/Floats[0] is. Write the table that was "
+                   "made "
                    "for this source.";
         }));
     }
@@ -351,6 +360,56 @@ private Q_SLOTS:
             return warning.english().starts_with("Axis 0 was called Gantry");
         }));
         VERIFY_RESULT(f.compensator.restore(backup, false));
+    }
+
+    void aBackupIsNotRestoredWithAnotherLayoutOfItsTable()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        QCOMPARE(backup->axes.front().profile, std::string("generic"));
+        const DriveProfile mine = transposing("mine");
+        AxisCompensator other(f.link, mine, f.store);
+        const auto refused = other.planRestore(backup->axes.front(), true);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error())
+                    .starts_with("the backup was made with the profile generic, which has another "
+                                 "layout of table files than mine: "));
+
+        // The same profile, put right since then: of the same drive it is the same file.
+        const DriveProfile changed = transposing("generic");
+        AxisCompensator later(f.link, changed, f.store);
+        const auto plan = later.planRestore(backup->axes.front(), false);
+        VERIFY_RESULT(plan);
+        QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
+            return warning.english().starts_with(
+                "The layout of table files in the profile generic");
+        }));
+        AxisBackup ofAnother = backup->axes.front();
+        ofAnother.drive.serialNumber = 7;
+        VERIFY_ERROR(later.planRestore(ofAnother, true), ErrorCode::InvalidArgument);
+        VERIFY_RESULT(f.compensator.planRestore(ofAnother, true));
+    }
+
+    void aBackupThatSaysNoLayoutIsRestoredToAnotherDriveWithAWarning()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        AxisBackup axis = backup->axes.front();
+        axis.layout.clear();
+        const auto warns = [&] {
+            const auto plan = f.compensator.planRestore(axis, true);
+            return plan && std::ranges::any_of(plan->warnings, [](const Text& warning) {
+                return warning.english().starts_with(
+                    "The backup of axis 0 does not say with which profile");
+            });
+        };
+        QVERIFY(!warns());
+        axis.drive.serialNumber = 7;
+        QVERIFY(warns());
     }
 
     void aBackupThatSaysNoUnitIsRestoredWithAWarning()
