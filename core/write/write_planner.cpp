@@ -2,6 +2,7 @@
 #include "core/write/write_planner.h"
 
 #include "core/axis/proposals.h"
+#include "core/axis/shown_grid.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "core/store/backup_json.h"
@@ -280,6 +281,8 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
         inUnitsOfAxis(*request.table, units, m_write.plan.ownDimension, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
+    // Once, so that the drive has what the plan says, and has it already the next time.
+    converted.table.grid = storedGrid(std::move(converted.table.grid), m_access.profile().layout);
     m_write.plan.table = std::move(converted.table);
     m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);
     WriteRequest result = request;
@@ -512,12 +515,13 @@ Result<bool> WritePlanner::isThere(const WriteRequest& request, const Compensati
     const std::string& current = m_status.setup.slot;
     const TableSlot* slot = m_access.profile().slotNamed(current);
     if (!slot || !m_status.table || m_status.table->crc != m_write.elementCrc
-        || !sameSpans(m_status.table->grid, table.grid)
+        || !isShownAs(m_status.table->grid, table.grid)
         || request.slot.value_or(current) != current)
         return false;
     AXISCOMP_TRY(const auto bytes, m_access.link().download(slot->file, m_access.exchange()));
-    return bytes.size() >= table.values.size() * sizeof(float)
-        && elementCrcOf(bytes, table) == m_write.elementCrc;
+    const auto held = decodeTamTable(bytes, m_access.profile().layout);
+    return held && sameSpans(held->table.grid, table.grid)
+        && elementCrcOf(bytes, held->table) == m_write.elementCrc;
 }
 
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)

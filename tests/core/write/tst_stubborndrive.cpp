@@ -48,6 +48,18 @@ const DriveProfile& profileWithExchangedFields()
     return profile;
 }
 
+/// As of a drive whose table files have positions of single precision.
+const DriveProfile& profileWithRoundedPositions()
+{
+    static const DriveProfile profile = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        for (const TableField field : {TableField::Start, TableField::Distance})
+            changed.layout.place(field)->type = FieldType::F32;
+        return changed;
+    }();
+    return profile;
+}
+
 /// A table from 30 on, at 30, 40 ... 80; the other way round at 10, 40 ... 160.
 WriteRequest requestFrom30()
 {
@@ -210,6 +222,33 @@ private Q_SLOTS:
         const auto read = f.compensator.readTable(0);
         VERIFY_RESULT(read);
         QCOMPARE(read->grid.axes[0].start, 12345.6789);
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::NothingToWrite);
+        request.table->grid.axes[0].start += 1e-6;
+        VERIFY_RESULT(f.compensator.write(0, request)); // the file says more than the registers
+    }
+
+    void aTableWhosePositionsTheFileRoundsIsThereTheNextTime()
+    {
+        const DriveProfile& profile = profileWithRoundedPositions();
+        CompensatorFixture f;
+        drivecomm::VirtualDrive drive(profile, CompensatorFixture::options(f.time));
+        const auto link = drivecomm::makeDirectLink(drive);
+        AxisCompensator compensator(*link, profile, f.store, [&] { return f.wallTime(); });
+        WriteRequest request = exampleRequest();
+        request.table->grid.axes[0].start = 0.1;
+        request.table->grid.axes[0].distance = 0.7;
+        const auto encoded = encodeTamTable(*request.table, false, profile.layout);
+        VERIFY_RESULT(encoded);
+        const auto written = compensator.write(0, request);
+        VERIFY_RESULT(written);
+        QCOMPARE(written->plan.table->grid.axes[0].start, double(0.1F));
+        QCOMPARE(written->plan.table->grid.axes[1], request.table->grid.axes[1]);
+        const TableSlot* slot = profile.slotNamed(written->now.setup.slot);
+        QVERIFY(drive.download(slot->file).value_or(Bytes{}) == *encoded);
+        VERIFY_ERROR(compensator.write(0, request), ErrorCode::NothingToWrite);
+
+        request.table->grid.axes[0].start = 1e7 + 0.3; // single precision has steps of 1 there
+        VERIFY_ERROR(compensator.plan(0, request), ErrorCode::InvalidArgument);
     }
 
     void registersThatDoNotGoBackAreSaid()
