@@ -414,6 +414,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete")},
     Variant{ErrorCode::NoTable, "deleting",
         AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete")},
+    Variant{ErrorCode::SlotInUse, "imported",
+        AXISCOMP_TEXT("Error",
+            "slot {slot} is in use by {user}, and an import does not move a table from one axis to "
+            "another: write the table to axis {imported} from its file, and name the slot that it "
+            "gets there in the configuration")},
     Variant{ErrorCode::SlotInUse, "named",
         AXISCOMP_TEXT("Error",
             "slot {slot} is in use by {user}: name another slot, or none, and a free one is "

@@ -82,7 +82,7 @@ enum class ErrorCode {
     DimensionMismatch, ///< table, chosen
     TableTooLarge, ///< size, largest, slot
     SlotNotFound, ///< slot, known
-    SlotInUse, ///< slot, user
+    SlotInUse, ///< slot, user; imported: the axis to which a table would be moved
     NoFreeSlot, ///< size, slots (each with why not)
     NoTable, ///< axis
     NothingToWrite, ///< axis

@@ -527,7 +527,15 @@ Result<bool> WritePlanner::isThere(const WriteRequest& request, const Compensati
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
 {
     AXISCOMP_TRY(auto slots, slotFacts(request));
-    AXISCOMP_TRY(auto choice, chooseSlot(file.size(), request.slot, slots));
+    auto chosen = chooseSlot(file.size(), request.slot, slots);
+    if (!chosen) {
+        Error error = std::move(chosen).error();
+        // No other slot can be named for a table that is in this one.
+        if (error.code == ErrorCode::SlotInUse && request.origin == TableOrigin::Drive)
+            error.context.set("imported", m_axis);
+        return fail(std::move(error));
+    }
+    SlotChoice choice = *std::move(chosen);
     m_isSlotNamed = request.slot.has_value();
     m_isSlotEmpty = choice.isEmpty;
     m_write.slot = choice.slot;

@@ -184,6 +184,36 @@ private Q_SLOTS:
         VERIFY_ERROR(planWithSource(c, masterY), ErrorCode::UnitMismatch);
     }
 
+    /// The axis that has the table would lose it before the other one has it.
+    void aTableIsNotMovedToAnotherAxis()
+    {
+        CompensatorFixture c;
+        VERIFY_RESULT(c.compensator.write(0, exampleRequest()));
+        const auto parameters = driveParameters(c.compensator, c.storeRoot());
+        VERIFY_RESULT(parameters);
+        CompensationParameters moved = *parameters;
+        std::swap(moved.axes[0].slot, moved.axes[1].slot);
+        std::swap(moved.axes[0].sources, moved.axes[1].sources);
+        const auto plans = [&]() -> Result<std::vector<WritePlan>> {
+            AXISCOMP_TRY(const auto writes,
+                parameterWrites(c.compensator, drivecomm::genericProfile(), moved));
+            return planMultiAxis(c.compensator, writes);
+        };
+        const auto refused = plans();
+        VERIFY_ERROR(refused, ErrorCode::SlotInUse);
+        QCOMPARE(sentence(refused.error()),
+            "slot Small1 is in use by axis 0, and an import does not move a table from one axis to "
+            "another: write the table to axis 1 from its file, and name the slot that it gets "
+            "there "
+            "in the configuration");
+        const auto report = c.compensator.write(1, exampleRequest());
+        VERIFY_RESULT(report);
+        moved.axes[1].slot = report->now.setup.slot;
+        const auto possible = plans();
+        VERIFY_RESULT(possible);
+        QCOMPARE(possible->size(), 1U);
+    }
+
     void anImportIsPlannedForItsOwnDrive()
     {
         Fixture c;
