@@ -60,7 +60,7 @@ struct RestoreReport {
 
 /// A table as the drive holds it.
 struct HeldTable {
-    CompensationTable table; ///< without names and units
+    CompensationTable table; ///< its own name; axis names and units are empty
     Bytes file; ///< the same, byte by byte
 };
 
