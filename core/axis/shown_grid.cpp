@@ -14,35 +14,37 @@ namespace axiscomp {
 namespace {
 
 /// Where the drive and the layout of the profile read a table differently.
-struct Difference {
+struct GridDifference {
     TableField field;
     std::size_t dimension = 0;
     double byDrive = 0.0;
     double byLayout = 0.0;
 };
 
-bool isOther(double shown, double position, double rounding)
+bool isElsewhere(double shown, double position, double rounding)
 {
-    const double single = double(std::numeric_limits<float>::epsilon()) * std::abs(position);
+    const double single =
+        static_cast<double>(std::numeric_limits<float>::epsilon()) * std::abs(position);
     return std::isfinite(shown) && std::abs(shown - position) > std::max(rounding, single);
 }
 
-std::optional<Difference> differenceOf(const Grid& shown, const Grid& grid)
+std::optional<GridDifference> differenceOf(const Grid& shown, const Grid& grid)
 {
     if (shown.axes.size() != grid.axes.size())
-        return Difference{
-            TableField::Dimensions, 0, double(shown.axes.size()), double(grid.axes.size())};
+        return GridDifference{TableField::Dimensions, 0, static_cast<double>(shown.axes.size()),
+            static_cast<double>(grid.axes.size())};
     for (std::size_t n = 0; n < grid.axes.size(); ++n) {
         const GridAxis& drive = shown.axes[n];
         const GridAxis& axis = grid.axes[n];
         if (drive.size != 0 && drive.size != axis.size)
-            return Difference{TableField::Size, n, double(drive.size), double(axis.size)};
+            return GridDifference{TableField::Size, n, static_cast<double>(drive.size),
+                static_cast<double>(axis.size)};
         // As much as a file with single precision may move the points.
         const double rounding = 1e-3 * axis.distance;
-        if (isOther(drive.start, axis.start, rounding))
-            return Difference{TableField::Start, n, drive.start, axis.start};
-        if (isOther(drive.distance, axis.distance, rounding / std::max(1U, axis.size - 1)))
-            return Difference{TableField::Distance, n, drive.distance, axis.distance};
+        if (isElsewhere(drive.start, axis.start, rounding))
+            return GridDifference{TableField::Start, n, drive.start, axis.start};
+        if (isElsewhere(drive.distance, axis.distance, rounding / std::max(1U, axis.size - 1)))
+            return GridDifference{TableField::Distance, n, drive.distance, axis.distance};
     }
     return std::nullopt;
 }
