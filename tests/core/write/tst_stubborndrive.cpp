@@ -218,6 +218,7 @@ private Q_SLOTS:
         WriteRequest request = requestFrom30();
         request.table->grid.axes[0].start = 12345.6789;
         request.table->grid.axes[0].distance = 0.01;
+        request.acceptsLarge = true;
         VERIFY_RESULT(f.compensator.write(0, request));
         const auto read = f.compensator.readTable(0);
         VERIFY_RESULT(read);
@@ -237,6 +238,7 @@ private Q_SLOTS:
         WriteRequest request = exampleRequest();
         request.table->grid.axes[0].start = 0.1;
         request.table->grid.axes[0].distance = 0.7;
+        request.acceptsLarge = true;
         const auto encoded = encodeTamTable(*request.table, false, profile.layout);
         VERIFY_RESULT(encoded);
         const auto written = compensator.write(0, request);
