@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/moving_proof.h"
 
+#include "core/axis/shown_grid.h"
+
 #include <cmath>
 
 namespace axiscomp {
@@ -18,7 +20,7 @@ MovingProof::MovingProof(
 void MovingProof::add(const AxisStatus& status)
 {
     const bool isOfTable =
-        status.table && status.table->crc == m_crc && sameSpans(status.table->grid, m_table->grid);
+        status.table && status.table->crc == m_crc && isShownAs(status.table->grid, m_table->grid);
     if (status.axis.state != CompensationState::Active || !isOfTable) {
         m_before.reset();
         m_isWithin = false;

@@ -370,6 +370,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the {what} of the table on the drive are in {unit}, and the new source is in "
             "{other}; write the table from its file, together with the source")},
+    Variant{ErrorCode::UnitMismatch, "keptKind",
+        AXISCOMP_TEXT("Error",
+            "dimension {number} of the table on the drive is one of {before}, and {source} is "
+            "something else: one of them is a position, the other a temperature; write the table "
+            "from its file, together with the source")},
     Variant{ErrorCode::UnitMismatch, "restored",
         AXISCOMP_TEXT("Error",
             "the {what} are in {unit} in the backup, and the drive has them in {other} "
@@ -386,6 +391,18 @@ constexpr std::array variants{
             "state: it is not activated. Finish that write with 'axiscomp recover "
             "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
             "state is kept in {backup}")},
+    Variant{ErrorCode::InvalidTable, "layout",
+        AXISCOMP_TEXT("Error",
+            "the drive does not read the table in {slot} as the layout of the profile has it: of "
+            "dimension {dimension} the drive shows {found} where the layout has {expected}. "
+            "Compare "
+            "{layout} in the profile with the drive's table file")},
+    Variant{ErrorCode::VerifyMismatch, "layout",
+        AXISCOMP_TEXT("Error",
+            "the drive does not read the table in {slot} as the layout of the profile has it: of "
+            "dimension {dimension} the drive shows {found} where the layout has {expected}. "
+            "Compare "
+            "{layout} in the profile with the drive's table file")},
     Variant{ErrorCode::VerifyMismatch, "half",
         AXISCOMP_TEXT("Error",
             "a write that did not end has left axis {axis} in neither its old nor its new state: "
@@ -407,6 +424,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete")},
     Variant{ErrorCode::NoTable, "deleting",
         AXISCOMP_TEXT("Error", "axis {axis} uses no table: there is nothing to delete")},
+    Variant{ErrorCode::SlotInUse, "imported",
+        AXISCOMP_TEXT("Error",
+            "slot {slot} is in use by {user}, and an import does not move a table from one axis to "
+            "another: write the table to axis {imported} from its file, and name the slot that it "
+            "gets there in the configuration")},
     Variant{ErrorCode::SlotInUse, "named",
         AXISCOMP_TEXT("Error",
             "slot {slot} is in use by {user}: name another slot, or none, and a free one is "

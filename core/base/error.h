@@ -25,7 +25,8 @@ enum class ErrorCode {
     UnitMissing, ///< file; or positions (their units), of values that have none
     InstrumentScale, ///< file
     NoTargets, ///< file
-    InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md)
+    InvalidTable, ///< field, offset, found, expected (TAM table, docs/tamtbl.md); or as
+    ///< VerifyMismatch
     InvalidProfile, ///< file, path (JSON path), reason
     InvalidConfiguration, ///< file, line, reason (TAM configuration)
     InvalidBackup, ///< file, reason
@@ -39,7 +40,8 @@ enum class ErrorCode {
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
     TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement;
     ///< kept: of a table on the drive or in a backup; restored by a backup: axis, target, name
-    UnitMismatch, ///< what, unit, other; restored: by a backup; kept: by the axis
+    UnitMismatch, ///< what, unit, other; restored: by a backup; kept: by the axis; or
+    ///< keptKind, number, before, source: a position and a temperature
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason
@@ -80,7 +82,7 @@ enum class ErrorCode {
     DimensionMismatch, ///< table, chosen
     TableTooLarge, ///< size, largest, slot
     SlotNotFound, ///< slot, known
-    SlotInUse, ///< slot, user
+    SlotInUse, ///< slot, user; imported: the axis to which a table would be moved
     NoFreeSlot, ///< size, slots (each with why not)
     NoTable, ///< axis
     NothingToWrite, ///< axis
@@ -91,7 +93,8 @@ enum class ErrorCode {
     NotHomed, ///< axis
     OtherDrive, ///< expected, found; measured: of a table, or of residuals
     ChangedMeanwhile, ///< what, before, now
-    VerifyMismatch, ///< what, expected, found; or unfinished or half, axis, backup: half of a write
+    VerifyMismatch, ///< what, expected, found; or layout, slot, dimension, found,
+    ///< expected; or unfinished or half, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which

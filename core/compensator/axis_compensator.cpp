@@ -4,6 +4,7 @@
 #include "core/axis/activation.h"
 #include "core/axis/axis_reader.h"
 #include "core/axis/proof.h"
+#include "core/axis/shown_grid.h"
 #include "core/axis/verified_transfer.h"
 #include "core/compensator/axis_naming.h"
 #include "core/compensator/table_of_axis.h"
@@ -288,6 +289,8 @@ Result<HeldTable> AxisCompensator::readHeldTable(
                 {"before",
                     AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(status.table->crc))},
                 {"now", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc))}});
+    AXISCOMP_CHECK(checkShownGrid(
+        ErrorCode::InvalidTable, slot->name, status.table->grid, decoded.table.grid));
     return HeldTable{std::move(decoded.table), *std::move(bytes)};
 }
 

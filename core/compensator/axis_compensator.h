@@ -60,7 +60,7 @@ struct RestoreReport {
 
 /// A table as the drive holds it.
 struct HeldTable {
-    CompensationTable table; ///< without names and units
+    CompensationTable table; ///< its own name; axis names and units are empty
     Bytes file; ///< the same, byte by byte
 };
 
@@ -146,8 +146,9 @@ public:
     [[nodiscard]] Result<void> checkUnchanged(
         const AxisStatus& read, const OperationOptions& options = {});
 
-    /// The table that the axis uses, and no mixture of two. Errors: NoTable, InvalidTable, those of
-    /// checkUnchanged.
+    /// The table that the axis uses, and no mixture of two. Errors: NoTable, those of
+    /// checkUnchanged; InvalidTable, also when the drive shows other positions than the layout of
+    /// the profile has.
     [[nodiscard]] Result<CompensationTable> readTable(
         int axis, const OperationOptions& options = {});
     /// The table that belongs to a state that was read before; whoever shows or keeps both must

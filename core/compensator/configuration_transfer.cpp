@@ -78,7 +78,7 @@ Result<AxisWrite> writeOf(AxisCompensator& compensator, const DriveProfile& prof
         return fail(ErrorCode::SourceMissing,
             {{"dimension", gap - request.sources.begin() + 1}, {"ofAxis", axis.axis}});
     request.table = std::move(decoded.table);
-    request.origin = TableOrigin::Drive;
+    request.origin = axis.slot == status.setup.slot ? TableOrigin::InUse : TableOrigin::Drive;
     request.slot = axis.slot;
     request.persistency = decoded.persistent ? Persistency::Persistent : Persistency::Volatile;
     request.acceptsLarge = true; // the drive has it

@@ -7,6 +7,7 @@
 #include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -85,6 +86,17 @@ std::vector<double> shiftsOf(const NeutralTable& table, const Adjustment& adjust
     return shifts;
 }
 
+/// Columns that correct the same axis in the same direction are told apart by their names.
+Text namedColumn(const NeutralTable& table, const CompensationColumn& column)
+{
+    const auto alike =
+        std::ranges::count_if(table.columns, [&column](const CompensationColumn& other) {
+            return other.target == column.target && other.direction == column.direction;
+        });
+    return alike > 1 && !column.name.empty() ? Text(Verbatim{column.name})
+                                             : columnText(table, column);
+}
+
 } // namespace
 
 Result<NeutralTable> adjusted(
@@ -110,7 +122,7 @@ Result<NeutralTable> adjusted(
             value += shift;
         remarkOnce(remarks,
             AXISCOMP_TEXT("Error", "the values of {column} are shifted by {shift}")
-                .with("column", columnText(table, column))
+                .with("column", namedColumn(table, column))
                 .with("shift", quantityOf(shift, column.unit)));
     }
     return table;

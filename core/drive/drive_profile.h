@@ -87,8 +87,6 @@ struct FlashWearLimits {
     std::uint32_t ratedCycles = 0; ///< usual life of a slot, 0 = unknown
 };
 
-/// Everything that AN140 leaves open about a drive, as data. Nothing else in the program spells a
-/// register path, an enum value or a URL path.
 /// Which registers are positions of an axis; paths with {axis}. The output of a compensation is
 /// added to the encoder position (AN140 1.5, 3.1): before it there is what the encoder says.
 struct PositionKinds {
@@ -97,6 +95,8 @@ struct PositionKinds {
     std::vector<std::string> commanded; ///< what the sum follows
 };
 
+/// Everything that AN140 leaves open about a drive, as data. Nothing else in the program spells a
+/// register path, an enum value or a URL path.
 struct DriveProfile {
     std::string name; ///< "generic"
     RegisterPaths registers;

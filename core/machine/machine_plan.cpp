@@ -2,6 +2,7 @@
 #include "core/machine/machine_plan.h"
 
 #include "core/axis/axis_reader.h"
+#include "core/axis/shown_grid.h"
 #include "core/compensator/axis_operations.h"
 #include "core/compensator/multi_axis_write.h"
 #include "core/drive/axis_target.h"
@@ -200,7 +201,7 @@ Result<bool> DrivePlanner::isWithinTolerance(const ValueTolerance& tolerance, co
         return false;
     const CompensationTable& wanted = *plan.plan.table;
     const auto& header = plan.before.table;
-    if (!header || !sameSpans(header->grid, wanted.grid))
+    if (!header || !isShownAs(header->grid, wanted.grid))
         return false;
     const auto factor = unitFactor(tolerance.unit, plan.before.axis.unit);
     if (!factor)

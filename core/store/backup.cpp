@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> members{"format", "version", "axes", "
 constexpr std::array<std::string_view, 1> extras{"drive"};
 constexpr std::array<std::string_view, 6> axisMembers{
     "drive", "axis", "axisName", "time", "registers", "files"};
-constexpr std::array<std::string_view, 2> axisExtras{"unit", "sourceUnits"};
+constexpr std::array<std::string_view, 4> axisExtras{"unit", "sourceUnits", "profile", "layout"};
 constexpr JsonLimits backupLimits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
 
 OrderedJson toJson(const DriveIdentity& drive)
@@ -49,6 +49,10 @@ OrderedJson toJson(const AxisBackup& backup)
         document["unit"] = backup.unit;
     if (!backup.sourceUnits.empty())
         document["sourceUnits"] = backup.sourceUnits;
+    if (!backup.profile.empty())
+        document["profile"] = backup.profile;
+    if (!backup.layout.empty())
+        document["layout"] = backup.layout;
     return document;
 }
 
@@ -99,6 +103,10 @@ AxisBackup axisFromJson(const JsonNode& node)
     if (node.has("sourceUnits"))
         for (const JsonNode& unit : node["sourceUnits"].items())
             backup.sourceUnits.push_back(unit.text());
+    if (node.has("profile"))
+        backup.profile = node["profile"].text();
+    if (node.has("layout"))
+        backup.layout = node["layout"].text();
     return backup;
 }
 

@@ -36,6 +36,10 @@ struct AxisBackup {
     /// The same of the axes whose positions the sources are, dimension by dimension, as far as
     /// known.
     std::vector<std::string> sourceUnits{};
+    /// The profile with which it was made, and how that reads the bytes of the files
+    /// (layoutText); empty: not known.
+    std::string profile{};
+    std::string layout{};
 
     friend bool operator==(const AxisBackup&, const AxisBackup&) = default;
 };

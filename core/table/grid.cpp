@@ -7,10 +7,21 @@
 
 namespace axiscomp {
 
+namespace {
+
+/// NaN: a drive that does not show it.
+bool isSameNumber(double a, double b)
+{
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+} // namespace
+
 bool sameSpans(const Grid& a, const Grid& b)
 {
     return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
-        return x.start == y.start && x.distance == y.distance && x.size == y.size;
+        return isSameNumber(x.start, y.start) && isSameNumber(x.distance, y.distance)
+            && x.size == y.size;
     });
 }
 

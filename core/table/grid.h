@@ -41,7 +41,7 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// The same sizes, starts and distances, whatever the names and units.
+/// The same sizes, starts and distances, NaN included, whatever the names and units.
 [[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
 
 /// Whether a position is on the grid or between its points, in every dimension. positions: one per

@@ -230,6 +230,19 @@ Result<void> checkLayout(const TableLayout& layout)
     return checkOverlaps(layout);
 }
 
+std::string layoutText(const TableLayout& layout)
+{
+    std::string text = layout.littleEndian ? "little " : "big ";
+    text += std::to_string(layout.headerSize) + (layout.dimension1Fastest ? " first" : " last");
+    for (const TableField field :
+        {TableField::Dimensions, TableField::Size, TableField::Start, TableField::Distance}) {
+        if (const auto& place = layout.place(field))
+            text += " " + std::string(tableFieldName(field)) + "="
+                + std::string(fieldTypeName(place->type)) + "@" + std::to_string(place->offset);
+    }
+    return text;
+}
+
 TableLayout genericTableLayout()
 {
     TableLayout layout;

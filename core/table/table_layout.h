@@ -71,6 +71,10 @@ struct TableLayout {
 /// leave the header, have a type or count that cannot hold them, or a mandatory one is missing.
 [[nodiscard]] Result<void> checkLayout(const TableLayout& layout);
 
+/// Where a layout has the numbers of a table, such as "little 128 first dimensions=u32@16 ...": two
+/// layouts with one text read the same table from the same bytes, if both read them.
+[[nodiscard]] std::string layoutText(const TableLayout& layout);
+
 /// This project's own layout (docs/profiles.md, "The generic layout"), to be replaced for a real
 /// drive.
 [[nodiscard]] TableLayout genericTableLayout();

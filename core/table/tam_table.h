@@ -27,6 +27,10 @@ struct TamTable {
 [[nodiscard]] Result<std::uint32_t> elementCrc(
     const CompensationTable& table, const TableLayout& layout);
 
+/// Where the points of a grid lie in a file: rounded where the layout has f32. What encodeTamTable
+/// refuses stays as it is.
+[[nodiscard]] Grid storedGrid(Grid grid, const TableLayout& layout);
+
 /// The size of the file for a grid.
 [[nodiscard]] std::size_t tamTableSize(const Grid& grid, const TableLayout& layout);
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace axiscomp {
 
@@ -92,6 +93,33 @@ Result<void> checkTable(const CompensationTable& table)
     return {};
 }
 
+bool rounds(double& value, FieldType type)
+{
+    if (type != FieldType::F32)
+        return true;
+    if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
+        return false;
+    value = static_cast<double>(static_cast<float>(value));
+    return true;
+}
+
+bool isSameGrid(const GridAxis& wanted, const GridAxis& stored)
+{
+    const double shift =
+        std::max(std::abs(stored.start - wanted.start), std::abs(stored.last() - wanted.last()));
+    return stored.distance > 0.0 && shift <= largestShift * wanted.distance;
+}
+
+/// As fields of these types hold it; nothing where they cannot.
+std::optional<GridAxis> storedAxis(const GridAxis& axis, FieldType start, FieldType distance)
+{
+    GridAxis stored = axis;
+    if (!rounds(stored.start, start) || !rounds(stored.distance, distance)
+        || !isSameGrid(axis, stored))
+        return std::nullopt;
+    return stored;
+}
+
 /// Writes the header of one file, field by field; keeps the first fault.
 class HeaderWriter {
 public:
@@ -124,9 +152,8 @@ public:
     {
         const FieldPlace& start = *m_layout.place(TableField::Start);
         const FieldPlace& distance = *m_layout.place(TableField::Distance);
-        GridAxis stored = axis;
-        if (!rounds(stored.start, start.type) || !rounds(stored.distance, distance.type)
-            || !isSameGrid(axis, stored)) {
+        const auto stored = storedAxis(axis, start.type, distance.type);
+        if (!stored) {
             if (m_fault.isEmpty())
                 m_fault = AXISCOMP_TEXT("Error",
                     "the grid of dimension {dimension}, start {start} and distance {distance}, "
@@ -138,30 +165,13 @@ public:
                               .with("second", fieldTypeName(distance.type));
             return;
         }
-        storeNumber(m_header, start, index, stored.start, m_layout.littleEndian);
-        storeNumber(m_header, distance, index, stored.distance, m_layout.littleEndian);
+        storeNumber(m_header, start, index, stored->start, m_layout.littleEndian);
+        storeNumber(m_header, distance, index, stored->distance, m_layout.littleEndian);
     }
 
     [[nodiscard]] const Text& fault() const { return m_fault; }
 
 private:
-    static bool rounds(double& value, FieldType type)
-    {
-        if (type != FieldType::F32)
-            return true;
-        if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
-            return false;
-        value = static_cast<double>(static_cast<float>(value));
-        return true;
-    }
-
-    static bool isSameGrid(const GridAxis& wanted, const GridAxis& stored)
-    {
-        const double shift = std::max(
-            std::abs(stored.start - wanted.start), std::abs(stored.last() - wanted.last()));
-        return stored.distance > 0.0 && shift <= largestShift * wanted.distance;
-    }
-
     std::span<std::byte> m_header;
     const TableLayout& m_layout;
     Text m_fault;
@@ -229,6 +239,16 @@ Result<std::uint32_t> elementCrc(const CompensationTable& table, const TableLayo
     AXISCOMP_TRY(const auto file, encodeTamTable(table, false, layout));
     // The elements are the end of every file.
     return crc32(std::span(file).last(table.values.size() * sizeof(float)));
+}
+
+Grid storedGrid(Grid grid, const TableLayout& layout)
+{
+    const auto& start = layout.place(TableField::Start);
+    const auto& distance = layout.place(TableField::Distance);
+    for (GridAxis& axis : grid.axes)
+        if (start && distance)
+            axis = storedAxis(axis, start->type, distance->type).value_or(axis);
+    return grid;
 }
 
 std::size_t tamTableSize(const Grid& grid, const TableLayout& layout)

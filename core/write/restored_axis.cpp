@@ -4,6 +4,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
+#include "core/table/table_layout.h"
 #include "core/table/target_axis.h"
 #include "core/write/backup_restore.h"
 
@@ -35,6 +36,43 @@ bool holdsTable(const AxisBackup& backup)
         backup.files, [](const AxisBackup::File& file) { return !file.bytes.empty(); });
 }
 
+/// That the bytes of its files mean what they meant. Where nothing but the profile of that drive
+/// has changed, as when it was put right, they are the drive's own all the same.
+Result<void> checkFileLayout(
+    const RegisterAccess& access, const AxisBackup& backup, std::vector<Text>& doubts)
+{
+    const DriveProfile& profile = access.profile();
+    const std::string layout = layoutText(profile.layout);
+    if (backup.layout == layout)
+        return {};
+    AXISCOMP_TRY(const auto drive, access.identify());
+    const bool isOtherDrive = drive.serialNumber != backup.drive.serialNumber;
+    if (backup.layout.empty()) {
+        if (isOtherDrive)
+            doubts.push_back(AXISCOMP_TEXT("Error",
+                "The backup of axis {axis} does not say with which profile it was made; its table "
+                "is read with the profile {profile}.")
+                                 .with("axis", backup.axis)
+                                 .with("profile", profile.name));
+        return {};
+    }
+    if (isOtherDrive || backup.profile != profile.name)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the backup was made with the profile {before}, which has another layout of "
+                    "table files than {profile}: restore it with that profile (--profile), or, on "
+                    "a "
+                    "drive that needs the other one, write the table from its file")
+                    .with("before", Verbatim{backup.profile})
+                    .with("profile", profile.name)}});
+    doubts.push_back(AXISCOMP_TEXT("Error",
+        "The layout of table files in the profile {profile} has been changed since the backup was "
+        "made: see that the table is right.")
+                         .with("profile", profile.name));
+    return {};
+}
+
 Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
 {
     AXISCOMP_CHECK(
@@ -56,6 +94,8 @@ Result<void> describeAxis(
 {
     AXISCOMP_TRY(auto facts, readPositionFacts(access, backup.axis));
     backup.axisName = std::move(facts.name);
+    backup.profile = access.profile().name;
+    backup.layout = layoutText(access.profile().layout);
     std::vector<DimSource> used(dimensionsOfBackup);
     for (int n = 1; n <= dimensionsOfBackup; ++n)
         if (const auto address = sourceAddress(access, backup.registers, backup.axis, n)) {
@@ -94,6 +134,7 @@ Result<RestoredAxis> checkSameAxis(
                                   .with("after", Verbatim{now.axisName}));
     if (!holdsTable(backup))
         return axis;
+    AXISCOMP_CHECK(checkFileLayout(access, backup, axis.doubts));
     AXISCOMP_CHECK(checkUnits(backup, now));
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
         axis.doubts.push_back(AXISCOMP_TEXT("Error",

@@ -7,9 +7,9 @@
 
 namespace axiscomp {
 
-/// Fills in which axis a backup is of, and in which units its table is: name, unit and the units
-/// of the sources, which its registers name. Without them nobody could tell later that the same
-/// numbers mean something else.
+/// Fills in which axis a backup is of, in which units its table is, and how its bytes are read:
+/// name, unit, the units of the sources, which its registers name, and the profile. Without them
+/// nobody could tell later that the same numbers mean something else.
 [[nodiscard]] Result<void> describeAxis(
     const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup);
 
@@ -20,7 +20,7 @@ struct RestoredAxis {
 };
 
 /// That the axis is still the one of the backup, and that the numbers of its table mean what they
-/// meant. Errors: TargetMismatch, UnitMismatch.
+/// meant. Errors: TargetMismatch, UnitMismatch, InvalidArgument for another layout of table files.
 [[nodiscard]] Result<RestoredAxis> checkSameAxis(
     const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
 

@@ -25,6 +25,7 @@ namespace axiscomp {
 enum class TableOrigin {
     File, ///< or a person, who can state the target
     Drive, ///< or a backup: the name has to fit the axis, unless the axis has all of this already
+    InUse, ///< the same, of the table that the axis uses: its new sources have to fit it too
     Axis, ///< this axis had it, or was being written it: its target was settled then
 };
 

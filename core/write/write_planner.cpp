@@ -2,6 +2,7 @@
 #include "core/write/write_planner.h"
 
 #include "core/axis/proposals.h"
+#include "core/axis/shown_grid.h"
 #include "core/drive/axis_target.h"
 #include "core/drive/drive_units.h"
 #include "core/neutral/drive_note.h"
@@ -161,6 +162,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     m_write = {};
     if (m_status.table)
         m_write.gridBefore = m_status.table->grid;
+    m_keepsTable = false;
     m_positionFacts.clear();
     m_names.clear();
     WritePlan& plan = m_write.plan;
@@ -280,6 +282,8 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
         inUnitsOfAxis(*request.table, units, m_write.plan.ownDimension, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
+    // Once, so that the drive has what the plan says, and has it already the next time.
+    converted.table.grid = storedGrid(std::move(converted.table.grid), m_access.profile().layout);
     m_write.plan.table = std::move(converted.table);
     m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);
     WriteRequest result = request;
@@ -368,7 +372,7 @@ bool WritePlanner::isTargetSettled(TableOrigin origin, bool isThere) const
 {
     const WritePlan& plan = m_write.plan;
     const bool hasAll = isThere && plan.before.sources == plan.after.sources;
-    return origin == TableOrigin::Axis || (origin == TableOrigin::Drive && hasAll);
+    return origin == TableOrigin::Axis || (origin != TableOrigin::File && hasAll);
 }
 
 /// A file that corrects Y is not for axis X, wherever it is looked up; nor is one for X2 where the
@@ -456,6 +460,7 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
         if (m_status.table->grid.dimensions() != request.dimensionality)
             return fail(ErrorCode::DimensionMismatch,
                 {{"table", m_status.table->grid.dimensions()}, {"chosen", request.dimensionality}});
+        m_keepsTable = true;
         AXISCOMP_CHECK(checkKeptUnits());
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.elementCrc = m_status.table->crc;
@@ -480,11 +485,30 @@ Result<void> WritePlanner::decideTable(const WriteRequest& request)
     if (!isTargetSettled(request.origin, alreadyThere))
         AXISCOMP_CHECK(checkTargetName(table, request.origin));
     if (alreadyThere) {
+        m_keepsTable = request.origin == TableOrigin::InUse;
+        if (m_keepsTable)
+            AXISCOMP_CHECK(checkKeptUnits());
         m_write.plan.slotReason = SlotReason::KeepTable;
         m_write.plan.after.persistency = request.persistency.value_or(m_status.setup.persistency);
         return {};
     }
     return decideNewTable(request, std::move(file));
+}
+
+/// A dimension over positions of an axis is none over temperatures, whatever the units.
+Result<void> WritePlanner::checkKeptKind(std::size_t dimension) const
+{
+    const DriveProfile& profile = m_access.profile();
+    const std::string& was = m_write.plan.before.sources[dimension].path;
+    const std::string& is = m_write.plan.after.sources[dimension].path;
+    const auto areOf = [&profile](const std::string& position, const std::string& temperature) {
+        return profile.axisOfPosition(position) && profile.isTemperature(temperature);
+    };
+    if (!areOf(was, is) && !areOf(is, was))
+        return {};
+    return fail(ErrorCode::UnitMismatch,
+        {{"keptKind", Verbatim{"table"}}, {"number", dimension + 1}, {"before", Verbatim{was}},
+            {"source", Verbatim{is}}});
 }
 
 /// The table that stays has its positions in the units of the sources that it had.
@@ -496,6 +520,7 @@ Result<void> WritePlanner::checkKeptUnits()
     AXISCOMP_TRY(const auto before, unitsOf(plan.before.sources));
     AXISCOMP_TRY(const auto after, unitsOf(plan.after.sources));
     for (std::size_t n = 0; n < after.positions.size(); ++n) {
+        AXISCOMP_CHECK(checkKeptKind(n));
         const std::string was = unitSymbol(before.positions[n]);
         const std::string is = unitSymbol(after.positions[n]);
         if (!was.empty() && !is.empty() && !isSameUnit(was, is))
@@ -514,18 +539,27 @@ Result<bool> WritePlanner::isThere(const WriteRequest& request, const Compensati
     const std::string& current = m_status.setup.slot;
     const TableSlot* slot = m_access.profile().slotNamed(current);
     if (!slot || !m_status.table || m_status.table->crc != m_write.elementCrc
-        || !sameSpans(m_status.table->grid, table.grid)
+        || !isShownAs(m_status.table->grid, table.grid)
         || request.slot.value_or(current) != current)
         return false;
     AXISCOMP_TRY(const auto bytes, m_access.link().download(slot->file, m_access.exchange()));
-    return bytes.size() >= table.values.size() * sizeof(float)
-        && elementCrcOf(bytes, table) == m_write.elementCrc;
+    const auto held = decodeTamTable(bytes, m_access.profile().layout);
+    return held && sameSpans(held->table.grid, table.grid)
+        && elementCrcOf(bytes, held->table) == m_write.elementCrc;
 }
 
 Result<void> WritePlanner::decideNewTable(const WriteRequest& request, Bytes file)
 {
     AXISCOMP_TRY(auto slots, slotFacts(request));
-    AXISCOMP_TRY(auto choice, chooseSlot(file.size(), request.slot, slots));
+    auto chosen = chooseSlot(file.size(), request.slot, slots);
+    if (!chosen) {
+        Error error = std::move(chosen).error();
+        // No other slot can be named for a table that is in this one.
+        if (error.code == ErrorCode::SlotInUse && request.origin == TableOrigin::Drive)
+            error.context.set("imported", m_axis);
+        return fail(std::move(error));
+    }
+    SlotChoice choice = *std::move(chosen);
     m_isSlotNamed = request.slot.has_value();
     m_isSlotEmpty = choice.isEmpty;
     m_write.slot = choice.slot;

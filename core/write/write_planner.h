@@ -59,6 +59,7 @@ private:
     void noteUnknownUnits(const Grid& grid);
     [[nodiscard]] Result<void> decideTable(const WriteRequest& request);
     [[nodiscard]] Result<void> checkKeptUnits();
+    [[nodiscard]] Result<void> checkKeptKind(std::size_t dimension) const;
     [[nodiscard]] Result<bool> isThere(const WriteRequest& request, const CompensationTable& table);
     [[nodiscard]] Result<void> decideNewTable(const WriteRequest& request, Bytes file);
     [[nodiscard]] Result<void> noteStored(const Grid& grid);
@@ -82,6 +83,8 @@ private:
     [[nodiscard]] bool isTargetSettled(TableOrigin origin, bool isThere) const;
     [[nodiscard]] Result<void> checkTargetName(const CompensationTable& table, TableOrigin origin);
     void warn();
+    void warnOfKeptTable();
+    void warnOfUnknownKinds();
     void warnOfDeletion();
     void warnOfDetaching();
     void warnOfSavedTable();
@@ -100,6 +103,7 @@ private:
     SavedState m_saved;
     PreparedWrite m_write;
     std::string m_returningSlot; ///< of an axis that uses no table, and shall use none
+    bool m_keepsTable = false; ///< the axis keeps the table that it uses, as the drive has it
     bool m_isSlotNamed = false; ///< by the request: others may be free
     bool m_isSlotEmpty = false; ///< nothing is overwritten
     bool m_isInSlot = false; ///< the new table is in its slot already

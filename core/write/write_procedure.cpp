@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/write_procedure.h"
 
+#include "core/axis/shown_grid.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
@@ -369,6 +370,9 @@ Result<AxisStatus> WriteProcedure::confirm()
         return fail(ErrorCode::VerifyMismatch,
             {{"what", axisText(plan.axis, now->axis.name)}, {"found", setupText(now->setup)},
                 {"expected", setupText(plan.after)}});
+    if (now && now->table && plan.table && isNewTable())
+        AXISCOMP_CHECK(checkShownGrid(
+            ErrorCode::VerifyMismatch, plan.after.slot, now->table->grid, plan.table->grid));
     if (!now || !deletes())
         return now;
     auto empty = checkEmpty(access, plan.deletedSlot);

@@ -2,6 +2,7 @@
 //
 // What a person should know before a write.
 #include "core/drive/axis_target.h"
+#include "core/text/crc_text.h"
 #include "core/text/number_text.h"
 #include "core/write/lookup_side.h"
 #include "core/write/write_planner.h"
@@ -56,22 +57,7 @@ void WritePlanner::warn()
                 "{source} is a position after the compensation: the table would be looked up where "
                 "its own values have moved the axis.")
                                         .with("source", source.path));
-    const auto before = lookupAtSources(m_access.profile(), m_axis, sourcePaths(plan.before));
-    const bool isKept = !plan.table && !plan.after.slot.empty();
-    if (isKept && before && plan.lookupAt && before != plan.lookupAt)
-        plan.warnings.push_back(AXISCOMP_TEXT("Error",
-            "The table stays, and its new source is on the other side of the compensation: its "
-            "values belong to other positions. Write the table that was made for this source."));
-    if (const auto own = ownDimension(m_access.profile(), m_axis, sourcePaths(plan.before));
-        isKept && own && *own < plan.after.sources.size()) {
-        const std::string& source = plan.after.sources[*own].path;
-        const auto owner = m_access.profile().axisOfPosition(source);
-        if (owner && *owner != m_axis)
-            plan.warnings.push_back(AXISCOMP_TEXT("Error",
-                "The table stays, and {source} is a position of another axis: its values belong to "
-                "positions of the axis itself. Write the table that was made for this source.")
-                                        .with("source", source));
-    }
+    warnOfKeptTable();
     if (plan.slotReason == SlotReason::OverwriteOwn && !m_isSlotNamed)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "No other slot is free: the table in {slot} is overwritten. A copy is kept in the "
@@ -103,6 +89,50 @@ void WritePlanner::warn()
             "reboot the axis may have that one again, until the parameters are saved, which "
             "deletes it.")
                                     .with("slot", plan.after.slot));
+}
+
+/// Its values belong to the places of the sources that it had.
+void WritePlanner::warnOfKeptTable()
+{
+    if (!m_keepsTable)
+        return;
+    WritePlan& plan = m_write.plan;
+    const auto before = lookupAtSources(m_access.profile(), m_axis, sourcePaths(plan.before));
+    if (before && plan.lookupAt && before != plan.lookupAt)
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The table stays, and its new source is on the other side of the compensation: its "
+            "values belong to other positions. Write the table that was made for this source."));
+    warnOfUnknownKinds();
+    const auto own = ownDimension(m_access.profile(), m_axis, sourcePaths(plan.before));
+    if (!own || *own >= plan.after.sources.size())
+        return;
+    const std::string& source = plan.after.sources[*own].path;
+    const auto owner = m_access.profile().axisOfPosition(source);
+    if (owner && *owner != m_axis)
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The table stays, and {source} is a position of another axis: its values belong to "
+            "positions of the axis itself. Write the table that was made for this source.")
+                                    .with("source", source));
+}
+
+/// What was over positions of an axis gets a register of which the profile says nothing.
+void WritePlanner::warnOfUnknownKinds()
+{
+    WritePlan& plan = m_write.plan;
+    const DriveProfile& profile = m_access.profile();
+    for (std::size_t n = 0; n < plan.after.sources.size(); ++n) {
+        const DimSource& source = plan.after.sources[n];
+        if (!source.isSet() || source == plan.before.sources[n]
+            || !profile.axisOfPosition(plan.before.sources[n].path)
+            || profile.axisOfPosition(source.path))
+            continue;
+        const std::string name = source.path.empty() ? "0x" + crcText(source.address) : source.path;
+        plan.warnings.push_back(AXISCOMP_TEXT("Error",
+            "The table stays, its dimension {number} has positions of an axis, and the profile "
+            "does not say what {source} is. Write the table that was made for this source.")
+                                    .with("number", n + 1)
+                                    .with("source", Verbatim{name}));
+    }
 }
 
 /// Saving stores the parameters of all axes, volatile tables of others included.

@@ -157,7 +157,7 @@ DriveProfile readProfile(const JsonNode& root)
     if (root.has("positionKinds"))
         profile.positionKinds = readPositionKinds(root["positionKinds"]);
     if (root.has("temperatures"))
-        profile.temperatures = readSourceShortlist(root["temperatures"]);
+        profile.temperatures = readTemperatures(root["temperatures"], profile.positionKinds);
     profile.sourceTypes = readSourceTypes(root["sourceTypes"]);
     profile.layout = readTableLayout(root["layout"]);
     profile.tableSlots = readSlots(root["slots"], profile);

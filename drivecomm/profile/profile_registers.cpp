@@ -239,6 +239,17 @@ bool appendExpanded(const JsonNode& node, const std::string& entry, std::vector<
     return appendExpanded(node, range->before + std::to_string(range->last) + range->after, list);
 }
 
+/// A register that is in a list before this one would be both, and the first list would decide.
+void refuseShared(const JsonNode& node, const std::vector<std::string>& list,
+    const std::vector<std::string>& before, std::string_view nameOfBefore)
+{
+    for (const std::string& path : list)
+        if (std::ranges::find(before, path) != before.end())
+            node.refuse(AXISCOMP_TEXT("Error", "the register {path} is in {name} too")
+                            .with("path", path)
+                            .with("name", nameOfBefore));
+}
+
 } // namespace
 
 std::string readWord(const JsonNode& node)
@@ -325,7 +336,25 @@ PositionKinds readPositionKinds(const JsonNode& node)
                                 .with("placeholder", Verbatim{"{axis}"}));
         return readSourceShortlist(node[kind]);
     };
-    return {paths("beforeCompensation"), paths("afterCompensation"), paths("commanded")};
+    PositionKinds kinds{
+        paths("beforeCompensation"), paths("afterCompensation"), paths("commanded")};
+    refuseShared(node["afterCompensation"], kinds.after, kinds.before, "beforeCompensation");
+    refuseShared(node["commanded"], kinds.commanded, kinds.before, "beforeCompensation");
+    refuseShared(node["commanded"], kinds.commanded, kinds.after, "afterCompensation");
+    return kinds;
+}
+
+std::vector<std::string> readTemperatures(const JsonNode& node, const PositionKinds& positions)
+{
+    std::vector<std::string> temperatures = readSourceShortlist(node);
+    DriveProfile withPositions;
+    withPositions.positionKinds = positions;
+    for (const std::string& path : temperatures)
+        if (withPositions.axisOfPosition(expandPath(path, {.axis = 0})))
+            node.refuse(AXISCOMP_TEXT("Error", "the register {path} is in {name} too")
+                            .with("path", path)
+                            .with("name", std::string_view("positionKinds")));
+    return temperatures;
 }
 
 std::vector<std::string> readSourceTypes(const JsonNode& node)

@@ -14,6 +14,9 @@ namespace axiscomp::drivecomm {
 [[nodiscard]] std::vector<std::string> readSourceShortlist(const JsonNode& node);
 /// The same, each with {axis}.
 [[nodiscard]] PositionKinds readPositionKinds(const JsonNode& node);
+/// As the shortlist; none of them is a position.
+[[nodiscard]] std::vector<std::string> readTemperatures(
+    const JsonNode& node, const PositionKinds& positions);
 [[nodiscard]] std::vector<std::string> readSourceTypes(const JsonNode& node);
 
 /// A word that may be part of a path, an enum's value or a line of the serial link: letters,

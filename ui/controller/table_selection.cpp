@@ -200,7 +200,7 @@ void TableSelection::compareWithDrive()
 /// grid are counted: the CRC of a large one takes a while.
 bool TableSelection::isOnDrive(const std::shared_ptr<const CompensationTable>& table)
 {
-    if (!table || !m_onDrive || !sameSpans(table->grid, m_onDrive->grid))
+    if (!table || !m_onDrive || !sameSpans(storedGrid(table->grid, m_layout), m_onDrive->grid))
         return false;
     if (table != m_counted) {
         m_counted = table;

@@ -244,6 +244,17 @@ Result<void> refuseValueUnit(const ConvertOptions& options, const std::string& w
         options.input.command);
 }
 
+/// In a file of the product's own formats each column is a table.
+std::size_t tablesIn(const TableFormat& to, const Conversion& conversion)
+{
+    if (!isTriamec(to))
+        return conversion.tables.size();
+    std::size_t columns = 0;
+    for (const TableConversion& table : conversion.tables)
+        columns += table.result.columns.size();
+    return columns;
+}
+
 /// Between the formats of two controllers, or with a change of the numbers.
 Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
     const TableFormat& to, const TableInput& input)
@@ -280,7 +291,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         return ExitCode::Done;
     }
     environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
-        + plural(conversion.tables.size(), "table", "tables") + ", "
+        + plural(tablesIn(to, conversion), "table", "tables") + ", "
         + plural(bytes.size(), "byte", "bytes") + ".\n");
     for (const std::string& line : report)
         environment.print("  " + line + "\n");

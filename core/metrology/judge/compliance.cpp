@@ -55,6 +55,16 @@ private:
     }
     [[nodiscard]] bool isLong() const { return !m_measurement.isAngular && m_range > longAxisMm; }
 
+    /// Between two targets, which are in order.
+    [[nodiscard]] double widestGap() const
+    {
+        double widest = 0.0;
+        for (std::size_t n = 1; n < m_figures.targets.size(); ++n)
+            widest =
+                std::max(widest, m_figures.targets[n].position - m_figures.targets[n - 1].position);
+        return widest;
+    }
+
     void checkTargets();
     void checkRuns();
     void checkDirections();
@@ -87,12 +97,17 @@ void Conditions::checkTargets()
     }
     if (isLong()) {
         constexpr double aboutMm = 275.0; // "about every 250 mm"
-        const bool isMet = count >= 2 && m_range / static_cast<double>(count - 1) <= aboutMm;
+        constexpr double widestMm = 2.0 * aboutMm; // uneven targets are meant to differ
+        const double gap = widestGap();
+        const bool isMet =
+            count >= 2 && m_range / static_cast<double>(count - 1) <= aboutMm && gap <= widestMm;
         add("targets",
             AXISCOMP_TEXT("Measurement",
-                "a target about every 250 mm on an axis above 2 m: {count} over {range}")
+                "a target about every 250 mm on an axis above 2 m: {count} over {range}, at most "
+                "{gap} apart")
                 .with("range", range())
-                .with("count", count),
+                .with("count", count)
+                .with("gap", Quantity{roundedText(gap), std::string(positionUnit(m_measurement))}),
             isMet, true);
         return;
     }

@@ -450,6 +450,20 @@ private Q_SLOTS:
             unknown.err.contains("furlong, which cannot be given in mm"), unknown.err.constData());
     }
 
+    void eachColumnOfAnAdjustedFileIsATable()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],Table 1 [um],Table 2 [um]\n0,0,2\n10,1,3\n20,4,5\n");
+        const ProgramRun run =
+            box.run({"convert", "x.csv", "o.csv", "--dims", "1", "--scale", "-2", "--zero", "10"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.startsWith("Wrote o.csv: csv, 2 tables, "), run.out.constData());
+        QVERIFY2(
+            run.out.contains("the values of Table 1 are shifted by 2 um"), run.out.constData());
+        QVERIFY2(
+            run.out.contains("the values of Table 2 are shifted by 6 um"), run.out.constData());
+    }
+
     void lookupDoesWhatItIsAskedToDoWithATableOfTheDrive()
     {
         const Sandbox box;

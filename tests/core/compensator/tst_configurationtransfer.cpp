@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace tst_configurationtransfer {
 
 using namespace axiscomp;
@@ -38,6 +40,25 @@ struct Fixture : CompensatorFixture {
     std::vector<State> old;
     CompensationParameters parameters;
 };
+
+/// The plan of giving axis 0, which keeps its table, another first source.
+Result<WritePlan> planWithSource(CompensatorFixture& drive, const std::string& path)
+{
+    AXISCOMP_TRY(auto parameters, driveParameters(drive.compensator, drive.storeRoot()));
+    AXISCOMP_TRY(const auto source, drive.compensator.resolveSource(path));
+    parameters.axes[0].sources[0] = source.address;
+    AXISCOMP_TRY(const auto writes,
+        parameterWrites(drive.compensator, drivecomm::genericProfile(), parameters));
+    AXISCOMP_TRY(const auto plans, planMultiAxis(drive.compensator, writes));
+    return plans.front();
+}
+
+bool warnsOf(const Result<WritePlan>& plan, std::string_view words)
+{
+    return plan && std::ranges::any_of(plan->warnings, [&](const Text& warning) {
+        return warning.english().find(words) != std::string::npos;
+    });
+}
 
 TamStation station(const CompensationParameters& parameters)
 {
@@ -141,6 +162,56 @@ private Q_SLOTS:
                 "the same, write the table to this axis from its file first, and state the target "
                 "as #2 there"));
         QCOMPARE(c.link.firstChange(), 0);
+    }
+
+    /// As a write that names no table.
+    void aTableThatStaysIsHeldToItsNewSource()
+    {
+        CompensatorFixture c;
+        WriteRequest request = exampleRequest();
+        request.dimensionality = 1;
+        request.sources = {masterX};
+        request.table = exampleTable(1);
+        VERIFY_RESULT(c.compensator.write(0, request));
+        QVERIFY(warnsOf(planWithSource(c, "Axes[0]/Signals/PathPlanner/Position"),
+            "on the other side of the compensation"));
+        QVERIFY(warnsOf(planWithSource(c, masterY), "is a position of another axis"));
+        const auto same =
+            planWithSource(c, "Axes[0]/Signals/PositionController/Encoders[0]/Position");
+        VERIFY_RESULT(same);
+        QVERIFY(!warnsOf(same, "The table stays"));
+        c.set("Axes[1]/Parameters/PositionController/PositionUnit", std::string("Degree"));
+        VERIFY_ERROR(planWithSource(c, masterY), ErrorCode::UnitMismatch);
+    }
+
+    /// The axis that has the table would lose it before the other one has it.
+    void aTableIsNotMovedToAnotherAxis()
+    {
+        CompensatorFixture c;
+        VERIFY_RESULT(c.compensator.write(0, exampleRequest()));
+        const auto parameters = driveParameters(c.compensator, c.storeRoot());
+        VERIFY_RESULT(parameters);
+        CompensationParameters moved = *parameters;
+        std::swap(moved.axes[0].slot, moved.axes[1].slot);
+        std::swap(moved.axes[0].sources, moved.axes[1].sources);
+        const auto plans = [&]() -> Result<std::vector<WritePlan>> {
+            AXISCOMP_TRY(const auto writes,
+                parameterWrites(c.compensator, drivecomm::genericProfile(), moved));
+            return planMultiAxis(c.compensator, writes);
+        };
+        const auto refused = plans();
+        VERIFY_ERROR(refused, ErrorCode::SlotInUse);
+        QCOMPARE(sentence(refused.error()),
+            "slot Small1 is in use by axis 0, and an import does not move a table from one axis to "
+            "another: write the table to axis 1 from its file, and name the slot that it gets "
+            "there "
+            "in the configuration");
+        const auto report = c.compensator.write(1, exampleRequest());
+        VERIFY_RESULT(report);
+        moved.axes[1].slot = report->now.setup.slot;
+        const auto possible = plans();
+        VERIFY_RESULT(possible);
+        QCOMPARE(possible->size(), 1U);
     }
 
     void anImportIsPlannedForItsOwnDrive()

@@ -55,6 +55,24 @@ private Q_SLOTS:
             remarks.front().english().c_str());
     }
 
+    void columnsThatCorrectTheSameAreNamed()
+    {
+        NeutralTable table = line();
+        table.columns.push_back(test::columnOf("X", "um", {1, 1, 1, 1}));
+        table.columns[0].name = "Table 1";
+        table.columns[1].name = "Table 2";
+        std::vector<Text> remarks;
+        VERIFY_RESULT(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {10.0}}, remarks));
+        QCOMPARE(remarks.size(), std::size_t{2});
+        QCOMPARE(remarks[0].english(), std::string("the values of Table 1 are shifted by -7 um"));
+        QCOMPARE(remarks[1].english(), std::string("the values of Table 2 are shifted by -1 um"));
+        table.columns[1].target = "Y"; // what they correct tells them apart
+        remarks.clear();
+        VERIFY_RESULT(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {10.0}}, remarks));
+        QVERIFY2(remarks[0].english().find("Table 1") == std::string::npos,
+            remarks[0].english().c_str());
+    }
+
     void ofAModuloAxisThePositionMayBeInAnotherTurn()
     {
         NeutralTable table = line(); // 0 .. 30 of a turn of 40

@@ -421,6 +421,14 @@ private Q_SLOTS:
         QCOMPARE(metOf(conditions(noisy(8, 1500.0, 4), {}), "runs"), std::optional(false));
         QCOMPARE(metOf(conditions(noisy(13, 3000.0, 1), {}), "targets"), std::optional(true));
         QCOMPARE(metOf(conditions(noisy(13, 3000.0, 1), {}), "runs"), std::optional(true));
+        // Uneven targets, and a mean of 250 mm that leaves most of the axis out.
+        Measurement uneven = noisy(13, 3000.0, 1);
+        uneven.targets[5] -= 75.0;
+        uneven.targets[6] += 75.0;
+        QCOMPARE(metOf(conditions(uneven, {}), "targets"), std::optional(true));
+        for (std::size_t n = 1; n < 12; ++n)
+            uneven.targets[n] = static_cast<double>(n);
+        QCOMPARE(metOf(conditions(uneven, {}), "targets"), std::optional(false));
         Measurement turn = noisy(8, 360.0, 5);
         turn.isAngular = true;
         QCOMPARE(metOf(conditions(turn, {}), "targets"), std::optional(true));

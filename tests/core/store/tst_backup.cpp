@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/bytes.h"
 #include "core/store/backup.h"
+#include "core/table/table_layout.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -221,6 +222,8 @@ void TestAxisBackup::unitsComeBackAndMayBeMissing()
     AxisBackup axis = example();
     axis.unit = "Millimeter";
     axis.sourceUnits = {"", "Degree"};
+    axis.profile = "generic";
+    axis.layout = layoutText(genericTableLayout());
     const auto backup = readBackup(textOf(axis), "b.json");
     VERIFY_RESULT(backup);
     QVERIFY(backup->axes[0] == axis);
@@ -228,7 +231,10 @@ void TestAxisBackup::unitsComeBackAndMayBeMissing()
         readBackup(changed(textOf(axis), "\"unit\": \"Millimeter\"", "\"unit\": 1"), "b.json");
     VERIFY_ERROR(refused, ErrorCode::InvalidBackup);
     QVERIFY(refused.error().context.english("reason").starts_with("axes[0].unit: "));
-    QVERIFY(exampleText().find("nit") == std::string::npos); // as older versions wrote it
+    QCOMPARE(
+        axis.layout, "little 128 first dimensions=u32@16 size=u32@20 start=f64@32 distance=f64@56");
+    QVERIFY(exampleText().find("nit") == std::string::npos
+        && exampleText().find("layout") == std::string::npos); // as older versions wrote it
 }
 
 void TestAxisBackup::everyBackupComesBack()

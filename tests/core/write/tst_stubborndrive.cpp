@@ -36,6 +36,41 @@ const DriveProfile& profileWithoutCounters()
     return profile;
 }
 
+/// A slip of whoever wrote the profile: all CRCs fit all the same.
+const DriveProfile& profileWithExchangedFields()
+{
+    static const DriveProfile profile = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        std::swap(
+            changed.layout.place(TableField::Start), changed.layout.place(TableField::Distance));
+        return changed;
+    }();
+    return profile;
+}
+
+/// As of a drive whose table files have positions of single precision.
+const DriveProfile& profileWithRoundedPositions()
+{
+    static const DriveProfile profile = [] {
+        DriveProfile changed = drivecomm::genericProfile();
+        for (const TableField field : {TableField::Start, TableField::Distance})
+            changed.layout.place(field)->type = FieldType::F32;
+        return changed;
+    }();
+    return profile;
+}
+
+/// A table from 30 on, at 30, 40 ... 80; the other way round at 10, 40 ... 160.
+WriteRequest requestFrom30()
+{
+    WriteRequest request = exampleRequest();
+    for (GridAxis& axis : request.table->grid.axes) {
+        axis.start = 30.0;
+        axis.distance = 10.0;
+    }
+    return request;
+}
+
 bool switchesOff(const RegisterWrite& write)
 {
     return write.path == axisFolder + "Table" && toText(write.value) == "Disabled";
@@ -133,6 +168,89 @@ private Q_SLOTS:
             ErrorCode::VerifyMismatch);
         QVERIFY(std::ranges::find(written, axisFolder + "Dim1Source") == written.end());
         QVERIFY(f.state() == f.old);
+    }
+
+    /// The drive's own header says which positions it reads.
+    void aTableThatTheDriveReadsAtOtherPositionsIsPutBack()
+    {
+        CompensatorFixture f(inProcess(), profileWithExchangedFields());
+        const auto before = f.state();
+        const auto written = f.compensator.write(0, requestFrom30());
+        VERIFY_ERROR(written, ErrorCode::VerifyMismatch);
+        QCOMPARE(sentence(written.error()),
+            "the drive does not read the table in Small1 as the layout of the profile has it: of "
+            "dimension 1 the drive shows 10 where the layout has 30. Compare layout.fields.start "
+            "in the profile with the drive's table file");
+        QVERIFY(f.state() == before);
+    }
+
+    void aTableOfTheDriveIsNotReadAtOtherPositions()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, requestFrom30()));
+        AxisCompensator other(f.link, profileWithExchangedFields(), f.store);
+        const auto read = other.readTable(0);
+        VERIFY_ERROR(read, ErrorCode::InvalidTable);
+        QCOMPARE(sentence(read.error()),
+            "the drive does not read the table in Small1 as the layout of the profile has it: of "
+            "dimension 1 the drive shows 30 where the layout has 10. Compare layout.fields.start "
+            "in the profile with the drive's table file");
+    }
+
+    void positionsThatTheDriveShowsRoundedOrNotAtAllAreNoOthers_data()
+    {
+        QTest::addColumn<bool>("isShown");
+        QTest::newRow("in single precision") << true;
+        QTest::newRow("not shown") << false;
+    }
+    void positionsThatTheDriveShowsRoundedOrNotAtAllAreNoOthers()
+    {
+        QFETCH(bool, isShown);
+        CompensatorFixture f;
+        f.link.altersReading = [isShown](RegisterReading& reading) {
+            const bool isPosition = reading.path.find("/Header/") != std::string::npos
+                && std::holds_alternative<double>(reading.value);
+            if (isPosition)
+                reading.value = isShown
+                    ? static_cast<double>(static_cast<float>(toDouble(reading.value)))
+                    : std::numeric_limits<double>::quiet_NaN();
+        };
+        WriteRequest request = requestFrom30();
+        request.table->grid.axes[0].start = 12345.6789;
+        request.table->grid.axes[0].distance = 0.01;
+        request.acceptsLarge = true;
+        VERIFY_RESULT(f.compensator.write(0, request));
+        const auto read = f.compensator.readTable(0);
+        VERIFY_RESULT(read);
+        QCOMPARE(read->grid.axes[0].start, 12345.6789);
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::NothingToWrite);
+        request.table->grid.axes[0].start += 1e-6;
+        VERIFY_RESULT(f.compensator.write(0, request)); // the file says more than the registers
+    }
+
+    void aTableWhosePositionsTheFileRoundsIsThereTheNextTime()
+    {
+        const DriveProfile& profile = profileWithRoundedPositions();
+        CompensatorFixture f;
+        drivecomm::VirtualDrive drive(profile, CompensatorFixture::options(f.time));
+        const auto link = drivecomm::makeDirectLink(drive);
+        AxisCompensator compensator(*link, profile, f.store, [&] { return f.wallTime(); });
+        WriteRequest request = exampleRequest();
+        request.table->grid.axes[0].start = 0.1;
+        request.table->grid.axes[0].distance = 0.7;
+        request.acceptsLarge = true;
+        const auto encoded = encodeTamTable(*request.table, false, profile.layout);
+        VERIFY_RESULT(encoded);
+        const auto written = compensator.write(0, request);
+        VERIFY_RESULT(written);
+        QCOMPARE(written->plan.table->grid.axes[0].start, double(0.1F));
+        QCOMPARE(written->plan.table->grid.axes[1], request.table->grid.axes[1]);
+        const TableSlot* slot = profile.slotNamed(written->now.setup.slot);
+        QVERIFY(drive.download(slot->file).value_or(Bytes{}) == *encoded);
+        VERIFY_ERROR(compensator.write(0, request), ErrorCode::NothingToWrite);
+
+        request.table->grid.axes[0].start = 1e7 + 0.3; // single precision has steps of 1 there
+        VERIFY_ERROR(compensator.plan(0, request), ErrorCode::InvalidArgument);
     }
 
     void registersThatDoNotGoBackAreSaid()

@@ -6,11 +6,14 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <algorithm>
+
 namespace tst_unitsofthedrive {
 
 using namespace axiscomp;
 using test::CompensatorFixture;
 using test::exampleRequest;
+using test::masterX;
 
 namespace {
 
@@ -21,6 +24,15 @@ struct LinearAndRotary : CompensatorFixture {
         set("Axes[1]/Parameters/PositionController/PositionUnit", std::string("Degree"));
     }
 };
+
+/// Whose tables have their elements the other way round.
+DriveProfile transposing(const std::string& name)
+{
+    DriveProfile profile = drivecomm::genericProfile();
+    profile.name = name;
+    profile.layout.dimension1Fastest = false;
+    return profile;
+}
 
 WriteRequest requestIn(const std::string& values, const std::string& x, const std::string& y)
 {
@@ -266,9 +278,51 @@ private Q_SLOTS:
 
         request.sources = {"Axes[0]/Signals/PathPlanner/Position", test::masterY};
         VERIFY_RESULT(f.compensator.write(0, request)); // millimetres as well
-        // What is no position has no unit that the drive says.
-        request.sources = {"Axes[0]/Signals/General/MotorTemperature", test::masterY};
+    }
+
+    /// The profile says no unit of a temperature: it is another thing than a position all the same.
+    void aTableThatStaysGetsNoTemperatureForAPosition_data()
+    {
+        QTest::addColumn<std::string>("had");
+        QTest::addColumn<std::string>("wanted");
+        const std::string warmth = "Axes[0]/Signals/General/MotorTemperature";
+        QTest::newRow("a temperature for a position") << masterX << warmth;
+        QTest::newRow("a position for a temperature") << warmth << masterX;
+    }
+    void aTableThatStaysGetsNoTemperatureForAPosition()
+    {
+        QFETCH(std::string, had);
+        QFETCH(std::string, wanted);
+        CompensatorFixture f;
+        WriteRequest request = exampleRequest();
+        request.sources[0] = had;
         VERIFY_RESULT(f.compensator.write(0, request));
+        request.table.reset();
+        request.sources[0] = wanted;
+        const auto refused = f.compensator.plan(0, request);
+        VERIFY_ERROR(refused, ErrorCode::UnitMismatch);
+        QCOMPARE(sentence(refused.error()),
+            "dimension 1 of the table on the drive is one of " + had + ", and " + wanted
+                + " is something else: one of them is a position, the other a temperature; write "
+                  "the table from its file, together with the source");
+    }
+
+    void aTableThatStaysForARegisterOfWhichNothingIsKnownIsWarnedOf()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        WriteRequest request = exampleRequest();
+        request.table.reset();
+        request.sources[0] = "Application/Variables/Floats[0]";
+        const auto plan = f.compensator.plan(0, request);
+        VERIFY_RESULT(plan);
+        QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
+            return warning.english()
+                == "The table stays, its dimension 1 has positions of an axis, and the profile "
+                   "does not say what Application/Variables/Floats[0] is. Write the table that was "
+                   "made "
+                   "for this source.";
+        }));
     }
 
     /// As after a change of the order of the axes: the table of X is not for Y.
@@ -306,6 +360,56 @@ private Q_SLOTS:
             return warning.english().starts_with("Axis 0 was called Gantry");
         }));
         VERIFY_RESULT(f.compensator.restore(backup, false));
+    }
+
+    void aBackupIsNotRestoredWithAnotherLayoutOfItsTable()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        QCOMPARE(backup->axes.front().profile, std::string("generic"));
+        const DriveProfile mine = transposing("mine");
+        AxisCompensator other(f.link, mine, f.store);
+        const auto refused = other.planRestore(backup->axes.front(), true);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error())
+                    .starts_with("the backup was made with the profile generic, which has another "
+                                 "layout of table files than mine: "));
+
+        // The same profile, put right since then: of the same drive it is the same file.
+        const DriveProfile changed = transposing("generic");
+        AxisCompensator later(f.link, changed, f.store);
+        const auto plan = later.planRestore(backup->axes.front(), false);
+        VERIFY_RESULT(plan);
+        QVERIFY(std::ranges::any_of(plan->warnings, [](const Text& warning) {
+            return warning.english().starts_with(
+                "The layout of table files in the profile generic");
+        }));
+        AxisBackup ofAnother = backup->axes.front();
+        ofAnother.drive.serialNumber = 7;
+        VERIFY_ERROR(later.planRestore(ofAnother, true), ErrorCode::InvalidArgument);
+        VERIFY_RESULT(f.compensator.planRestore(ofAnother, true));
+    }
+
+    void aBackupThatSaysNoLayoutIsRestoredToAnotherDriveWithAWarning()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        AxisBackup axis = backup->axes.front();
+        axis.layout.clear();
+        const auto warns = [&] {
+            const auto plan = f.compensator.planRestore(axis, true);
+            return plan && std::ranges::any_of(plan->warnings, [](const Text& warning) {
+                return warning.english().starts_with(
+                    "The backup of axis 0 does not say with which profile");
+            });
+        };
+        QVERIFY(!warns());
+        axis.drive.serialNumber = 7;
+        QVERIFY(warns());
     }
 
     void aBackupThatSaysNoUnitIsRestoredWithAWarning()

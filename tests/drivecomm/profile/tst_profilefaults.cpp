@@ -257,6 +257,17 @@ void TestProfileFaults::aWrongValueIsNamedWithTheReason_data()
         << without("/layout/fields", "version") << std::string("layout.version")
         << std::string("there is no field version to hold it");
 
+    const char* const set = "Axes[{axis}]/Signals/PathPlanner/Position";
+    const char* const encoder = "Axes[{axis}]/Signals/PositionController/Encoders[1]/Position";
+    row("/positionKinds/afterCompensation/0", set, "positionKinds.commanded",
+        "PathPlanner/Position is in afterCompensation too");
+    row("/positionKinds/commanded/0", encoder, "positionKinds.commanded",
+        "Encoders[1]/Position is in beforeCompensation too");
+    row("/positionKinds/afterCompensation/0", encoder, "positionKinds.afterCompensation",
+        "Encoders[1]/Position is in beforeCompensation too");
+    for (const char* position : {set, "Axes[1]/Signals/PathPlanner/Position"})
+        row("/temperatures/0", position, "temperatures", "is in positionKinds too");
+
     for (const char* page : {"", "directory", "/a b", "/a?b", "/a#b", "//a"})
         row("/web/directory", page, "web.directory", "path of a web page");
     row("/web/directory", "/", "web.directory", "no slash at the end");
