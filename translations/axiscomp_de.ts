@@ -8449,6 +8449,38 @@
         <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
         <translation>in der Datei steht „{note}“ und in einem anderen Kommentar die Seriennummer {serial}: eine Tabelle entsteht aus der Messung eines einzigen Antriebs, also die falsche Zeile berichtigen oder weglassen</translation>
     </message>
+    <message>
+        <source>the drive does not read the table in {slot} as the layout of the profile has it: of dimension {dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the profile with the drive&apos;s table file</source>
+        <translation>der Antrieb liest die Tabelle in {slot} anders, als es der Tabellenaufbau des Profils sagt: Für Dimension {dimension} zeigt der Antrieb {found}, der Aufbau hat dort {expected}. {layout} im Profil mit der Tabellendatei des Antriebs vergleichen</translation>
+    </message>
+    <message>
+        <source>dimension {number} of the table on the drive is one of {before}, and {source} is something else: one of them is a position, the other a temperature; write the table from its file, together with the source</source>
+        <translation>Dimension {number} der Tabelle im Antrieb gehört zu {before}, und {source} ist etwas anderes: Das eine ist eine Position, das andere eine Temperatur; schreiben Sie die Tabelle zusammen mit der Quelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>The table stays, its dimension {number} has positions of an axis, and the profile does not say what {source} is. Write the table that was made for this source.</source>
+        <translation>Die Tabelle bleibt, ihre Dimension {number} hat Positionen einer Achse, und das Profil sagt nicht, was {source} ist. Schreiben Sie die Tabelle, die für diese Quelle erstellt wurde.</translation>
+    </message>
+    <message>
+        <source>The backup of axis {axis} does not say with which profile it was made; its table is read with the profile {profile}.</source>
+        <translation>Die Sicherung von Achse {axis} sagt nicht, mit welchem Profil sie erstellt wurde; ihre Tabelle wird mit dem Profil {profile} gelesen.</translation>
+    </message>
+    <message>
+        <source>the backup was made with the profile {before}, which has another layout of table files than {profile}: restore it with that profile (--profile), or, on a drive that needs the other one, write the table from its file</source>
+        <translation>die Sicherung wurde mit dem Profil {before} erstellt, das einen anderen Aufbau der Tabellendateien hat als {profile}: mit jenem Profil wiederherstellen (--profile) oder, bei einem Antrieb, der das andere braucht, die Tabelle aus ihrer Datei schreiben</translation>
+    </message>
+    <message>
+        <source>The layout of table files in the profile {profile} has been changed since the backup was made: see that the table is right.</source>
+        <translation>Der Aufbau der Tabellendateien im Profil {profile} wurde geändert, seit die Sicherung erstellt wurde: Prüfen Sie, ob die Tabelle stimmt.</translation>
+    </message>
+    <message>
+        <source>the register {path} is in {name} too</source>
+        <translation>das Register {path} steht auch in {name}</translation>
+    </message>
+    <message>
+        <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
+        <translation>Tabellenplatz {slot} ist belegt durch {user}, und ein Import verschiebt keine Tabelle von einer Achse zu einer anderen: die Tabelle aus ihrer Datei auf Achse {imported} schreiben und den Tabellenplatz, den sie dort erhält, in der Konfiguration angeben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9721,8 +9753,8 @@
         <translation>mindestens {due} Zielpositionen auf {range}: {count}</translation>
     </message>
     <message>
-        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
-        <translation>eine Zielposition etwa alle 250 mm bei einer Achse über 2 m: {count} auf {range}</translation>
+        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}, at most {gap} apart</source>
+        <translation>eine Zielposition etwa alle 250 mm bei einer Achse über 2 m: {count} auf {range}, höchstens {gap} auseinander</translation>
     </message>
     <message>
         <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>

@@ -8449,6 +8449,38 @@
         <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
         <translation>le fichier indique « {note} », et un autre de ses commentaires le numéro de série {serial}&#xa0;: une table est établie d&apos;après la mesure d&apos;un seul variateur, donc corriger ou supprimer la ligne erronée</translation>
     </message>
+    <message>
+        <source>the drive does not read the table in {slot} as the layout of the profile has it: of dimension {dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the profile with the drive&apos;s table file</source>
+        <translation>le variateur ne lit pas la table de {slot} comme l&apos;indique l&apos;organisation de table du profil&#xa0;: pour la dimension {dimension}, le variateur affiche {found} là où cette organisation donne {expected}. Comparer {layout} dans le profil avec le fichier de table du variateur</translation>
+    </message>
+    <message>
+        <source>dimension {number} of the table on the drive is one of {before}, and {source} is something else: one of them is a position, the other a temperature; write the table from its file, together with the source</source>
+        <translation>la dimension {number} de la table du variateur est celle de {before}, et {source} est autre chose&#xa0;: l&apos;une est une position, l&apos;autre une température&#xa0;; écrire la table depuis son fichier, avec la source</translation>
+    </message>
+    <message>
+        <source>The table stays, its dimension {number} has positions of an axis, and the profile does not say what {source} is. Write the table that was made for this source.</source>
+        <translation>La table reste, sa dimension {number} a des positions d&apos;un axe, et le profil n&apos;indique pas ce qu&apos;est {source}. Écrivez la table qui a été faite pour cette source.</translation>
+    </message>
+    <message>
+        <source>The backup of axis {axis} does not say with which profile it was made; its table is read with the profile {profile}.</source>
+        <translation>La sauvegarde de l&apos;axe {axis} n&apos;indique pas avec quel profil elle a été faite&#xa0;; sa table est lue avec le profil {profile}.</translation>
+    </message>
+    <message>
+        <source>the backup was made with the profile {before}, which has another layout of table files than {profile}: restore it with that profile (--profile), or, on a drive that needs the other one, write the table from its file</source>
+        <translation>la sauvegarde a été faite avec le profil {before}, dont l&apos;organisation des fichiers de table diffère de celle de {profile}&#xa0;: la restaurer avec ce profil (--profile) ou, sur un variateur qui a besoin de l&apos;autre, écrire la table depuis son fichier</translation>
+    </message>
+    <message>
+        <source>The layout of table files in the profile {profile} has been changed since the backup was made: see that the table is right.</source>
+        <translation>L&apos;organisation des fichiers de table du profil {profile} a été modifiée depuis la sauvegarde&#xa0;: vérifiez que la table est juste.</translation>
+    </message>
+    <message>
+        <source>the register {path} is in {name} too</source>
+        <translation>le registre {path} figure aussi dans {name}</translation>
+    </message>
+    <message>
+        <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
+        <translation>l&apos;emplacement {slot} est déjà utilisé ({user}), et une importation ne déplace pas une table d&apos;un axe à un autre&#xa0;: écrire la table depuis son fichier sur l&apos;axe {imported}, et indiquer dans la configuration l&apos;emplacement qu&apos;elle y reçoit</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9721,8 +9753,8 @@
         <translation>au moins {due} positions cibles sur {range}&#xa0;: {count}</translation>
     </message>
     <message>
-        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
-        <translation>une position cible environ tous les 250 mm pour un axe de plus de 2 m&#xa0;: {count} sur {range}</translation>
+        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}, at most {gap} apart</source>
+        <translation>une position cible environ tous les 250 mm pour un axe de plus de 2 m&#xa0;: {count} sur {range}, espacées de {gap} au plus</translation>
     </message>
     <message>
         <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>

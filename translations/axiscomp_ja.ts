@@ -8408,6 +8408,38 @@
         <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
         <translation>ファイルに &quot;{note}&quot; とあり、別のコメントにはシリアル番号 {serial} とあります。テーブルは 1 台のドライブの測定から作成されるものなので、誤っている行を修正または削除してください</translation>
     </message>
+    <message>
+        <source>the drive does not read the table in {slot} as the layout of the profile has it: of dimension {dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the profile with the drive&apos;s table file</source>
+        <translation>ドライブは {slot} のテーブルをプロファイルのレイアウトどおりに読んでいません。次元 {dimension} について、ドライブの表示は {found} ですが、レイアウトでは {expected} です。プロファイルの {layout} をドライブのテーブルファイルと比べてください</translation>
+    </message>
+    <message>
+        <source>dimension {number} of the table on the drive is one of {before}, and {source} is something else: one of them is a position, the other a temperature; write the table from its file, together with the source</source>
+        <translation>ドライブのテーブルの次元 {number} は {before} のもので、{source} は別の量です。一方は位置、他方は温度です。ソースと一緒に、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>The table stays, its dimension {number} has positions of an axis, and the profile does not say what {source} is. Write the table that was made for this source.</source>
+        <translation>テーブルはそのまま残り、その次元 {number} は軸の位置ですが、{source} が何であるかはプロファイルにありません。このソース用に作成したテーブルを書き込んでください。</translation>
+    </message>
+    <message>
+        <source>The backup of axis {axis} does not say with which profile it was made; its table is read with the profile {profile}.</source>
+        <translation>軸 {axis} のバックアップには、作成に使ったプロファイルがありません。テーブルはプロファイル {profile} で読み取られます。</translation>
+    </message>
+    <message>
+        <source>the backup was made with the profile {before}, which has another layout of table files than {profile}: restore it with that profile (--profile), or, on a drive that needs the other one, write the table from its file</source>
+        <translation>バックアップはプロファイル {before} で作成されており、テーブルファイルのレイアウトが {profile} と異なります。そのプロファイルで復元する (--profile) か、もう一方のプロファイルが必要なドライブでは、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>The layout of table files in the profile {profile} has been changed since the backup was made: see that the table is right.</source>
+        <translation>プロファイル {profile} のテーブルファイルのレイアウトは、バックアップの作成後に変更されています。テーブルが正しいことを確認してください。</translation>
+    </message>
+    <message>
+        <source>the register {path} is in {name} too</source>
+        <translation>レジスタ {path} は {name} にもあります</translation>
+    </message>
+    <message>
+        <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
+        <translation>スロット {slot} は {user} が使用しており、インポートはテーブルをある軸から別の軸へ移しません。ファイルからテーブルを軸 {imported} に書き込み、そこで割り当てられたスロットを構成に指定してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9680,8 +9712,8 @@
         <translation>{range} に目標位置が {due} か所以上: {count}</translation>
     </message>
     <message>
-        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
-        <translation>2 m を超える軸では約 250 mm ごとに目標位置: {range} に {count}</translation>
+        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}, at most {gap} apart</source>
+        <translation>2 m を超える軸では約 250 mm ごとに目標位置: {range} に {count}、間隔は最大 {gap}</translation>
     </message>
     <message>
         <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>

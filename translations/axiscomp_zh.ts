@@ -8408,6 +8408,38 @@
         <source>the file says &quot;{note}&quot;, and another of its comments the serial number {serial}: a table is made of the measurement of one drive, so correct the wrong line, or leave it out</source>
         <translation>文件中为“{note}”，而另一行注释为序列号 {serial}：一个表由一个驱动器的测量生成，因此请更正有误的行，或将其删去</translation>
     </message>
+    <message>
+        <source>the drive does not read the table in {slot} as the layout of the profile has it: of dimension {dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the profile with the drive&apos;s table file</source>
+        <translation>驱动器对 {slot} 中表的读取与描述文件的布局不一致：维度 {dimension}，驱动器显示 {found}，而按布局为 {expected}。请将描述文件中的 {layout} 与驱动器的表文件进行比较</translation>
+    </message>
+    <message>
+        <source>dimension {number} of the table on the drive is one of {before}, and {source} is something else: one of them is a position, the other a temperature; write the table from its file, together with the source</source>
+        <translation>驱动器上该表的维度 {number} 属于 {before}，而 {source} 是另一种量：一个是位置，另一个是温度；请从文件写入该表，并同时设置源</translation>
+    </message>
+    <message>
+        <source>The table stays, its dimension {number} has positions of an axis, and the profile does not say what {source} is. Write the table that was made for this source.</source>
+        <translation>表保持不变，其维度 {number} 为某轴的位置，而描述文件未说明 {source} 是什么。请写入为该源制作的表。</translation>
+    </message>
+    <message>
+        <source>The backup of axis {axis} does not say with which profile it was made; its table is read with the profile {profile}.</source>
+        <translation>轴 {axis} 的备份未注明是用哪个描述文件制作的；其表按描述文件 {profile} 读取。</translation>
+    </message>
+    <message>
+        <source>the backup was made with the profile {before}, which has another layout of table files than {profile}: restore it with that profile (--profile), or, on a drive that needs the other one, write the table from its file</source>
+        <translation>该备份是用描述文件 {before} 制作的，其表文件布局与 {profile} 不同：请用该描述文件恢复 (--profile)，或者在需要另一描述文件的驱动器上，从文件写入该表</translation>
+    </message>
+    <message>
+        <source>The layout of table files in the profile {profile} has been changed since the backup was made: see that the table is right.</source>
+        <translation>自制作备份以来，描述文件 {profile} 中表文件的布局已更改：请确认该表正确。</translation>
+    </message>
+    <message>
+        <source>the register {path} is in {name} too</source>
+        <translation>寄存器 {path} 也在 {name} 中</translation>
+    </message>
+    <message>
+        <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
+        <translation>表槽 {slot} 正由 {user} 使用，而导入不会把表从一个轴移到另一个轴：请从文件将该表写入轴 {imported}，并在配置中指定它在那里得到的表槽</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9680,8 +9712,8 @@
         <translation>{range} 上至少 {due} 个目标位置：{count}</translation>
     </message>
     <message>
-        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}</source>
-        <translation>2 m 以上的轴约每 250 mm 一个目标位置：{range} 上 {count} 个</translation>
+        <source>a target about every 250 mm on an axis above 2 m: {count} over {range}, at most {gap} apart</source>
+        <translation>2 m 以上的轴约每 250 mm 一个目标位置：{range} 上 {count} 个，间距最大 {gap}</translation>
     </message>
     <message>
         <source>at least 5 targets, and 5 for each metre: {count} over {range}</source>
