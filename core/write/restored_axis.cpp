@@ -62,8 +62,7 @@ Result<void> checkFileLayout(
                 AXISCOMP_TEXT("Error",
                     "the backup was made with the profile {before}, which has another layout of "
                     "table files than {profile}: restore it with that profile (--profile), or, on "
-                    "a "
-                    "drive that needs the other one, write the table from its file")
+                    "a drive that needs the other one, write the table from its file")
                     .with("before", Verbatim{backup.profile})
                     .with("profile", profile.name)}});
     doubts.push_back(AXISCOMP_TEXT("Error",
