@@ -876,10 +876,10 @@ private Q_SLOTS:
         QCOMPARE(measurement.header.drive, std::string("Mill, serial number 850618"));
         QCOMPARE(driveSerialOf(measurement.header), std::optional<std::int32_t>(850618));
         QVERIFY(measurement.notes.empty());
-        const auto again = readAs("runs", writeRunsCsv(measurement));
+        const auto again = test::readAs("runs", writeRunsCsv(measurement));
         QVERIFY(again.measurement);
         QCOMPARE(again.measurement->header.drive, measurement.header.drive);
-        const auto twice = readAs("runs",
+        const auto twice = test::readAs("runs",
             "// axiscomp runs: 1\n// drive: Mill, serial number 1\n// drive: Mill, serial number "
             "2\ntarget [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n");
         QVERIFY(!twice.measurement);
