@@ -53,7 +53,7 @@ struct TableConversion {
     std::vector<DirectionLoss> directionLosses; ///< of merged directions
     ConversionDifference difference; ///< source and result, each as its controller applies it
     /// The largest by the steps of the target's numbers, of each of its columns and axes in its
-    /// unit; empty where the points are others than those of the source.
+    /// unit, at the points of the table; empty where the file lacks one of them.
     std::vector<double> valueRounding, positionRounding;
     Text example; ///< one point in words, both conventions
     /// Where the drive has to look up the table that it gets; nothing: no table of the drive is

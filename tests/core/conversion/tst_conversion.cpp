@@ -876,6 +876,33 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
     }
 
+    /// The file of a table that is not closed has a point more, and begins at position 0.
+    void roundingIsReportedWhereTheFileHasFurtherPoints()
+    {
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_1d::format());
+        request.targetSign = SignConvention::Feedback;
+        request.writing.settings["counts-per-unit"] = "1000";
+        for (const double start : {0.0, -20.0}) {
+            std::array tables{
+                test::tableOf(SignConvention::Feedback, {test::evenAxis("1", "mm", start, 10, 4)},
+                    {test::columnOf("1", "mm", {0, 0.1234, 0, 0.03})})};
+            tables[0].columns[0].filled = {1};
+            const auto conversion = convertTables(tables, request);
+            VERIFY_RESULT(conversion);
+            const TableConversion& table = conversion->tables.front();
+            QCOMPARE(table.result.pointCount(), 5U);
+            QCOMPARE(table.positionRounding, std::vector{0.0});
+            QCOMPARE(table.valueRounding.size(), 1U);
+            // an entry is a sixteenth of a count
+            const double rounding = 0.1234 - std::round(0.1234 * 16000) / 16000;
+            QVERIFY2(std::abs(table.valueRounding[0] - std::abs(rounding)) < 1e-12,
+                qPrintable(QString::number(table.valueRounding[0])));
+            const std::uint32_t filled = start == 0.0 ? 1 : 3;
+            QCOMPARE(table.result.columns[0].filled, std::vector{filled});
+            QVERIFY(contains(conversionReport(*conversion, request), "values of the file are"));
+        }
+    }
+
     void roundingOfEachColumnHasItsOwnUnit()
     {
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
