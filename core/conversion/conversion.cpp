@@ -476,4 +476,21 @@ Result<Conversion> convertTables(
     return conversion;
 }
 
+Result<StatedTable> tableAsStated(const NeutralTable& table, ConversionRequest request)
+{
+    request.to = request.from;
+    if (!request.targetSign)
+        request.targetSign = request.sourceSign;
+    AXISCOMP_CHECK(checkSigns(request));
+    const SignConvention sign = request.targetSign.value_or(table.sign);
+    request.targetSign = sign;
+    StatedTable stated;
+    TableConversion conversion;
+    Converter converter(request, stated.remarks);
+    AXISCOMP_TRY(auto result, converter.prepare(table, conversion));
+    stated.table = std::move(result);
+    stated.table.sign = sign;
+    return stated;
+}
+
 } // namespace axiscomp

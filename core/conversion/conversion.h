@@ -78,6 +78,18 @@ struct Conversion {
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 
+/// A table as its own controller applies it, with what a person says of it.
+struct StatedTable {
+    NeutralTable table;
+    std::vector<Text> remarks; ///< for the user
+};
+
+/// What convertTables does before it writes, within the format that the table comes from: no number
+/// is rounded, and nothing is refused because a file could not hold it. The sign stays that of the
+/// table, or the one that is stated of it, without a targetSign. Errors: those of these steps.
+[[nodiscard]] Result<StatedTable> tableAsStated(
+    const NeutralTable& table, ConversionRequest request);
+
 /// The sentences of a report, in the order of interest: sign with the example, resampling,
 /// directions, rounding, the largest difference, remarks.
 [[nodiscard]] std::vector<Text> conversionReport(

@@ -876,6 +876,49 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
     }
 
+    /// Its controller applies the numbers as they are, finer than its file would be written.
+    void whatAPersonSaysOfATableDoesNotRoundIt()
+    {
+        NeutralTable table = test::commandTable({test::evenAxis("1", "mm", 0, 10, 3)},
+            {test::columnOf("1", "mm", {0, 4e-5, -3e-5}),
+                test::columnOf("1", "mm", {4.5e-5, 14.5e-5, 26e-5})});
+        table.columns[0].direction = Direction::Positive;
+        table.columns[1].direction = Direction::Negative;
+        ConversionRequest request = requestFor(isg_ssfk::format(), isg_ssfk::format());
+        request.direction = DirectionChoice::Positive;
+        const auto positive = tableAsStated(table, request);
+        VERIFY_RESULT(positive);
+        QCOMPARE(positive->table.columns.size(), 1U);
+        QCOMPARE(positive->table.columns[0].values, table.columns[0].values);
+        request.direction = DirectionChoice::Mean;
+        request.adjustment.scale = 10.0;
+        const auto mean = tableAsStated(table, request);
+        VERIFY_RESULT(mean);
+        QVERIFY(std::abs(mean->table.columns[0].values[1] - 92.5e-5) < 1e-12);
+        QVERIFY(contains(mean->remarks, "multiplied by 10"));
+    }
+
+    void theSignThatIsStatedOfATableIsThatOfItsNumbers()
+    {
+        const NeutralTable table = exampleTable(1, SignConvention::Command);
+        ConversionRequest request = requestFor(softmc::format(), softmc::format());
+        request.sourceSign = SignConvention::Feedback;
+        const auto stated = tableAsStated(table, request);
+        VERIFY_RESULT(stated);
+        QCOMPARE(stated->table.sign, SignConvention::Feedback);
+        QCOMPARE(stated->table.columns[0].values, table.columns[0].values);
+        request.targetSign = SignConvention::Command;
+        const auto converted = tableAsStated(table, request);
+        VERIFY_RESULT(converted);
+        QCOMPARE(converted->table.sign, SignConvention::Command);
+        QVERIFY(converted->table.columns[0].values[1] < 0.0);
+        ConversionRequest assumed = requestFor(isg_ssfk::format(), isg_ssfk::format());
+        assumed.from = &pmac_1d::format();
+        assumed.sourceSign.reset();
+        assumed.targetSign = SignConvention::Feedback;
+        VERIFY_ERROR(tableAsStated(table, assumed), ErrorCode::SignNotStated);
+    }
+
     /// The file of a table that is not closed has a point more, and begins at position 0.
     void roundingIsReportedWhereTheFileHasFurtherPoints()
     {
