@@ -10,41 +10,92 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace axiscomp {
 
 namespace {
 
-/// The largest difference of numbers before and after writing, in the unit after it.
-double largestRounding(const std::vector<double>& before, const std::string& unitBefore,
-    const std::vector<double>& after, const std::string& unitAfter)
+double factorOf(const std::string& from, const std::string& to)
 {
-    const double factor =
-        isSameUnit(unitBefore, unitAfter) ? 1.0 : unitFactor(unitBefore, unitAfter).value_or(1.0);
-    double largest = 0.0;
-    for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i)
-        largest = std::max(largest, std::abs(before[i] * factor - after[i]));
-    return largest;
+    return isSameUnit(from, to) ? 1.0 : unitFactor(from, to).value_or(1.0);
 }
 
-/// Of the positions of each axis; empty for formats that arrange the points anew: the conversion's
-/// difference tells.
-std::vector<double> positionRounding(const NeutralTable& prepared, const NeutralTable& held)
+/// Where the knots of an axis stand in a file.
+struct WrittenKnots {
+    std::vector<std::size_t> places; ///< among those of the file, of each knot
+    double rounding = 0.0; ///< the largest, in the unit of the file
+};
+
+std::size_t nearestKnot(const std::vector<double>& knots, double position)
 {
-    std::vector<double> positions;
-    for (std::size_t n = 0; n < held.axes.size(); ++n) {
-        const SourceAxis& from = prepared.axes[n];
-        const SourceAxis& to = held.axes[n];
-        const double rounding = largestRounding(from.knots, from.unit, to.knots, to.unit);
-        const double span = to.knots.back() - to.knots.front();
-        const bool isSameGrid =
-            from.knots.size() == to.knots.size() && rounding <= std::max(to.step, 1e-9 * span);
-        if (!isSameGrid)
-            return {};
-        positions.push_back(rounding);
+    const auto above = std::ranges::lower_bound(knots, position);
+    const auto index = static_cast<std::size_t>(above - knots.begin());
+    if (index == 0)
+        return 0;
+    const bool isBelow =
+        index == knots.size() || position - knots[index - 1] <= knots[index] - position;
+    return isBelow ? index - 1 : index;
+}
+
+/// Nothing where the file lacks one of them. It may have more, such as the one that closes a table,
+/// and begin elsewhere on its circle.
+std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxis& to)
+{
+    const double factor = factorOf(from.unit, to.unit);
+    const double first = to.knots.front();
+    const double allowance = std::max(to.step, 1e-9 * (to.knots.back() - first));
+    WrittenKnots written;
+    for (const double knot : from.knots) {
+        double position = knot * factor;
+        std::size_t place = nearestKnot(to.knots, position);
+        if (to.wrap && std::abs(position - to.knots[place]) > allowance) {
+            position -= *to.wrap * std::floor((position - first) / *to.wrap);
+            place = nearestKnot(to.knots, position);
+        }
+        const double rounding = std::abs(position - to.knots[place]);
+        if (rounding > allowance)
+            return std::nullopt;
+        written.places.push_back(place);
+        written.rounding = std::max(written.rounding, rounding);
     }
-    return positions;
+    return written;
+}
+
+/// The index in the file of each point; empty for formats that arrange the points anew: the
+/// conversion's difference tells. roundings: of the positions of each axis.
+std::vector<std::uint32_t> writtenPoints(
+    const NeutralTable& prepared, const NeutralTable& held, std::vector<double>& roundings)
+{
+    std::vector<std::uint32_t> points{0};
+    for (std::size_t n = 0; n < held.axes.size(); ++n) {
+        const auto knots = writtenKnots(prepared.axes[n], held.axes[n]);
+        if (!knots) {
+            roundings.clear();
+            return {};
+        }
+        roundings.push_back(knots->rounding);
+        const std::size_t stride = strideOf(held, n);
+        std::vector<std::uint32_t> further;
+        further.reserve(points.size() * knots->places.size());
+        for (const std::size_t place : knots->places)
+            for (const std::uint32_t point : points)
+                further.push_back(static_cast<std::uint32_t>(point + place * stride));
+        points = std::move(further);
+    }
+    return points;
+}
+
+/// The largest difference of values before and after writing, in the unit after it.
+double largestRounding(const CompensationColumn& before, const CompensationColumn& after,
+    const std::vector<std::uint32_t>& points)
+{
+    const double factor = factorOf(before.unit, after.unit);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        largest = std::max(largest, std::abs(before.values[i] * factor - after.values[points[i]]));
+    return largest;
 }
 
 /// What can be said point by point. No file says which values were made up.
@@ -52,15 +103,18 @@ void notePoints(const NeutralTable& prepared, NeutralTable& held, TableConversio
 {
     for (CompensationColumn& column : held.columns)
         column.filled.clear();
-    conversion.positionRounding = positionRounding(prepared, held);
-    if (conversion.positionRounding.empty())
+    const std::vector<std::uint32_t> points =
+        writtenPoints(prepared, held, conversion.positionRounding);
+    if (points.empty())
         return;
     for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
         const CompensationColumn& from = prepared.columns[n];
         CompensationColumn& to = held.columns[n];
-        to.filled = from.filled;
-        conversion.valueRounding.push_back(
-            largestRounding(from.values, from.unit, to.values, to.unit));
+        for (const std::uint32_t point : from.filled)
+            to.filled.push_back(points[point]);
+        std::ranges::sort(to.filled);
+        to.filled.erase(std::unique(to.filled.begin(), to.filled.end()), to.filled.end());
+        conversion.valueRounding.push_back(largestRounding(from, to, points));
     }
 }
 
@@ -420,6 +474,23 @@ Result<Conversion> convertTables(
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;
+}
+
+Result<StatedTable> tableAsStated(const NeutralTable& table, ConversionRequest request)
+{
+    request.to = request.from;
+    if (!request.targetSign)
+        request.targetSign = request.sourceSign;
+    AXISCOMP_CHECK(checkSigns(request));
+    const SignConvention sign = request.targetSign.value_or(table.sign);
+    request.targetSign = sign;
+    StatedTable stated;
+    TableConversion conversion;
+    Converter converter(request, stated.remarks);
+    AXISCOMP_TRY(auto result, converter.prepare(table, conversion));
+    stated.table = std::move(result);
+    stated.table.sign = sign;
+    return stated;
 }
 
 } // namespace axiscomp

@@ -53,7 +53,7 @@ struct TableConversion {
     std::vector<DirectionLoss> directionLosses; ///< of merged directions
     ConversionDifference difference; ///< source and result, each as its controller applies it
     /// The largest by the steps of the target's numbers, of each of its columns and axes in its
-    /// unit; empty where the points are others than those of the source.
+    /// unit, at the points of the table; empty where the file lacks one of them.
     std::vector<double> valueRounding, positionRounding;
     Text example; ///< one point in words, both conventions
     /// Where the drive has to look up the table that it gets; nothing: no table of the drive is
@@ -77,6 +77,18 @@ struct Conversion {
 /// where the sign of one of two formats is assumed and the request does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
+
+/// A table as its own controller applies it, with what a person says of it.
+struct StatedTable {
+    NeutralTable table;
+    std::vector<Text> remarks; ///< for the user
+};
+
+/// What convertTables does before it writes, within the format that the table comes from: no number
+/// is rounded, and nothing is refused because a file could not hold it. The sign stays that of the
+/// table, or the one that is stated of it, without a targetSign. Errors: those of these steps.
+[[nodiscard]] Result<StatedTable> tableAsStated(
+    const NeutralTable& table, ConversionRequest request);
 
 /// The sentences of a report, in the order of interest: sign with the example, resampling,
 /// directions, rounding, the largest difference, remarks.

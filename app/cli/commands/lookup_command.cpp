@@ -120,6 +120,50 @@ Result<ExitCode> lookUpForDrive(
         {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
 }
 
+void noteRemarks(
+    Environment& environment, const LookupOptions& options, std::span<const Text> remarks)
+{
+    for (const Text& remark : remarks)
+        environment.console().note(displayName(options.input.file) + ": " + remark.english());
+}
+
+/// As the file's own controller applies it, with what was said of it.
+Result<NeutralTable> statedTable(Environment& environment, const LookupOptions& options,
+    const TableInput& input, NeutralTable table)
+{
+    if (!options.conversion.isAnything())
+        return table;
+    AXISCOMP_TRY(auto request,
+        conversionRequest(options.conversion, *input.format, *input.format, table.axes.size()));
+    AXISCOMP_TRY(auto stated, tableAsStated(table, request));
+    noteRemarks(environment, options, stated.remarks);
+    return std::move(stated.table);
+}
+
+/// As another controller applies what its file would say.
+Result<NeutralTable> convertedTable(Environment& environment, const LookupOptions& options,
+    const TableInput& input, const TableFormat& as, NeutralTable table)
+{
+    if (&as == input.format && !options.conversion.isAnything())
+        return table;
+    AXISCOMP_TRY(
+        auto request, conversionRequest(options.conversion, *input.format, as, table.axes.size()));
+    AXISCOMP_TRY(const auto profile, profileOf(options.input.profile));
+    request.writing.layout = &profile.layout;
+    const NeutralTable tables[] = {std::move(table)};
+    AXISCOMP_TRY(auto conversion, convertTables(tables, request));
+    // What the format says of its file, such as where to name it, is of no use here.
+    const auto& ofFile = conversion.written.remarks;
+    std::erase_if(conversion.remarks,
+        [&](const Text& remark) { return std::ranges::find(ofFile, remark) != ofFile.end(); });
+    noteRemarks(environment, options, conversion.remarks);
+    NeutralTable held = std::move(conversion.written.held.front());
+    // The column that was asked for comes first; a format may add others that correct nothing.
+    if (held.columns.front().direction == Direction::Both)
+        held.columns.resize(1);
+    return held;
+}
+
 /// The file's own controller, or another one, to whose format the table is converted first.
 Result<ExitCode> lookUpForController(
     Environment& environment, const LookupOptions& options, const TableInput& input)
@@ -132,24 +176,9 @@ Result<ExitCode> lookUpForController(
     std::vector<std::string> positionUnits;
     for (const SourceAxis& axis : table.axes)
         positionUnits.push_back(axis.unit);
-    if (as != input.format || options.conversion.isAnything()) {
-        AXISCOMP_TRY(auto request,
-            conversionRequest(options.conversion, *input.format, *as, table.axes.size()));
-        AXISCOMP_TRY(const auto profile, profileOf(options.input.profile));
-        request.writing.layout = &profile.layout;
-        const NeutralTable tables[] = {table};
-        AXISCOMP_TRY(auto conversion, convertTables(tables, request));
-        // What the format says of its file, such as where to name it, is of no use here.
-        const auto& ofFile = conversion.written.remarks;
-        for (const Text& remark : conversion.remarks)
-            if (std::ranges::find(ofFile, remark) == ofFile.end())
-                environment.console().note(
-                    displayName(options.input.file) + ": " + remark.english());
-        table = std::move(conversion.written.held.front());
-        // The column that was asked for comes first; a format may add others that correct nothing.
-        if (table.columns.front().direction == Direction::Both)
-            table.columns.resize(1);
-    }
+    AXISCOMP_TRY(table,
+        options.as.empty() ? statedTable(environment, options, input, std::move(table))
+                           : convertedTable(environment, options, input, *as, std::move(table)));
     if (table.columns.size() > 1)
         return wrongUsage("the table has a value for each direction of motion: choose one with "
                           "--direction positive or negative, or mean",
@@ -175,6 +204,8 @@ Result<ExitCode> runLookup(Environment& environment, const LookupOptions& option
     if (options.points == standardStream && options.input.file == standardStream)
         return wrongUsage(
             "the table and the points cannot both come from standard input", options.input.command);
+    if (options.as.empty() && !options.conversion.settings.empty())
+        return wrongUsage("--set-out is for the format of --as", options.input.command);
     auto input = readInput(environment, options.input);
     if (!input)
         return fail(input.error());

@@ -174,6 +174,37 @@ private Q_SLOTS:
         QVERIFY2(!drive.err.contains("--as csv"), drive.err.constData());
     }
 
+    /// The file has finer numbers than one that is written of it, and no setting for writing
+    /// counts.
+    void lookupOfWhatIsStatedAnswersWhatTheFileSays()
+    {
+        const Sandbox box;
+        box.file("x.lis",
+            "kopf.achs_nr 1\nkw.ssfk.unit 1\nkw.ssfk.interval 100000\nkw.ssfk.kw_startpos 0\n"
+            "kw.ssfk.kw_nr_max 1\nkw.ssfk.bilateral 1\nkw.ssfk.modulo 0\n"
+            "kw.ssfk.table[0].pos 0\nkw.ssfk.table[0].neg 0.45\n"
+            "kw.ssfk.table[1].pos 0.4\nkw.ssfk.table[1].neg 1.45\nEnd\n");
+        const QStringList ofLis{"lookup", "x.lis", "10", "--set-in", "axis-kind=linear"};
+        const auto isAlong = [&](const char* direction, double expected) {
+            const ProgramRun run = box.run(ofLis + QStringList{"--direction", direction});
+            return run.code == 0 && std::abs(run.out.toDouble() - expected) < 1e-10;
+        };
+        QVERIFY(isAlong("positive", 4e-5));
+        QVERIFY(isAlong("negative", 14.5e-5));
+        QVERIFY(isAlong("mean", 9.25e-5));
+        const QStringList positive = ofLis + QStringList{"--direction", "positive"};
+        const ProgramRun setOut = box.run(positive + QStringList{"--set-out", "unit=mm"});
+        VERIFY_CODE(setOut, 2);
+        QVERIFY2(setOut.err.contains("--as"), setOut.err.constData());
+
+        box.file("x.txt", softmcTable);
+        const ProgramRun stated = box.run(
+            QStringList{"lookup", "x.txt", "100", "--sign", "feedback", "--json"} + unitsIn);
+        VERIFY_CODE(stated, 0);
+        QCOMPARE(firstValue(stated), -0.01);
+        QCOMPARE(stated.json().value("sign").toString(), "feedback");
+    }
+
     void lookupAsAnotherControllerConvertsFirst()
     {
         const Sandbox box;

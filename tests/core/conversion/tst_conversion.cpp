@@ -876,6 +876,76 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
     }
 
+    /// Its controller applies the numbers as they are, finer than its file would be written.
+    void whatAPersonSaysOfATableDoesNotRoundIt()
+    {
+        NeutralTable table = test::commandTable({test::evenAxis("1", "mm", 0, 10, 3)},
+            {test::columnOf("1", "mm", {0, 4e-5, -3e-5}),
+                test::columnOf("1", "mm", {4.5e-5, 14.5e-5, 26e-5})});
+        table.columns[0].direction = Direction::Positive;
+        table.columns[1].direction = Direction::Negative;
+        ConversionRequest request = requestFor(isg_ssfk::format(), isg_ssfk::format());
+        request.direction = DirectionChoice::Positive;
+        const auto positive = tableAsStated(table, request);
+        VERIFY_RESULT(positive);
+        QCOMPARE(positive->table.columns.size(), 1U);
+        QCOMPARE(positive->table.columns[0].values, table.columns[0].values);
+        request.direction = DirectionChoice::Mean;
+        request.adjustment.scale = 10.0;
+        const auto mean = tableAsStated(table, request);
+        VERIFY_RESULT(mean);
+        QVERIFY(std::abs(mean->table.columns[0].values[1] - 92.5e-5) < 1e-12);
+        QVERIFY(contains(mean->remarks, "multiplied by 10"));
+    }
+
+    void theSignThatIsStatedOfATableIsThatOfItsNumbers()
+    {
+        const NeutralTable table = exampleTable(1, SignConvention::Command);
+        ConversionRequest request = requestFor(softmc::format(), softmc::format());
+        request.sourceSign = SignConvention::Feedback;
+        const auto stated = tableAsStated(table, request);
+        VERIFY_RESULT(stated);
+        QCOMPARE(stated->table.sign, SignConvention::Feedback);
+        QCOMPARE(stated->table.columns[0].values, table.columns[0].values);
+        request.targetSign = SignConvention::Command;
+        const auto converted = tableAsStated(table, request);
+        VERIFY_RESULT(converted);
+        QCOMPARE(converted->table.sign, SignConvention::Command);
+        QVERIFY(converted->table.columns[0].values[1] < 0.0);
+        ConversionRequest assumed = requestFor(isg_ssfk::format(), isg_ssfk::format());
+        assumed.from = &pmac_1d::format();
+        assumed.sourceSign.reset();
+        assumed.targetSign = SignConvention::Feedback;
+        VERIFY_ERROR(tableAsStated(table, assumed), ErrorCode::SignNotStated);
+    }
+
+    /// The file of a table that is not closed has a point more, and begins at position 0.
+    void roundingIsReportedWhereTheFileHasFurtherPoints()
+    {
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_1d::format());
+        request.targetSign = SignConvention::Feedback;
+        request.writing.settings["counts-per-unit"] = "1000";
+        for (const double start : {0.0, -20.0}) {
+            std::array tables{
+                test::tableOf(SignConvention::Feedback, {test::evenAxis("1", "mm", start, 10, 4)},
+                    {test::columnOf("1", "mm", {0, 0.1234, 0, 0.03})})};
+            tables[0].columns[0].filled = {1};
+            const auto conversion = convertTables(tables, request);
+            VERIFY_RESULT(conversion);
+            const TableConversion& table = conversion->tables.front();
+            QCOMPARE(table.result.pointCount(), 5U);
+            QCOMPARE(table.positionRounding, std::vector{0.0});
+            QCOMPARE(table.valueRounding.size(), 1U);
+            // an entry is a sixteenth of a count
+            const double rounding = 0.1234 - std::round(0.1234 * 16000) / 16000;
+            QVERIFY2(std::abs(table.valueRounding[0] - std::abs(rounding)) < 1e-12,
+                qPrintable(QString::number(table.valueRounding[0])));
+            const std::uint32_t filled = start == 0.0 ? 1 : 3;
+            QCOMPARE(table.result.columns[0].filled, std::vector{filled});
+            QVERIFY(contains(conversionReport(*conversion, request), "values of the file are"));
+        }
+    }
+
     void roundingOfEachColumnHasItsOwnUnit()
     {
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
