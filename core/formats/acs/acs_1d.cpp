@@ -49,7 +49,8 @@ constexpr std::array<std::string_view, 9> rules{
     "same array for both; two programs that write ERRORMAP1D from measurements write reference - "
     "actual position.",
     "A program with several maps is read as several tables, named after their arrays; one is "
-    "written to a file.",
+    "written to a file. A map that the same buffer switches off behind it (ERRORMAPOFF, "
+    "ERRORUNMAP, another CONNECT, MFLAGS(a).17 = 1) is a warning.",
     "An element that gets several numbers has the last one, with a warning; one that gets none is "
     "missing, unless all behind it get none either.",
     "ERRORMAPN1D, ERRORMAPA1D, ERRORMAP2D, ERRORMAPN2D, ERRORMAPA2D, MAPN, MAPB and MAPS, whose "
@@ -101,12 +102,15 @@ private:
     [[nodiscard]] std::optional<NeutralTable> tableOf(const Map& map);
     void takeMaps();
     void checkSwitchedOn();
+    [[nodiscard]] const Call* endOf(const Map& map) const;
+    void checkSwitchedOff();
     void warnOfOthers();
 
     acs::Program m_program;
     DiagnosticList& m_diagnostics;
     TextReading& m_source;
     std::vector<Map> m_maps;
+    std::vector<std::pair<std::size_t, Map>> m_uses; ///< of m_maps, by index: said once, or again
 };
 
 std::optional<Map> MapReader::connectOf(const Call& call, Map map)
@@ -181,7 +185,9 @@ void MapReader::takeMaps()
         const auto isSame = [&](const Map& other) {
             return other.isSame(*map) && m_program.isOneArray(call, *other.call, map->array);
         };
-        if (std::ranges::any_of(m_maps, isSame))
+        const auto same = std::ranges::find_if(m_maps, isSame);
+        m_uses.emplace_back(static_cast<std::size_t>(same - m_maps.begin()), *map);
+        if (same != m_maps.end())
             continue;
         const auto other = std::ranges::find(m_maps, map->axis, &Map::axis);
         if (other != m_maps.end())
@@ -197,11 +203,8 @@ void MapReader::checkSwitchedOn()
         if (!map.zone)
             continue;
         const bool isOn = std::ranges::any_of(m_program.calls(), [&](const Call& call) {
-            if (call.kind != Call::Kind::SwitchOn || call.arguments.size() != 2)
-                return false;
-            DiagnosticList ignored(0);
-            return m_program.index(call, call.arguments[0], ignored) == map.axis
-                && m_program.index(call, call.arguments[1], ignored) == map.zone;
+            return call.kind == Call::Kind::SwitchOn && call.arguments.size() == 2
+                && m_program.isOf(call, {map.axis, *map.zone});
         });
         if (!isOn)
             m_diagnostics.warning(DiagnosticCode::Assumption, map.call->statement.line,
@@ -211,6 +214,42 @@ void MapReader::checkSwitchedOn()
                     .with("zone", *map.zone),
                 AXISCOMP_TEXT("Error",
                     "a statement that switches the map on, which may stand in another program"));
+    }
+}
+
+/// The statement behind which the map does not act any more; null: none.
+const Call* MapReader::endOf(const Map& map) const
+{
+    const auto isOne = [&](const Call& call, Call::Kind kind) {
+        return call.kind == kind && m_program.isOf(call, {map.axis});
+    };
+    const auto isOfZone = [&](const Call& call) {
+        return m_program.isOf(call, {map.axis, map.zone.value_or(0)});
+    };
+    if (!map.zone)
+        return m_program.endOf([&](const Call& call) { return isOne(call, Call::Kind::Map); },
+            [&](const Call& call) { return isOne(call, Call::Kind::Disconnect); });
+    return m_program.endOf(
+        [&](const Call& call) {
+            return (call.kind == Call::Kind::ErrorMap || call.kind == Call::Kind::SwitchOn)
+                && isOfZone(call);
+        },
+        [&](const Call& call) { return call.kind == Call::Kind::SwitchOff && isOfZone(call); });
+}
+
+/// A map that the program says in both ways acts until both are ended.
+void MapReader::checkSwitchedOff()
+{
+    for (std::size_t n = 0; n < m_maps.size(); ++n) {
+        const Call* end = nullptr;
+        bool acts = false;
+        for (const auto& [index, map] : m_uses) {
+            const Call* const last = index == n ? endOf(map) : nullptr;
+            acts = acts || (index == n && !last);
+            end = last ? last : end;
+        }
+        if (end && !acts)
+            warnOfSwitchedOff(end->statement, m_diagnostics);
     }
 }
 
@@ -254,6 +293,7 @@ std::vector<NeutralTable> MapReader::tables()
             AXISCOMP_TEXT(
                 "Error", "a statement ERRORMAP1D, or CONNECT with MAP, of which there is none"));
     checkSwitchedOn();
+    checkSwitchedOff();
     std::vector<NeutralTable> tables;
     for (const Map& map : m_maps)
         if (auto table = tableOf(map))

@@ -101,6 +101,7 @@ private:
     [[nodiscard]] std::optional<NeutralTable> tableOf(const Call& call);
     [[nodiscard]] std::optional<Side> sideOf(
         const Call& call, const Token& position, const Token& base, const Token& step);
+    void warnOfEnd(const Call& map);
     void warnOfOthers(bool hasOwn);
 
     acs::Program m_program;
@@ -165,6 +166,19 @@ std::optional<NeutralTable> MapReader::tableOf(const Call& call)
     return table;
 }
 
+void MapReader::warnOfEnd(const Call& map)
+{
+    const auto target = m_program.index(map, map.arguments.front(), m_diagnostics);
+    const auto isOne = [&](const Call& call, Call::Kind kind) {
+        return call.kind == kind && m_program.isOf(call, {target.value_or(0)});
+    };
+    const Call* const end =
+        m_program.endOf([&](const Call& call) { return isOne(call, Call::Kind::Map2); },
+            [&](const Call& call) { return isOne(call, Call::Kind::Disconnect); });
+    if (end)
+        warnOfSwitchedOff(end->statement, m_diagnostics);
+}
+
 void MapReader::warnOfOthers(bool hasOwn)
 {
     const auto isOther = [](const Call& call) {
@@ -199,6 +213,7 @@ std::vector<NeutralTable> MapReader::tables()
         if (!isFirst)
             acs::warnOfSecond(call, target, first->second, m_diagnostics);
         tables.push_back(std::move(*table));
+        warnOfEnd(call);
     }
     warnOfOthers(hasOwn);
     if (!hasOwn && !m_diagnostics.hasErrors())

@@ -148,8 +148,8 @@ bool beginsBuffer(std::string_view line)
 bool isCommand(std::string_view name)
 {
     constexpr std::string_view prefix = "ERRORMAP";
-    return name.size() > prefix.size() && sameLetters(name.substr(0, prefix.size()), prefix)
-        && !sameLetters(name, "ERRORMAPOFF");
+    return (name.size() > prefix.size() && sameLetters(name.substr(0, prefix.size()), prefix))
+        || sameLetters(name, "ERRORUNMAP");
 }
 
 /// The functions MAP.. in an expression.
@@ -227,6 +227,8 @@ void Program::takeStatement(const Token& statement)
         takeAxisNames(statement);
     else if (sameLetters(name.text, "CONNECT"))
         takeConnect(statement);
+    else if (sameLetters(name.text, "MFLAGS"))
+        takeFlags(statement);
     else if (sameLetters(name.text, "FILL") || sameLetters(name.text, "READ"))
         takeFilling(statement);
     else if (isCommand(name.text))
@@ -339,6 +341,8 @@ void Program::takeCommand(const Token& statement, const Token& name)
         call.kind = Call::Kind::ErrorMap;
     else if (sameLetters(name.text, "ERRORMAPON"))
         call.kind = Call::Kind::SwitchOn;
+    else if (sameLetters(name.text, "ERRORMAPOFF") || sameLetters(name.text, "ERRORUNMAP"))
+        call.kind = Call::Kind::SwitchOff;
     Cursor cursor(statement);
     cursor.name();
     call.arguments = argumentsOf(cursor.rest());
@@ -347,7 +351,32 @@ void Program::takeCommand(const Token& statement, const Token& name)
     m_calls.push_back(std::move(call));
 }
 
-/// Other connections than those by maps do not matter.
+/// "MFLAGS(0).17 = 1", "MFLAGS(0).#DEFCON = 1": the position has no connection of the program's
+/// any more.
+void Program::takeFlags(const Token& statement)
+{
+    Cursor cursor(statement);
+    cursor.name();
+    const auto axis = cursor.brackets();
+    const bool isConnection = axis
+        && (cursor.is(".17") || (cursor.is(".#") && sameLetters(cursor.name().text, "DEFCON")));
+    if (isConnection && cursor.is("=") && literalOf(cursor.rest().text) == 1.0)
+        takeDisconnect(statement, *axis);
+}
+
+void Program::takeDisconnect(const Token& statement, const Token& axis)
+{
+    Call call;
+    call.kind = Call::Kind::Disconnect;
+    call.statement = statement;
+    call.name = Cursor(statement).name();
+    call.arguments = {axis};
+    call.buffer = m_buffer;
+    call.number = m_statements;
+    m_calls.push_back(std::move(call));
+}
+
+/// Of other connections than those by maps it matters only that they replace one.
 void Program::takeConnect(const Token& statement)
 {
     Cursor cursor(statement);
@@ -358,8 +387,10 @@ void Program::takeConnect(const Token& statement)
     if (!target || !cursor.is("="))
         return;
     const std::vector<Token> functions = mapFunctions(cursor.rest());
-    if (functions.empty())
+    if (functions.empty()) {
+        takeDisconnect(statement, *target);
         return;
+    }
     Call call;
     call.statement = statement;
     call.name = functions.front();
@@ -465,6 +496,34 @@ std::string Program::axisName(std::int64_t axis) const
         if (number == axis)
             return name;
     return std::to_string(axis);
+}
+
+bool Program::isOf(const Call& call, std::initializer_list<std::int64_t> numbers) const
+{
+    DiagnosticList ignored(0);
+    std::size_t n = 0;
+    for (const std::int64_t number : numbers) {
+        if (n < call.arguments.size() && index(call, call.arguments[n], ignored) != number)
+            return false;
+        ++n;
+    }
+    return !call.arguments.empty();
+}
+
+const Call* Program::endOf(const std::function<bool(const Call&)>& begins,
+    const std::function<bool(const Call&)>& ends) const
+{
+    std::map<std::size_t, const Call*> latest; // of each buffer that begins it; null: it has no end
+    for (const Call& call : m_calls) {
+        const auto found = latest.find(call.buffer);
+        if (begins(call))
+            latest[call.buffer] = nullptr;
+        else if (found != latest.end() && !found->second && ends(call))
+            found->second = &call;
+    }
+    const bool isEnded =
+        std::ranges::all_of(latest, [](const auto& buffer) { return buffer.second != nullptr; });
+    return isEnded && !latest.empty() ? latest.begin()->second : nullptr;
 }
 
 bool Program::isOneArray(const Call& call, const Call& other, const Token& array) const

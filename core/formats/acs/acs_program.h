@@ -6,6 +6,8 @@
 #include "core/text/token_scanner.h"
 
 #include <cstdint>
+#include <functional>
+#include <initializer_list>
 #include <map>
 
 namespace axiscomp::acs {
@@ -18,15 +20,18 @@ struct Call {
     enum class Kind {
         ErrorMap, ///< ERRORMAP1D axis, zone, base, step, array
         SwitchOn, ///< ERRORMAPON axis, zone
+        SwitchOff, ///< ERRORMAPOFF or ERRORUNMAP axis, zone
         Map, ///< CONNECT RPOS(a) = APOS(a) + MAP(..)
         Map2, ///< the same with MAP2(..)
+        Disconnect, ///< CONNECT RPOS(a) = .. without a map, or MFLAGS(a).17 = 1
         Unsupported, ///< a command or a function for maps that is not read
     };
     Kind kind = Kind::Unsupported;
     Token statement;
     Token name; ///< the command or the function
     /// Of a command: its arguments. Of a CONNECT: the axis of RPOS, that of the APOS to which is
-    /// added, and the arguments of the function. Empty: the statement has another form.
+    /// added, and the arguments of the function. Of Disconnect: the axis. Empty: the statement has
+    /// another form.
     std::vector<Token> arguments;
     std::size_t buffer = 0;
     std::size_t number = 0; ///< counts all statements of the file
@@ -54,6 +59,12 @@ public:
         const Call& call, const Token& argument, DiagnosticList& diagnostics) const;
     /// "0", or the name that AXISDEF gives the axis.
     [[nodiscard]] std::string axisName(std::int64_t axis) const;
+    /// Whether the first arguments of a call are these numbers. One that it leaves out is any.
+    [[nodiscard]] bool isOf(const Call& call, std::initializer_list<std::int64_t> numbers) const;
+    /// The statement that ends what others begin: behind the last of these, in each buffer that has
+    /// one. Null: none does.
+    [[nodiscard]] const Call* endOf(const std::function<bool(const Call&)>& begins,
+        const std::function<bool(const Call&)>& ends) const;
 
     /// Whether the name of an array is the same array at both calls, not one in each of two
     /// buffers.
@@ -101,6 +112,8 @@ private:
     void takeAxisNames(const Token& statement);
     void takeCommand(const Token& statement, const Token& name);
     void takeConnect(const Token& statement);
+    void takeFlags(const Token& statement);
+    void takeDisconnect(const Token& statement, const Token& axis);
     [[nodiscard]] const Variable& variableOf(std::string_view name) const;
     [[nodiscard]] const Assigned* valueBefore(
         const Call& call, const Token& name, DiagnosticList& diagnostics) const;

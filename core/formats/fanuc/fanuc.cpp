@@ -67,7 +67,7 @@ constexpr std::array settings{
 
 constexpr std::array<std::string_view, 6> rules{
     "Lines such as N10033P2, number and value, between two lines %. Parameters may stand in the "
-    "same file, and are passed over; ; ends a line as well.",
+    "same file; ; ends a line as well.",
     "Each number stands for a section of the axis, one interval long; its value is the change of "
     "the correction over it, in increments of magnification x detection unit.",
     "Parameter 3620 is the number of the reference point, 3621 and 3622 are the outermost numbers, "
@@ -79,13 +79,17 @@ constexpr std::array<std::string_view, 6> rules{
     "says "
     "that numbers do not fit.",
 };
-constexpr std::array<std::string_view, 8> assumptions{
+constexpr std::array<std::string_view, 9> assumptions{
     "Nothing tells such a file from one of parameters, so it is never recognised: it must be named "
     "(--from fanuc).",
     "With R the number of the reference point, number R + k (k from 1) is the section that ends k "
     "intervals above it, and number R - k (k from 0) the one that ends k + 1 intervals below it, "
     "as "
     "in the published example. At the reference point the correction is 0.",
+    "Parameters 3620 to 3625 of the file must be those of one axis that the settings describe; "
+    "3624 "
+    "and 3625 without a decimal point, whose unit is not known, are a warning. Others are passed "
+    "over.",
     "A value is put out to the axis as pulses, as an offset that is added to the commanded "
     "position. Nobody has published the sign.",
     "The line of number 0 is N10000, which first-record changes; numbers are 0 to 9999, and lines "

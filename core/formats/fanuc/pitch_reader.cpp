@@ -3,9 +3,12 @@
 #include "core/formats/formats.h"
 #include "core/formats/own_axis.h"
 #include "core/formats/wrap_range.h"
+#include "core/text/number_text.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -19,6 +22,8 @@ constexpr std::int64_t referenceParameter = 3620;
 constexpr std::int64_t firstParameter = 3621;
 constexpr std::int64_t lastParameter = 3622;
 constexpr std::int64_t magnificationParameter = 3623;
+constexpr std::int64_t intervalParameter = 3624;
+constexpr std::int64_t turnParameter = 3625;
 
 struct Value {
     std::int64_t steps = 0;
@@ -62,18 +67,35 @@ bool hasBitZero(std::string_view values)
     return false;
 }
 
-/// The numbers of a parameter, one for each axis: "A1P40A2P0", or "P40" of one axis.
-std::vector<std::int64_t> axisNumbers(std::string_view values)
+/// The numbers of a parameter, one for each axis: "A1P40A2P0", or "P25.000" of one axis.
+std::vector<std::string_view> axisNumbers(std::string_view values)
 {
-    std::vector<std::int64_t> numbers;
+    std::vector<std::string_view> numbers;
     for (std::size_t at = 0; at < values.size(); ++at) {
         if (!isValueLetter(values[at]))
             continue;
         const std::size_t end =
-            std::min(values.find_first_not_of("0123456789", at + 1), values.size());
-        numbers.push_back(wholeNumberOf(values.substr(at + 1, end - at - 1)).value_or(-1));
+            std::min(values.find_first_not_of("0123456789.+- ", at + 1), values.size());
+        numbers.push_back(trimmed(values.substr(at + 1, end - at - 1)));
     }
     return numbers;
+}
+
+bool isNumber(std::string_view text, std::int64_t number)
+{
+    return numberOf(text) == static_cast<double>(number);
+}
+
+/// Without a decimal point it is in increments, whose unit the file does not say.
+bool isInIncrements(std::string_view number)
+{
+    return number.find('.') == std::string_view::npos;
+}
+
+bool isAmount(std::string_view number, double amount)
+{
+    const auto said = numberOf(number);
+    return said && std::abs(*said - amount) <= 1e-9 * std::abs(amount);
 }
 
 class PitchReader {
@@ -95,6 +117,9 @@ private:
     void checkEnd(std::size_t lines);
     [[nodiscard]] bool chooseNumbers();
     [[nodiscard]] bool checkParameters();
+    [[nodiscard]] bool isOfAxis(std::size_t axis) const;
+    [[nodiscard]] bool checkAmount(std::int64_t number, std::string_view key, double amount);
+    [[nodiscard]] bool checkAmounts();
     [[nodiscard]] bool checkComplete();
     [[nodiscard]] bool checkTurn();
     [[nodiscard]] NeutralTable table();
@@ -114,10 +139,11 @@ private:
     std::int64_t m_last = 0;
     std::map<std::int64_t, Value> m_values; ///< by number
     struct Parameter {
-        std::vector<std::int64_t> numbers;
+        std::vector<std::string_view> numbers; ///< of each axis
         std::size_t line = 0;
     };
     std::map<std::int64_t, Parameter> m_parameters; ///< by number
+    std::map<std::int64_t, std::int64_t> m_expected; ///< what parameters of the axis must be
 };
 
 void PitchReader::takeValue(std::int64_t number, const Token& text)
@@ -258,19 +284,32 @@ bool PitchReader::chooseNumbers()
     return false;
 }
 
+/// Whether the parameters of the axis with this place in the file are those of the settings.
+bool PitchReader::isOfAxis(std::size_t axis) const
+{
+    return std::ranges::all_of(m_expected, [&](const auto& parameter) {
+        const auto said = m_parameters.find(parameter.first);
+        if (said == m_parameters.end())
+            return true;
+        const auto& numbers = said->second.numbers;
+        return axis < numbers.size() && isNumber(numbers[axis], parameter.second);
+    });
+}
+
 /// That one of the axes whose parameters are in the file is the one that the settings describe.
 bool PitchReader::checkParameters()
 {
-    const std::map<std::int64_t, std::int64_t> expected{{referenceParameter, m_setup.reference},
+    m_expected = {{referenceParameter, m_setup.reference},
         {firstParameter, m_sections.turn ? m_setup.reference : m_first}, {lastParameter, m_last},
         {magnificationParameter, m_setup.magnification}};
     std::size_t axes = 0;
-    for (const auto& [number, value] : expected) {
+    for (const auto& [number, value] : m_expected) {
         const auto said = m_parameters.find(number);
         if (said == m_parameters.end())
             continue;
         axes = std::max(axes, said->second.numbers.size());
-        if (std::ranges::find(said->second.numbers, value) != said->second.numbers.end())
+        const auto isIt = [&](std::string_view text) { return isNumber(text, value); };
+        if (std::ranges::any_of(said->second.numbers, isIt))
             continue;
         m_diagnostics.error(DiagnosticCode::Contradiction, said->second.line, 0,
             AXISCOMP_TEXT("Error", "parameter {number}, which is {value} for no axis")
@@ -280,15 +319,6 @@ bool PitchReader::checkParameters()
                 "the reference point, numbers and magnification of one axis, as the settings say"));
         return false;
     }
-    const auto isOfAxis = [&](std::size_t axis) {
-        return std::ranges::all_of(expected, [&](const auto& parameter) {
-            const auto said = m_parameters.find(parameter.first);
-            if (said == m_parameters.end())
-                return true;
-            const auto& numbers = said->second.numbers;
-            return axis < numbers.size() && numbers[axis] == parameter.second;
-        });
-    };
     bool isOne = axes == 0;
     for (std::size_t axis = 0; axis < axes; ++axis)
         isOne = isOne || isOfAxis(axis);
@@ -305,6 +335,47 @@ bool PitchReader::checkParameters()
         AXISCOMP_TEXT(
             "Error", "the numbers of one axis; first-number and last-number choose them"));
     return false;
+}
+
+/// That a parameter of the axis is what a setting says. One of 0 says nothing, such as that of an
+/// axis without compensation.
+bool PitchReader::checkAmount(std::int64_t number, std::string_view key, double amount)
+{
+    const auto said = m_parameters.find(number);
+    std::vector<std::string_view> numbers;
+    for (std::size_t axis = 0; said != m_parameters.end() && axis < said->second.numbers.size();
+         ++axis)
+        if (isOfAxis(axis) && numberOf(said->second.numbers[axis]) != 0.0)
+            numbers.push_back(said->second.numbers[axis]);
+    const auto isIt = [&](std::string_view text) {
+        return !isInIncrements(text) && isAmount(text, amount);
+    };
+    if (numbers.empty() || std::ranges::any_of(numbers, isIt))
+        return true;
+    const auto unknown = std::ranges::find_if(numbers, isInIncrements);
+    const bool isUnknown = unknown != numbers.end();
+    const Text found = AXISCOMP_TEXT("Error", "parameter {number} of {value}")
+                           .with("number", number)
+                           .with("value", quoted(Token{isUnknown ? *unknown : numbers.front()}));
+    if (isUnknown)
+        m_diagnostics.warning(DiagnosticCode::Assumption, said->second.line, 0, found,
+            AXISCOMP_TEXT("Error",
+                "a number with a decimal point, to compare it with the setting {key} of {value}; "
+                "the file does not say what unit it is in without one")
+                .with("key", key)
+                .with("value", Quantity{toText(amount)}));
+    else
+        m_diagnostics.error(DiagnosticCode::Contradiction, said->second.line, 0, found,
+            AXISCOMP_TEXT("Error", "{value}, as the setting {key} says")
+                .with("value", Quantity{toText(amount)})
+                .with("key", key));
+    return isUnknown;
+}
+
+bool PitchReader::checkAmounts()
+{
+    return checkAmount(intervalParameter, intervalKey, m_sections.interval)
+        && (!m_sections.turn || checkAmount(turnParameter, wrapRangeKey, *m_sections.turn));
 }
 
 bool PitchReader::checkComplete()
@@ -392,7 +463,7 @@ std::vector<NeutralTable> PitchReader::read()
 {
     scan();
     if (m_reading.isStopped() || m_diagnostics.hasErrors() || !chooseNumbers() || !checkParameters()
-        || !checkComplete() || (m_sections.turn && !checkTurn()))
+        || !checkAmounts() || !checkComplete() || (m_sections.turn && !checkTurn()))
         return {};
     return {table()};
 }

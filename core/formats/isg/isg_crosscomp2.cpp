@@ -59,7 +59,7 @@ constexpr std::array<std::string_view, 9> rules{
     "unit 0: encoder increments; unit 1: 0.1 um or 0.0001 deg.",
     "The points lie at start_position_master1 + i * interval and start_position_master2 + j * "
     "interval: square cells. Newer kernels also have grid RECTANGULAR with interval1 and "
-    "interval2, which is read.",
+    "interval2, which is read; distances of both kinds in one list are refused.",
     "table[j][i].correction: j counts along master axis 2, i along master axis 1.",
     "There may be max_points points, 10201 without that entry.",
     "Between the points the correction is bilinear; outside, that of the table's margin is held.",
@@ -73,6 +73,26 @@ constexpr std::array<std::string_view, 3> assumptions{
     "otherwise. Increments are those of one encoder resolution for all axes.",
 };
 
+/// A distance of the other kind of grid: nobody knows which of them is meant. One of 0 says
+/// nothing.
+bool hasOnlyItsDistances(const isg::List& list, bool isSquare)
+{
+    using Keys = std::vector<std::string_view>;
+    for (const std::string_view key :
+        isSquare ? Keys{"interval1", "interval2"} : Keys{"interval"}) {
+        const auto distance = list.has(key) ? list.number(key) : std::optional(0.0);
+        if (distance == 0.0)
+            continue;
+        if (distance)
+            list.diagnostics().error(DiagnosticCode::Contradiction, list.line(key), 0,
+                Verbatim{list.path(key) + ' ' + toText(*distance)},
+                AXISCOMP_TEXT("Error",
+                    "interval of a square grid, or interval1 and interval2 of a grid RECTANGULAR"));
+        return false;
+    }
+    return true;
+}
+
 /// The distances along both masters, in numbers of the file.
 std::optional<std::array<double, 2>> intervals(const isg::List& list)
 {
@@ -84,6 +104,8 @@ std::optional<std::array<double, 2>> intervals(const isg::List& list)
             AXISCOMP_TEXT("Error", "QUADRATIC or RECTANGULAR"));
         return std::nullopt;
     }
+    if (!hasOnlyItsDistances(list, isSquare))
+        return std::nullopt;
     constexpr std::array<std::string_view, 2> own{"interval1", "interval2"};
     std::array<double, 2> distances{};
     for (std::size_t n = 0; n < 2; ++n) {

@@ -14,6 +14,9 @@ namespace {
 constexpr std::string_view prefix = "$AN_CEC";
 constexpr std::string_view otherPrefix = "$AA_ENC_COMP";
 constexpr std::string_view weightName = "$SN_CEC_TABLE_WEIGHT";
+constexpr std::string_view scalingName = "$MA_CEC_SCALING_SYSTEM_METRIC";
+constexpr std::string_view tableSwitch = "$SN_CEC_TABLE_ENABLE";
+constexpr std::string_view axisSwitch = "$MA_CEC_ENABLE";
 constexpr std::string_view inputSuffix = "_INPUT_AXIS";
 constexpr std::string_view outputSuffix = "_OUTPUT_AXIS";
 constexpr std::int64_t mostTables = 1000; // twice as many as a control has axes, and more
@@ -36,7 +39,7 @@ constexpr std::array settings{siemens::rotaryAxes,
             "Error", "name of the axis that is compensated, instead of the table's name for it"),
         .forWriting = true}};
 
-constexpr std::array<std::string_view, 7> rules{
+constexpr std::array<std::string_view, 8> rules{
     "A part program assigns $AN_CEC[table,point], with _INPUT_AXIS, _OUTPUT_AXIS, _STEP, _MIN, "
     "_MAX, _DIRECTION, _IS_MODULO and _MULT_BY_TABLE[table]; CHANDATA(1) in front, M17 at the end, "
     "; begins a comment.",
@@ -48,6 +51,8 @@ constexpr std::array<std::string_view, 7> rules{
     "positive one, -1: for the negative one.",
     "Between the points the value is linear; outside, that at the nearest end is held.",
     "IS_MODULO 1: MIN follows MAX, and both values should be the same.",
+    "$MA_CEC_SCALING_SYSTEM_METRIC 0 (inches) is refused; $SN_CEC_TABLE_ENABLE or $MA_CEC_ENABLE "
+    "that is 0 in the end, and switches a table off, is a warning.",
 };
 constexpr std::array<std::string_view, 5> assumptions{
     "The value is added to the commanded position of the output axis.",
@@ -71,16 +76,19 @@ public:
     explicit Collector(DiagnosticList& diagnostics) : m_diagnostics(diagnostics) { }
 
     void take(const siemens::Assignment& said);
+    void checkSwitches();
     [[nodiscard]] std::map<std::int64_t, Entry>& entries() { return m_entries; }
 
 private:
     void takeOther(const Token& name);
     void takeWeight(const siemens::Assignment& said);
+    void takeScaling(const siemens::Assignment& said);
     [[nodiscard]] Entry* entryOf(const Token& index);
     void takeAxis(std::string& axis, const siemens::Assignment& said);
 
     DiagnosticList& m_diagnostics;
     std::map<std::int64_t, Entry> m_entries;
+    siemens::Switches m_switches;
     bool m_hasOther = false;
 };
 
@@ -145,11 +153,41 @@ void Collector::takeWeight(const siemens::Assignment& said)
             "Error", "1; take the line out, and multiply the values by the number (--scale)"));
 }
 
+/// Whether a control whose basic system is metric has the table in mm (MD32711).
+void Collector::takeScaling(const siemens::Assignment& said)
+{
+    if (numberOf(trimmed(said.value.text)) == 1.0)
+        return;
+    m_diagnostics.error(DiagnosticCode::LimitExceeded, said.name.line, said.name.column,
+        AXISCOMP_TEXT(
+            "Error", "{name} = {value}, with which the lengths of the table are in inches")
+            .with("name", scalingName)
+            .with("value", Verbatim{excerpt(said.value.text, Encoding::Utf8)}),
+        AXISCOMP_TEXT(
+            "Error", "1; take the line out, and multiply positions and values in inches by 25.4"));
+}
+
+/// Of the last switches of each table and of the axis that it compensates.
+void Collector::checkSwitches()
+{
+    for (const auto& [index, entry] : m_entries) {
+        m_switches.check(tableSwitch, {std::to_string(index)}, m_diagnostics);
+        m_switches.check(axisSwitch, {entry.output}, m_diagnostics);
+    }
+    m_switches.reportOthers(m_diagnostics);
+}
+
 void Collector::take(const siemens::Assignment& said)
 {
     const std::string_view name = said.name.text;
+    if (m_switches.take(said, tableSwitch, 1) || m_switches.take(said, axisSwitch, 1))
+        return;
     if (sameLetters(name, weightName)) {
         takeWeight(said);
+        return;
+    }
+    if (sameLetters(name, scalingName)) {
+        takeScaling(said);
         return;
     }
     const bool isOwn =
@@ -258,6 +296,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
         reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             AXISCOMP_TEXT("Error", "variables {name}, of which there are none")
                 .with("name", prefix));
+    collector.checkSwitches();
     std::vector<NeutralTable> tables;
     for (const auto& [index, entry] : collector.entries())
         if (auto table = tableOf(entry, reading))

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::string_view prefix = "$AA_ENC_COMP";
 constexpr std::string_view otherPrefix = "$AN_CEC";
+constexpr std::string_view axisSwitch = "$MA_ENC_COMP_ENABLE";
 constexpr std::string_view encoderWords = ", encoder "; ///< in the name of a table
 
 constexpr std::array<std::string_view, 3> extensions{".ini", ".mpf", ".spf"};
@@ -29,7 +30,7 @@ constexpr std::array settings{siemens::rotaryAxes,
         .choices = "0, 1",
         .forWriting = true}};
 
-constexpr std::array<std::string_view, 7> rules{
+constexpr std::array<std::string_view, 8> rules{
     "A part program assigns $AA_ENC_COMP[encoder,point,axis], with _STEP, _MIN, _MAX and "
     "_IS_MODULO[encoder,axis]; CHANDATA(1) in front, M17 at the end, ; begins a comment.",
     "Point 0 lies at MIN, the last one at MAX; there are (MAX - MIN) / STEP + 1 of them.",
@@ -39,6 +40,8 @@ constexpr std::array<std::string_view, 7> rules{
     "Between the points the value is linear; outside, that at the nearest end is held.",
     "IS_MODULO 1: MIN follows MAX, and both values should be the same.",
     "A file may hold the tables of several axes and measuring systems.",
+    "$MA_ENC_COMP_ENABLE[encoder,axis] that is 0 in the end switches the table off, which is a "
+    "warning.",
 };
 constexpr std::array<std::string_view, 3> assumptions{
     "The basic system is metric.",
@@ -61,6 +64,7 @@ public:
     explicit Collector(DiagnosticList& diagnostics) : m_diagnostics(diagnostics) { }
 
     void take(const siemens::Assignment& said);
+    void checkSwitches();
     [[nodiscard]] const std::vector<Entry>& entries() const { return m_entries; }
 
 private:
@@ -68,6 +72,7 @@ private:
 
     DiagnosticList& m_diagnostics;
     std::vector<Entry> m_entries;
+    siemens::Switches m_switches;
     std::size_t m_latest = 0;
     bool m_hasOther = false;
 };
@@ -106,8 +111,19 @@ siemens::Curve* Collector::curveOf(const Token& encoder, const Token& axis)
     return &m_entries.back().curve;
 }
 
+/// Of the last switch of each table: a program begins with 0 and ends with 1.
+void Collector::checkSwitches()
+{
+    for (const Entry& entry : m_entries)
+        m_switches.check(
+            axisSwitch, {std::to_string(entry.owner.encoder), entry.owner.axis}, m_diagnostics);
+    m_switches.reportOthers(m_diagnostics);
+}
+
 void Collector::take(const siemens::Assignment& said)
 {
+    if (m_switches.take(said, axisSwitch, 2))
+        return;
     const std::string_view name = said.name.text;
     const bool isOwn =
         name.size() >= prefix.size() && sameLetters(name.substr(0, prefix.size()), prefix);
@@ -156,6 +172,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
         reading.diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},
             AXISCOMP_TEXT("Error", "variables {name}, of which there are none")
                 .with("name", prefix));
+    collector.checkSwitches();
     std::vector<NeutralTable> tables;
     for (const Entry& entry : collector.entries()) {
         auto sampled = siemens::sample(entry.curve, reading.diagnostics);

@@ -171,6 +171,42 @@ bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
     return true;
 }
 
+bool Switches::take(const Assignment& said, std::string_view name, std::size_t argumentCount)
+{
+    if (!sameLetters(said.name.text, name) || said.arguments.size() != argumentCount)
+        return false;
+    std::string key = capitals(name);
+    for (const Token& argument : said.arguments)
+        key += ' ' + capitals(argument.text);
+    const char* const begin = said.name.text.data(); // of the line, as its pieces are
+    const char* const end = said.value.text.data() + said.value.text.size();
+    Token statement = said.name;
+    statement.text = {begin, static_cast<std::size_t>(end - begin)};
+    const bool isOff = numberOf(said.value.text) == 0.0 || sameLetters(said.value.text, "FALSE");
+    m_switches[key] = {statement, said.name, isOff};
+    return true;
+}
+
+void Switches::check(std::string_view name, std::initializer_list<std::string_view> arguments,
+    DiagnosticList& diagnostics)
+{
+    std::string key = capitals(name);
+    for (const std::string_view argument : arguments)
+        key += ' ' + capitals(argument);
+    const auto found = m_switches.find(key);
+    if (found != m_switches.end() && found->second.isOff
+        && !std::exchange(found->second.isOfTable, true))
+        warnOfSwitchedOff(found->second.statement, diagnostics);
+}
+
+void Switches::reportOthers(DiagnosticList& diagnostics) const
+{
+    for (const auto& [key, other] : m_switches)
+        if (other.isOff && !other.isOfTable)
+            diagnostics.warning(DiagnosticCode::UnknownKey, other.name.line, other.name.column,
+                quoted(other.name.text), {});
+}
+
 Recognition recogniseProgram(std::string_view text, std::string_view own, std::string_view other)
 {
     const auto begins = [](std::string_view line, std::string_view name) {

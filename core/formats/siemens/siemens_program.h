@@ -7,6 +7,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <map>
 
 namespace axiscomp::siemens {
 
@@ -18,6 +20,29 @@ struct Assignment {
     Token name; ///< with its '$'
     std::vector<Token> arguments;
     Token value; ///< without the brackets or quotation marks of an axis name
+};
+
+/// What switches tables on: "$SN_CEC_TABLE_ENABLE[0]=1". The last one counts, since a program may
+/// switch a table off while it is loaded.
+class Switches {
+public:
+    /// False: not of this name, or of another number of arguments.
+    [[nodiscard]] bool take(
+        const Assignment& said, std::string_view name, std::size_t argumentCount);
+    /// Warns where a table is switched off; the same for a switch that was looked at before.
+    void check(std::string_view name, std::initializer_list<std::string_view> arguments,
+        DiagnosticList& diagnostics);
+    /// Names what switches off something else than a table of the file.
+    void reportOthers(DiagnosticList& diagnostics) const;
+
+private:
+    struct Switch {
+        Token statement;
+        Token name;
+        bool isOff = false;
+        bool isOfTable = false;
+    };
+    std::map<std::string, Switch> m_switches; ///< by name and arguments in capital letters
 };
 
 /// Calls visit for each assignment of the program; anything else is a problem. Comments become

@@ -179,6 +179,37 @@ void describeProblems(test::FormatSample& sample)
         "14:18 NotANumber Base|a number, or a name that got one before");
 }
 
+void describeSwitchedOff(test::FormatSample& sample)
+{
+    const auto ends = [&](const char* name, const std::string& text, const char* line) {
+        sample.warning(name, text, {line});
+    };
+    ends("switched off and removed", program + "ERRORMAPOFF 0, 0\nERRORUNMAP 0, 0\n",
+        "13:1 Assumption \"ERRORMAPOFF 0, 0\", which switches a table of the file off|tables that "
+        "are in use; this one does not act on the machine");
+    ends("removed", program + "errorunmap 0, 0\n", "13:1 Assumption \"errorunmap 0, 0\", which");
+    ends("all zones of the axis", program + "ERRORMAPOFF 0\n", "13:1 Assumption \"ERRORMAPOFF 0\"");
+    ends("switched off, on and off", program + "ERRORMAPOFF 0,0;ERRORMAPON 0,0\nERRORMAPOFF 0,0\n",
+        "14:1 Assumption \"ERRORMAPOFF 0,0\"");
+    ends("another connection", connected + "CONNECT RPOS(0) = APOS(0)\n",
+        "9:1 Assumption \"CONNECT RPOS(0) = APOS(0)\"");
+    ends("the own connection", connected + "MFLAGS(0).17 = 1\n",
+        "9:1 Assumption \"MFLAGS(0).17 = 1\"");
+    ends("the own connection by name", connected + "AXISDEF X=0\nmflags(X).#defcon=1\n",
+        "10:1 Assumption \"mflags(X).#defcon=1\"");
+    const auto acts = [&](const char* name, const std::string& text) {
+        sample.warning(name, text, {});
+    };
+    acts("switched off before", "ERRORMAPOFF 0, 0\n" + program);
+    acts("switched on again", program + "ERRORMAPOFF 0, 0\nERRORMAPON 0, 0\n");
+    acts("another zone and another axis", program + "ERRORMAPOFF 0, 1\nERRORUNMAP 1, 0\n");
+    acts("switched off in another buffer", "#1\n" + program + "#2\nERRORMAPOFF 0, 0\n");
+    acts("the connection of another axis", connected + "CONNECT RPOS(1) = APOS(1)\n");
+    acts("other flags", connected + "MFLAGS(0).17 = 0\nMFLAGS(0).8 = 1\nMFLAGS(1).17 = 1\n");
+    acts("one of both ways",
+        connected + "ERRORMAP1D 0, 0, -66, 20, XMAP\nERRORMAPON 0, 0\nCONNECT RPOS(0) = APOS(0)\n");
+}
+
 void describe(test::FormatSample& sample)
 {
     sample.facts = "command is read in program code; 1 to 1 dimensions, even knots; points any, "
@@ -217,6 +248,7 @@ void describe(test::FormatSample& sample)
         {"13:29 LeftOut a map over two axes (MAP2)|the format acs-2d"});
     sample.warning(
         "no unit", program, {"0:0 UnitNotGiven numbers without a unit"}, FormatSettings{});
+    describeSwitchedOff(sample);
     describeProblems(sample);
     describeWriting(sample);
 }

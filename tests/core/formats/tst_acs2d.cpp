@@ -120,6 +120,10 @@ void describe(test::FormatSample& sample)
         {"15:1 Assumption another map of axis 0, besides that of line 12|one map"});
     sample.warning("an element twice", with("MFLAGS", "M0(1)(2) = 0.01\nMFLAGS"),
         {"11:12 DuplicatePoint M0(1)(2) a second time|"});
+    sample.warning("another connection", program + "CONNECT RPOS(0) = APOS(0)\n",
+        {"14:1 Assumption \"CONNECT RPOS(0) = APOS(0)\", which switches a table of the file off|"});
+    sample.warning("connections of others and before",
+        "MFLAGS(0).17 = 1\n" + program + "CONNECT RPOS(1) = APOS(1)\n", {});
     sample.warning("no units", program,
         {"0:0 UnitNotGiven positions without a unit", "0:0 UnitNotGiven values without a unit"},
         FormatSettings{});

@@ -86,6 +86,17 @@ void describeReading(test::FormatSample& sample)
             {"reference-number", "40"}, {"interval", "50"}, {"detection-unit", "0.001"}});
     sample.warning("a value again", with("N10034P1", "N10033P3\nN10034P1"),
         {"3:8 DuplicateValue value 33 again|"});
+    sample.warning("an interval in increments", with("%\n", "%\nN03624A1P50000\n"),
+        {"2:0 Assumption parameter 3624 of 50000|a number with a decimal point, to compare it with "
+         "the setting interval of 50;"});
+    // The interval of the axis, that of another one, and none.
+    sample.warning("the same interval in the file",
+        with("%\n",
+            "%\nN03620A1P0A2P40\nN03621A1P0A2P33\nN03622A1P0A2P49\n"
+            "N03624A1P25.000A2P50.000\nN03625A1P360.0\n"),
+        {});
+    sample.warning("an interval of 0", with("%\n", "%\nN03624P0\n"), {});
+    sample.warning("a turn in the file", test::with(turn, "%\n", "%\nN03625P360.0\n"), {}, ofTurn);
     sample.warning("lines of something else", with("N10049P2", "N10049P2\nN20000P1\nN20001P1"),
         {"19:1 LeftOut line N20000|N10000 to N19999, as the setting first-record says"});
     sample.warning("many points", linesOf(10000, std::vector<int>(129)),
@@ -118,6 +129,11 @@ void describeProblems(test::FormatSample& sample)
         "magnification of one axis, as the settings say");
     row("another magnification in the file", with("%\n", "%\nN03620P40\nN03623P10\n"),
         "3:0 Contradiction parameter 3623, which is 1 for no axis|");
+    row("another interval in the file",
+        with("%\n",
+            "%\nN03620A1P40A2P0\nN03621A1P33A2P0\nN03622A1P49A2P0\n"
+            "N03624A1P25.000A2P50.0\n"),
+        "5:0 Contradiction parameter 3624 of 25.000|50, as the setting interval says");
     row("numbers of two axes", with("%\n", "%\nN03621A1P33A2P45\nN03622A1P44A2P49\n"),
         "2:0 Contradiction parameters 3620 to 3623 of several axes, and numbers 33 to 49|the "
         "numbers of one axis; first-number and last-number choose them");
@@ -138,6 +154,8 @@ void describeProblems(test::FormatSample& sample)
         set("first-number", "45", set("last-number", "42")));
     ofSettings("a turn that is not complete", linesOf(10060, {1, 1, -2, 1}),
         "0:0 MissingPoint no value 64|the numbers 61 to 68 of one turn", ofTurn);
+    ofSettings("another turn in the file", test::with(turn, "%\n", "%\nN03625P180.\n"),
+        "2:0 Contradiction parameter 3625 of 180.|360, as the setting wrap-range says", ofTurn);
     ofSettings("a turn that does not close", linesOf(10060, {1, 2, -2, 1, -1, -1, 0, 0, 2}),
         "10:0 NotPeriodic the values 61 to 68, which add up to 1|0 over one turn", ofTurn);
     ofSettings("another last section", linesOf(10060, {2, 2, -2, 1, -1, -1, 0, 0, 1}),

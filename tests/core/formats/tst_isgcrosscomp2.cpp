@@ -73,6 +73,15 @@ void describe(test::FormatSample& sample)
         "3:0 LimitExceeded kw.crosscomp2.interval 0|a distance above 0");
     row("grid", with("interval 50000", "interval 50000\nkw.crosscomp2.grid HEXAGONAL"),
         "4:0 Syntax HEXAGONAL|QUADRATIC or RECTANGULAR");
+    row("distances of rectangles without such a grid",
+        with("interval 50000", "interval 50000\nkw.crosscomp2.interval1 25000"),
+        "4:0 Contradiction kw.crosscomp2.interval1 25000|interval of a square grid, or interval1 "
+        "and interval2 of a grid RECTANGULAR");
+    row("the distance of squares in a grid of rectangles",
+        with("interval 50000",
+            "interval 7\nkw.crosscomp2.grid RECTANGULAR\nkw.crosscomp2.interval1 50000\n"
+            "kw.crosscomp2.interval2 50000"),
+        "3:0 Contradiction kw.crosscomp2.interval 7|");
     row("no start", with("kw.crosscomp2.start_position_master2 20000\n", ""),
         "0:0 Syntax |the entry kw.crosscomp2.start_position_master2");
     row("too many", with("last_index_master1 2", "last_index_master1 5100"),
@@ -116,7 +125,7 @@ private Q_SLOTS:
     {
         const auto text = with("kw.crosscomp2.interval 50000\n",
             "kw.crosscomp2.grid RECTANGULAR (new)\nkw.crosscomp2.interval1 50000\n"
-            "kw.crosscomp2.interval2 10000\n");
+            "kw.crosscomp2.interval2 10000\nkw.crosscomp2.interval 0\n");
         READ_TABLE(table, format, text, linear);
         QCOMPARE(table.axes[0].knots[1], -5.0);
         QCOMPARE(table.axes[1].knots[1], 3.0);

@@ -45,6 +45,23 @@ NeutralTable pairTable()
     return table;
 }
 
+void describeSwitches(test::FormatSample& sample)
+{
+    const auto at = [](const char* last) { return with("M17", std::string(last) + "\nM17"); };
+    sample.warning("a table that is switched off", at("$SN_CEC_TABLE_ENABLE[0]=0 ; off"),
+        {"14:1 Assumption \"$SN_CEC_TABLE_ENABLE[0]=0\", which switches a table of the file off|"});
+    sample.warning("an axis without compensation", at("N5 $ma_cec_enable[(ax1)] = FALSE"),
+        {"14:4 Assumption \"$ma_cec_enable[(ax1)] = FALSE\", which switches a table of the file "
+         "off|"});
+    sample.warning("switched off while it is loaded",
+        "$SN_CEC_TABLE_ENABLE[0]=0\n$MA_CEC_ENABLE[AX1]=0\n"
+            + at("$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=1"),
+        {});
+    sample.warning("another table and another axis",
+        at("$SN_CEC_TABLE_ENABLE[1]=0\n$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX2]=0"),
+        {"14:1 UnknownKey $SN_CEC_TABLE_ENABLE|", "16:1 UnknownKey $MA_CEC_ENABLE|"});
+}
+
 void describe(test::FormatSample& sample)
 {
     sample.facts = "command is assumed; 1 to 1 dimensions, even knots; "
@@ -73,6 +90,11 @@ void describe(test::FormatSample& sample)
     sample.problem("a weight of the table, which multiplies it", weight + "-2\n" + program,
         {"1:1 LimitExceeded"});
     sample.applies({{{400}, 0.03}}, weight + "1.0 ; as it is\n" + program);
+    sample.problem("a table in inches", "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n" + program,
+        "1:1 LimitExceeded $MA_CEC_SCALING_SYSTEM_METRIC = 0, with which the lengths of the table "
+        "are in inches|1; take the line out, and multiply positions and values in inches by 25.4");
+    sample.applies({{{400}, 0.03}}, "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n" + program);
+    describeSwitches(sample);
     const std::string others = "$AN_CEC_INPUT_NCU[0]=1\n$AA_ENC_COMP[0,0,X]=1\n" + program;
     const auto twoTables = [](const char* first, const char* second) {
         return "CHANDATA(1)\n" + tableText("0", first) + tableText("1", second) + "M17\n";

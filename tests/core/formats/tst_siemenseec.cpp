@@ -67,6 +67,17 @@ void describe(test::FormatSample& sample)
             "2:1 Assumption tables $AN_CEC besides $AA_ENC_COMP|the format siemens-cec to read "
             "them; they are left out here"});
     sample.applies({{{-199.5}, 0.0065}}, others + program);
+    const auto loaded = [](const char* before, const char* behind) {
+        return before + with("M17", std::string(behind) + "\nM17");
+    };
+    sample.warning("switched off while it is loaded",
+        loaded("$MA_ENC_COMP_ENABLE[0,X1]=0\n", "$MA_ENC_COMP_ENABLE[0,X1]=1"), {});
+    sample.warning("switched off in the end",
+        loaded("$MA_ENC_COMP_ENABLE[0,X1]=1\n", "$MA_ENC_COMP_ENABLE[0,X1]=0"),
+        {"12:1 Assumption \"$MA_ENC_COMP_ENABLE[0,X1]=0\", which switches a table of the file "
+         "off|"});
+    sample.warning("another encoder", loaded("", "$MA_ENC_COMP_ENABLE[1,X1]=0"),
+        {"11:1 UnknownKey $MA_ENC_COMP_ENABLE|"});
 
     const auto oneOf = [](const std::string& unit, std::vector<double> values) {
         return test::tableOf(SignConvention::Feedback, {test::evenAxis("X1", "mm", 0, 0.00001, 2)},
