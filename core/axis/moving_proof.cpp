@@ -41,7 +41,7 @@ void MovingProof::add(const AxisStatus& status)
     if (!m_isWithin)
         return;
     m_part.add(sample.sources);
-    m_hasContent = m_hasContent || sample.expected != 0.0;
+    m_hasContent = m_hasContent || m_rule.shows(sample, motion);
     const double difference = std::abs(sample.output - sample.expected);
     if (difference > m_largestDifference) {
         m_largestDifference = difference;

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] const std::shared_ptr<const CompensationTable>& table() const { return m_table; }
     [[nodiscard]] const ProvedPart& part() const { return m_part; }
     /// Whether anything was seen that a wrong table would have shown: an output within the table
-    /// that is not 0.
+    /// that can be told from 0.
     [[nodiscard]] bool hasContent() const { return m_hasContent; }
     [[nodiscard]] bool isWithinTable() const { return m_isWithin; } ///< at the last reading
     [[nodiscard]] double largestDifference() const { return m_largestDifference; }

@@ -91,14 +91,14 @@ private:
             reading.indices[n] = numberAt(readings, indexPaths[n]);
         const Proof::Sample sample = m_rule.sampleOf(reading);
         m_isEvaluating = m_isEvaluating || !isActive;
-        if (isWithin(m_table.grid, sample.sources)) {
-            m_part.add(sample.sources);
-            m_hasContent = m_hasContent || sample.expected != 0.0;
-        }
         ProofRule::Motion motion;
         if (!m_access.profile().readsAtOneInstant) {
             AXISCOMP_TRY(const auto later, m_access.read(sourcePaths()));
             motion = m_rule.motionTo(sample, sourcesFrom(later));
+        }
+        if (isWithin(m_table.grid, sample.sources)) {
+            m_part.add(sample.sources);
+            m_hasContent = m_hasContent || m_rule.shows(sample, motion);
         }
         m_proof.largestDifference =
             std::max(m_proof.largestDifference, std::abs(sample.output - sample.expected));
@@ -129,8 +129,8 @@ Text notProvedText(Proof::Extent extent)
             "The axis is outside of the table, where the values at its ends hold. Move the axis "
             "into the table and activate again.");
     return AXISCOMP_TEXT("Error",
-        "The table is 0 at every position that was looked at. Move the axis to where the table is "
-        "not 0 and activate again.");
+        "The table is 0, or too small to be seen, at every position that was looked at. Move the "
+        "axis to where the table is larger and activate again.");
 }
 
 Result<Proof> proveAxis(const RegisterAccess& access, const AxisStatus& status,

@@ -15,13 +15,13 @@ class RegisterAccess;
 
 /// The drive's own numbers against core's lookup at the same sources.
 struct Proof {
-    /// What the samples can show. Beyond the ends of a table, and where it is 0, a wrong table
-    /// looks like the right one.
+    /// What the samples can show. Beyond the ends of a table, and where it is 0 or no larger than
+    /// the difference that is allowed, a wrong table looks like the right one.
     enum class Extent {
-        Proved, ///< at least one sample within the table and with an output
+        Proved, ///< at least one sample within the table and with an output that shows
         IndicesOnly, ///< within the table, but the compensation evaluates: nothing is added
         OutsideTable,
-        OnlyZeros,
+        OnlyZeros, ///< or so little that it cannot be told from 0
     };
     struct Sample {
         std::array<double, 3> sources{};

@@ -57,6 +57,11 @@ ProofRule::Motion ProofRule::motionTo(
     return motion;
 }
 
+bool ProofRule::shows(const Proof::Sample& sample, const Motion& motion) const
+{
+    return std::abs(sample.expected) > allowedDifference(motion);
+}
+
 Result<void> ProofRule::compare(
     const AxisStatus& status, const Proof::Sample& sample, const Motion& motion) const
 {
@@ -70,7 +75,7 @@ Result<void> ProofRule::compare(
             {{"axis", status.axis.index}, {"what", std::move(what)}, {"found", exactNumber(found)},
                 {"expected", exactNumber(expected)}, {"position", std::move(position)}});
     };
-    if (!(std::abs(sample.output - sample.expected) <= m_tolerance + motion.output))
+    if (!(std::abs(sample.output - sample.expected) <= allowedDifference(motion)))
         return mismatch(AXISCOMP_TEXT("Error", "the output"), sample.output, sample.expected);
     for (std::size_t n = 0; n < dimensions(); ++n) {
         const double tolerance = motion.indices[n]

@@ -32,6 +32,10 @@ public:
     [[nodiscard]] Motion motionTo(
         const Proof::Sample& sample, const std::array<double, 3>& sources) const;
 
+    /// Whether a drive that adds nothing, or the opposite, would be told from one that adds what
+    /// the table says: what is within the difference that is allowed is evidence of nothing.
+    [[nodiscard]] bool shows(const Proof::Sample& sample, const Motion& motion) const;
+
     /// Errors: ProofFailed. status: whose sample it is.
     [[nodiscard]] Result<void> compare(
         const AxisStatus& status, const Proof::Sample& sample, const Motion& motion) const;
@@ -39,6 +43,10 @@ public:
 private:
     [[nodiscard]] std::size_t dimensions() const { return m_table.grid.axes.size(); }
     [[nodiscard]] double lookedUp(const std::array<double, 3>& sources) const;
+    [[nodiscard]] double allowedDifference(const Motion& motion) const
+    {
+        return m_tolerance + motion.output;
+    }
 
     const CompensationTable& m_table;
     Lookup m_lookup;

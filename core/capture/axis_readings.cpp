@@ -189,11 +189,15 @@ void AxisReadings::choosePaths(const AxisStatus& status)
         m_paths.push_back(m_registers.reference);
 }
 
+bool AxisReadings::isHomedIn(const std::vector<RegisterReading>& readings) const
+{
+    return toText(readings[AtHoming].value) == m_profile->enums.homingDone;
+}
+
 std::string AxisReadings::stateOf(const std::vector<RegisterReading>& readings) const
 {
-    const std::string homing = toText(readings[AtHoming].value);
-    if (homing != m_profile->enums.homingDone)
-        return homing;
+    if (!isHomedIn(readings))
+        return toText(readings[AtHoming].value);
     const std::string word = toText(readings[AtState].value);
     switch (compensationState(m_profile->enums, word)) {
     case CompensationState::Disabled:
@@ -219,6 +223,7 @@ Result<CaptureReading> AxisReadings::read(DriveLink& link, const Exchange& excha
     reading.encoder = toDouble(readings[AtEncoder].value) * m_axisFactor;
     reading.output = toDouble(readings[AtOutput].value) * m_axisFactor;
     reading.state = stateOf(readings);
+    reading.isHomed = isHomedIn(readings);
     reading.reference = m_registers.reference.empty()
         ? std::numeric_limits<double>::quiet_NaN()
         : m_scale.position(toDouble(readings.back().value), m_referenceFactor);

@@ -67,6 +67,7 @@ private:
     [[nodiscard]] Result<void> checkReference(const AxisStatus& status) const;
     [[nodiscard]] Result<void> checkEncoder(const AxisStatus& status) const;
     void choosePaths(const AxisStatus& status);
+    [[nodiscard]] bool isHomedIn(const std::vector<RegisterReading>& readings) const;
     [[nodiscard]] std::string stateOf(const std::vector<RegisterReading>& readings) const;
 
     const DriveProfile* m_profile;

@@ -78,6 +78,12 @@ bool CaptureSession::stateChanged(const CaptureReading& reading)
     if (reading.state == *m_state)
         return false;
     m_isStopped = true;
+    if (!reading.isHomed) {
+        m_problem = AXISCOMP_TEXT("Error",
+            "the axis lost its homing in mid-measurement, as after a restart of the drive; its "
+            "positions are others after it is homed again: begin a new file");
+        return true;
+    }
     m_problem = AXISCOMP_TEXT("Error",
         "the compensation changed in mid-measurement, from {before} to {now}; what was taken "
         "belongs "

@@ -8,6 +8,7 @@
 #include "core/text/utf8.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -125,6 +126,32 @@ std::string_view wordBehind(std::string_view rest)
     return rest.substr(begin, end == std::string_view::npos ? end : end - begin);
 }
 
+/// Whether the next number follows with no more than a blank or a mark of degrees and minutes in
+/// between, as in "24°35'29.4", "24 35 29.4" and "24:35:29.4": taken for itself the first one is
+/// another position. Degrees with a decimal point have no minutes.
+bool isFollowedByNumber(std::string_view number, std::string_view rest)
+{
+    const auto skipBlanks = [&] {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    };
+    skipBlanks();
+    constexpr std::array<std::string_view, 3> degreeMarks{"\u00b0", "deg", "d"};
+    constexpr std::array<std::string_view, 3> otherMarks{"'", "\"", ":"};
+    const auto skipMark = [&](std::string_view mark) {
+        const bool isThere = rest.starts_with(mark);
+        rest.remove_prefix(isThere ? mark.size() : 0);
+        return isThere;
+    };
+    if (std::ranges::any_of(degreeMarks, skipMark)) {
+        if (number.find('.') != std::string_view::npos)
+            return false;
+    } else {
+        static_cast<void>(std::ranges::any_of(otherMarks, skipMark));
+    }
+    skipBlanks();
+    return !rest.empty() && isLineDigit(rest[0]);
+}
+
 } // namespace
 
 ReferenceLineReader::ReferenceLineReader(
@@ -188,6 +215,12 @@ InstrumentReading ReferenceLineReader::read(std::string_view line) const
         return noPosition(AXISCOMP_TEXT("Error",
             "the instrument says {line}: its number has a comma; set it to a decimal point, or "
             "say what the number is with a pattern")
+                              .with("line", shownLine(line)));
+    if (isFollowedByNumber(found.number, found.rest))
+        return noPosition(AXISCOMP_TEXT("Error",
+            "the instrument says {line}: another number follows its first one, as in degrees, "
+            "minutes and seconds; set it to one decimal number, or say what the number is with a "
+            "pattern")
                               .with("line", shownLine(line)));
     const std::string_view word = wordBehind(found.rest);
     const std::string said = isPositionUnit(word) ? std::string(word) : std::string();

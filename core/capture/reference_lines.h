@@ -27,7 +27,8 @@ using NumberFinder = std::function<std::string(std::string_view line)>;
 /// Reads positions from lines of text such as "+517.3000042 mm": the first number of a line with a
 /// decimal point, with the sign before it even where blanks are between, and the unit behind it.
 /// The minus sign U+2212 is a "-". Nothing is guessed: a line without a unit needs the one of the
-/// scale, and one with another unit, with a comma in its number or without a number is a problem.
+/// scale, and one with another unit, with a comma in its number, with another number right behind
+/// it (degrees, minutes and seconds) or without a number is a problem.
 class ReferenceLineReader {
 public:
     /// finder: where the number is; none: it is the first. Only a number that was found by it may

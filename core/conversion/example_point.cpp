@@ -68,6 +68,13 @@ std::optional<Point> largestPoint(const NeutralTable& table)
     return point;
 }
 
+/// What turns values into the unit of the positions of their own axis; nothing: it is not known, and
+/// they are not added.
+std::optional<double> factorToPlace(const std::string& unit, const std::string& ofPlace)
+{
+    return isSameUnit(unit, ofPlace) ? std::optional(1.0) : unitFactor(unit, ofPlace);
+}
+
 class Sentence {
 public:
     Sentence(const NeutralTable& table, const Point& point)
@@ -77,6 +84,8 @@ public:
         , m_value(m_column.values[point.index])
         , m_position(knotPosition(table, point.index))
     {
+        if (m_own)
+            m_factor = factorToPlace(m_column.unit, m_table.axes[*m_own].unit);
     }
 
     /// Without the numbers of files.
@@ -93,8 +102,12 @@ public:
 
 private:
     [[nodiscard]] Text about(const TextPattern& pattern) const;
+    /// Whether the moved place can be said; otherwise the value is, in its own unit.
+    [[nodiscard]] bool hasMovedPlace() const { return m_factor.has_value(); }
     [[nodiscard]] Argument target() const
     {
+        if (m_own)
+            return axisText(m_table, *m_own);
         if (m_column.target.empty())
             return AXISCOMP_TEXT("Error", "the target");
         return m_column.target;
@@ -103,8 +116,7 @@ private:
     [[nodiscard]] Quantity movedPlace() const
     {
         const SourceAxis& axis = m_table.axes[*m_own];
-        const double factor = unitFactor(m_column.unit, axis.unit).value_or(1.0);
-        return quantityOf(m_position[*m_own] + factor * shownValue(m_value), axis.unit);
+        return quantityOf(m_position[*m_own] + *m_factor * shownValue(m_value), axis.unit);
     }
     [[nodiscard]] Text encoderText() const;
     [[nodiscard]] Text commandText() const;
@@ -112,6 +124,7 @@ private:
     const NeutralTable& m_table;
     const CompensationColumn& m_column;
     std::optional<std::size_t> m_own;
+    std::optional<double> m_factor; ///< from the value to the positions of its own axis
     double m_value;
     Position m_position;
 };
@@ -120,7 +133,7 @@ private:
 Text Sentence::about(const TextPattern& pattern) const
 {
     Text text = pattern.with("place", positionText(m_table, m_position));
-    if (!m_own)
+    if (!hasMovedPlace())
         return std::move(text)
             .with("axis", target())
             .with("offset", Quantity{sixDigits(std::abs(m_value)), m_column.unit});
@@ -133,7 +146,7 @@ Text Sentence::about(const TextPattern& pattern) const
 Text Sentence::encoderText() const
 {
     const bool isOne = m_table.axes.size() == 1;
-    if (m_own)
+    if (hasMovedPlace())
         return about(isOne
                 ? AXISCOMP_TEXT(
                     "Error", "where the encoder reads {place} the reference says {moved}")
@@ -158,7 +171,7 @@ Text Sentence::encoderText() const
 
 Text Sentence::commandText() const
 {
-    if (m_own)
+    if (hasMovedPlace())
         return about(m_table.axes.size() == 1
                 ? AXISCOMP_TEXT("Error",
                     "commanded to {place}, the controller moves the encoder to {moved}, where "

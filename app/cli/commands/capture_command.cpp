@@ -330,7 +330,10 @@ Result<ExitCode> runCapture(
     const std::string count = std::to_string(run.taken()) + " of "
         + plural(plan.steps.size(), "value", "values") + " in " + options.output;
     if (!followed) {
-        environment.console().note(count + "; the same command goes on behind them");
+        // What stopped because of the drive's state says itself that a new file is needed.
+        const bool goesOn = followed.error().code != ErrorCode::MeasurementState;
+        environment.console().note(
+            count + (goesOn ? "; the same command goes on behind them" : ""));
         return fail(followed.error());
     }
     environment.print(count + "\n");

@@ -28,12 +28,26 @@ bool sleepUntil(std::chrono::steady_clock::time_point moment, const std::stop_to
     return !stop.stop_requested();
 }
 
+/// What decides which table is looked up, and where: its slot and the registers of its sources.
+std::vector<std::string> settingPaths(const DriveProfile& profile, int axis)
+{
+    constexpr int mostSources = 3;
+    const RegisterPaths& names = profile.registers;
+    std::vector<std::string> paths{expandPath(names.table, {.axis = axis, .slot = {}, .n = {}})};
+    for (int n = 1; n <= mostSources; ++n)
+        paths.push_back(expandPath(names.source, {.axis = axis, .slot = {}, .n = n}));
+    return paths;
+}
+
 /// Reads the registers of a running compensation in one request, line by line.
 class Monitor {
 public:
-    Monitor(Environment& environment, CommandSession& session, const AxisStatus& status)
+    /// settings: of settingPaths, read before the status, so that whoever changes them is noticed.
+    Monitor(Environment& environment, CommandSession& session, const AxisStatus& status,
+        std::vector<RegisterReading> settings)
         : m_environment(environment)
         , m_session(session)
+        , m_settings(std::move(settings))
         , m_dimensions(status.table ? status.table->grid.dimensions() : status.setup.dimensionality)
     {
         const RegisterPaths& names = session.profile().registers;
@@ -47,6 +61,8 @@ public:
             if (!status.setup.sources[n].path.empty())
                 add("source" + std::to_string(n + 1), status.setup.sources[n].path);
         }
+        for (const RegisterReading& setting : m_settings)
+            m_paths.push_back(setting.path);
     }
 
     Result<ExitCode> run(const MonitorOptions& options)
@@ -67,6 +83,10 @@ public:
                 outcome = fail(readings.error());
                 break;
             }
+            if (const auto same = checkSettings(*readings); !same) {
+                outcome = fail(same.error());
+                break;
+            }
             show(time.count(), *readings);
             if (!m_environment.console().flush() || m_environment.console().readerGone())
                 break;
@@ -82,6 +102,19 @@ private:
     {
         m_names.push_back(std::move(name));
         m_paths.push_back(std::move(path));
+    }
+
+    /// Errors: ChangedMeanwhile: the columns are no longer the sources of the table.
+    [[nodiscard]] Result<void> checkSettings(const std::vector<RegisterReading>& readings) const
+    {
+        for (std::size_t i = 0; i < m_settings.size() && m_names.size() + i < readings.size(); ++i) {
+            const std::string before = toText(m_settings[i].value);
+            const std::string now = toText(readings[m_names.size() + i].value);
+            if (now != before)
+                return fail(ErrorCode::ChangedMeanwhile,
+                    {{"what", m_settings[i].path}, {"before", before}, {"now", now}});
+        }
+        return {};
     }
 
     void begin()
@@ -132,17 +165,23 @@ private:
 
     Environment& m_environment;
     CommandSession& m_session;
+    std::vector<RegisterReading> m_settings; ///< at the beginning
     int m_dimensions = 1;
-    std::vector<std::string> m_names;
-    std::vector<std::string> m_paths;
+    std::vector<std::string> m_names; ///< of the columns
+    std::vector<std::string> m_paths; ///< of the columns, and behind them of the settings
     bool m_isFirst = true;
 };
 
 Result<ExitCode> runMonitor(
     Environment& environment, CommandSession& session, int axis, const MonitorOptions& options)
 {
+    const std::vector<std::string> paths = settingPaths(session.profile(), axis);
+    auto settings = session.link().readRegisters(paths, session.exchange());
+    // It says more clearly what is wrong with an axis.
     AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
-    return Monitor(environment, session, status).run(options);
+    if (!settings)
+        return fail(settings.error());
+    return Monitor(environment, session, status, *std::move(settings)).run(options);
 }
 
 } // namespace

@@ -82,6 +82,7 @@ Result<TableInput> readData(
 struct TableRequest {
     WriteRequest request;
     TableInputOptions inputOptions;
+    std::vector<std::string> targets; ///< as stated; empty: as the file or the axis says
     std::vector<std::string> report; ///< of what was converted
     bool needsTarget = false;
     bool needsLookup = false;
@@ -91,12 +92,13 @@ Result<void> takeTable(const WriteOptions& options, const TableInput& input, Tab
     const std::string& target, std::optional<LookupAt> lookupAt)
 {
     ConversionOptions conversion = options.conversion;
+    conversion.targets = pending.targets;
     if (conversion.targets.empty() && !target.empty())
         conversion.targets = {target};
     if (!isOfDrive(input, conversion))
         conversion.lookupAt = lookupAt;
     AXISCOMP_TRY(auto made, driveTable(input, pending.inputOptions, conversion));
-    made.table.isTargetOfDrive = options.conversion.targets.empty() && !target.empty();
+    made.table.isTargetOfDrive = pending.targets.empty() && !target.empty();
     pending.request.unstatedUnit = unstatedUnit(conversion.units.values);
     pending.request.dimensionality = made.table.grid.dimensions();
     pending.request.table = std::move(made.table);
@@ -210,11 +212,32 @@ struct MappedColumn {
     TableRequest pending;
 };
 
+/// One target is for all; of several each is for the --map at its place.
+Result<void> checkTargetsOfMaps(const WriteOptions& options)
+{
+    const std::size_t count = options.conversion.targets.size();
+    if (count <= 1 || count == options.map.size())
+        return {};
+    return wrongUsage("--target states " + std::to_string(count) + " targets for "
+            + plural(options.map.size(), "--map", "--map")
+            + ": state one for all, or one for each in the order of --map",
+        options.drive.command);
+}
+
+std::vector<std::string> targetsOfMap(const WriteOptions& options, std::size_t map)
+{
+    const std::vector<std::string>& targets = options.conversion.targets;
+    if (targets.size() <= 1)
+        return targets;
+    return {targets[map]};
+}
+
 Result<std::vector<MappedColumn>> mappedColumns(
     const WriteOptions& options, const TableInput& input, TableInputOptions inputOptions)
 {
     std::vector<MappedColumn> columns;
-    for (const std::string& pair : options.map) {
+    for (std::size_t n = 0; n < options.map.size(); ++n) {
+        const std::string& pair = options.map[n];
         const std::size_t equals = pair.rfind('=');
         if (pair.empty() || equals == 0 || equals + 1 == pair.size())
             return wrongUsage("\"" + pair + "\" is no COLUMN=AXIS", options.drive.command);
@@ -225,7 +248,8 @@ Result<std::vector<MappedColumn>> mappedColumns(
             inputOptions.table = pair.substr(0, equals);
         }
         AXISCOMP_TRY(auto request, requestWithoutTable(options));
-        MappedColumn column{axis, {std::move(request), inputOptions, {}}};
+        MappedColumn column{
+            axis, {std::move(request), inputOptions, targetsOfMap(options, n), {}}};
         AXISCOMP_CHECK(beginTable(options, input, column.pending));
         columns.push_back(std::move(column));
     }
@@ -262,6 +286,7 @@ Result<ExitCode> runMapped(Environment& environment, const WriteOptions& options
     if (options.input.file.empty())
         return wrongUsage("--map says which column of --data FILE is for which axis: give --data",
             options.drive.command);
+    AXISCOMP_CHECK(checkTargetsOfMaps(options));
     TableInputOptions inputOptions;
     AXISCOMP_TRY(const auto input, readData(environment, options, inputOptions));
     AXISCOMP_TRY(const auto columns, mappedColumns(options, input, inputOptions));
@@ -372,6 +397,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
         return runMapped(environment, options);
     TableRequest pending;
     AXISCOMP_TRY(pending.request, requestWithoutTable(options));
+    pending.targets = options.conversion.targets;
     WriteRequest& request = pending.request;
     TableInput input;
     CalibrationRecord record;

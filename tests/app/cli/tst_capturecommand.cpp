@@ -445,7 +445,10 @@ private Q_SLOTS:
         QVERIFY2(file.contains(expected), file.constData());
         VERIFY_CODE(fixture.box.run({"deactivate", "--drive", drive, "--axis", "X"}), 0);
         QVERIFY2(capture.warns("error: MeasurementState: "), capture.err.constData());
-        VERIFY_CODE(capture.end(), 2);
+        const ProgramRun stopped = capture.end();
+        VERIFY_CODE(stopped, 2);
+        QVERIFY2(stopped.err.contains(" of 4 values in runs.csv\n"), stopped.err.constData());
+        QVERIFY2(!stopped.err.contains("goes on behind them"), stopped.err.constData());
         // What is active now belongs into another file.
         const ProgramRun other = fixture.box.run(fixture.words());
         VERIFY_CODE(other, 3);

@@ -346,6 +346,25 @@ private Q_SLOTS:
         QCOMPARE(process->readAllStandardError(), QByteArray());
     }
 
+    void monitorEndsWhenItsColumnsAreNoLongerTheSources()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        QVERIFY(drive.isReady());
+        VERIFY_CODE(writeLine(box, drive), 0);
+        const auto process = box.start(test::axiscompProgram(),
+            {"monitor", "--drive", drive.url(), "--axis", "0", "--rate", "20"});
+        QTRY_VERIFY(process->bytesAvailable() > 100);
+        VERIFY_CODE(
+            box.run(with(drive, {"write", "--axis", "0", "--source1", test::positionSource(1)})),
+            0);
+        QVERIFY(process->waitForFinished());
+        QCOMPARE(process->exitCode(), 6);
+        const QByteArray said = process->readAllStandardError();
+        QVERIFY2(said.startsWith("error: ChangedMeanwhile: "), said.constData());
+        QVERIFY2(said.contains("Axes[0]/"), said.constData());
+    }
+
     void monitorEndsCleanlyWhenNobodyReads()
     {
         const Sandbox box;

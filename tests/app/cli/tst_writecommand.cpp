@@ -443,6 +443,22 @@ private Q_SLOTS:
         VERIFY_CODE(bench.box.run(command + QStringList{"--accept-large"}), 0);
     }
 
+    void ofSeveralTargetsEachIsOfTheMapAtItsPlace()
+    {
+        const Fixture bench;
+        bench.box.file("two.csv", "X [mm],A [mm],B [mm]\n0,0,0\n40,0.001,0.002\n80,0,0.001\n");
+        const QStringList command{"write", "--data", "two.csv", "--dims", "1", "--source1",
+            test::positionSource(0), "--map", "A=0", "--map", "B=1", "--drive", bench.drive.url(),
+            "--target"};
+        const ProgramRun three = bench.box.run(command + QStringList{"#1,other,other"});
+        VERIFY_CODE(three, 2);
+        QVERIFY2(three.err.contains("states 3 targets for 2 --map"), three.err.constData());
+        const ProgramRun turned = bench.box.run(command + QStringList{"other,#1"});
+        VERIFY_CODE(turned, 2);
+        QVERIFY2(turned.err.contains("error: TargetMismatch: "), turned.err.constData());
+        VERIFY_CODE(bench.box.run(command + QStringList{"#1,other"}), 0);
+    }
+
     void theOwnSlotThatWasNamedIsNotCalledTheOnlyOne()
     {
         const Fixture bench;

@@ -128,6 +128,25 @@ private Q_SLOTS:
         QVERIFY(f.proof->part().share() > 0.0);
     }
 
+    /// A drive that adds nothing at all is within what the axis may have moved meanwhile.
+    void whatTheMotionHidesHasNoContent()
+    {
+        Active f(tenCells(), false);
+        AxisStatus status = f.look();
+        // sin(0.7 * x / 10 + 1) is 0 near 30.6: the table has the opposite values on either side.
+        f.proof.emplace(
+            std::make_shared<const CompensationTable>(*tenCells().table), status.table->crc, false);
+        status.sourceValues[0] = 25.0;
+        f.proof->add(status); // the first of all: where the next one comes from
+        status.sourceValues[0] = 35.0;
+        status.output = 0.0;
+        status.indices[0] = 3.5;
+        f.proof->add(status);
+        QVERIFY(!f.proof->failure());
+        QVERIFY(f.proof->isWithinTable());
+        QVERIFY(!f.proof->hasContent());
+    }
+
     void whatIsNotActiveIsLeftOut()
     {
         Active f;

@@ -312,6 +312,52 @@ private Q_SLOTS:
         QVERIFY(evaluated->extent == Proof::Extent::IndicesOnly);
     }
 
+    /// At home a table is often 0 but for a rounding: the opposite of it is within what is allowed.
+    void whatIsTooSmallToBeSeenProvesNothing_data()
+    {
+        QTest::addColumn<double>("factor");
+        QTest::newRow("the table") << 1.0;
+        QTest::newRow("the opposite") << -1.0;
+        QTest::newRow("nothing") << 0.0;
+    }
+    void whatIsTooSmallToBeSeenProvesNothing()
+    {
+        QFETCH(double, factor);
+        WriteRequest request = exampleRequest();
+        CompensationTable& table = *request.table;
+        for (GridAxis& axis : table.grid.axes)
+            axis.distance = 1000.0; // the axes are in the first cell
+        std::ranges::fill(table.values, 1e-12F);
+        table.values.back() = 0.003F;
+        Written f(request);
+        f.link.altersReading = [factor](RegisterReading& reading) {
+            if (reading.path == output)
+                reading.value = static_cast<float>(factor) * std::get<float>(reading.value);
+        };
+        const auto proof = f.proofOf(Switch::Activate);
+        VERIFY_RESULT(proof);
+        QVERIFY(proof->extent == Proof::Extent::OnlyZeros);
+        const std::string said = notProvedText(proof->extent).english();
+        QVERIFY2(said.find("too small to be seen") != std::string::npos, said.c_str());
+    }
+
+    void whatIsJustLargeEnoughToBeSeenIsProved()
+    {
+        for (const float part : {0.5F, 2.0F}) {
+            WriteRequest request = exampleRequest();
+            CompensationTable& table = *request.table;
+            for (GridAxis& axis : table.grid.axes)
+                axis.distance = 1000.0;
+            std::ranges::fill(table.values, part * 8.0F * std::ldexp(0.003F, -24));
+            table.values.back() = 0.003F;
+            Written f(request);
+            const auto proof = f.proofOf(Switch::Activate);
+            VERIFY_RESULT(proof);
+            QVERIFY(proof->extent
+                == (part > 1.0F ? Proof::Extent::Proved : Proof::Extent::OnlyZeros));
+        }
+    }
+
     void aTableThatIsUsedIsProved()
     {
         Written f;

@@ -275,7 +275,7 @@ private Q_SLOTS:
         const auto played = fixture.play();
         QCOMPARE(played.kinds().back(), Kind::Stopped);
         QVERIFY2(
-            played.news.back().text.english().find("from off to NotHomed") != std::string::npos,
+            played.news.back().text.english().find("lost its homing") != std::string::npos,
             played.news.back().text.english().c_str());
     }
 
@@ -529,6 +529,17 @@ private Q_SLOTS:
         QTest::newRow("comma") << "517,300 mm"
                                << ""
                                << "" << none << "has a comma";
+        for (const char* line :
+            {"+24\u00b035'29.4\"", "+24\u00b0 35' 29.4\"", "+24 35 29.4", "24:35:29.4", "24d35m29s",
+                "24 deg 35 min", "35'29.4\"", "12.3 20.1 C", "1\t517.3 mm"})
+            QTest::newRow(line) << line << "mm"
+                                << "" << none << "another number follows its first one";
+        QTest::newRow("a second column behind a unit") << "12.3 mm 20.1 C"
+                                                       << "mm"
+                                                       << "" << 12.3 << "";
+        QTest::newRow("a second field") << "12.3;20.1"
+                                        << "mm"
+                                        << "" << 12.3 << "";
         QTest::newRow("no unit") << "517.300"
                                  << ""
                                  << "" << none << "without a unit: state the unit";
@@ -585,6 +596,14 @@ private Q_SLOTS:
         VERIFY_ERROR(numberPattern("("), ErrorCode::InvalidArgument);
         scale.unit = "kg";
         VERIFY_ERROR(ReferenceLineReader::make(scale, false), ErrorCode::InvalidArgument);
+    }
+
+    void degreesWithADecimalPointHaveNoMinutes()
+    {
+        const auto reader = ReferenceLineReader::make({}, true).value();
+        QCOMPARE(reader.read("24.5\u00b0 20.1 C").position, 24.5);
+        QCOMPARE(reader.read("24.5 deg 3").position, 24.5);
+        QVERIFY(std::isnan(reader.read("24\u00b035'29.4\"").position));
     }
 
     void onlyTheNewestWholeLineCountsAndOnlyForASecond()

@@ -637,6 +637,53 @@ private Q_SLOTS:
             example.c_str());
     }
 
+    void numbersOfUnlikeUnitsAreNotAdded_data()
+    {
+        QTest::addColumn<QByteArray>("ofPosition");
+        QTest::addColumn<QByteArray>("ofValue");
+        QTest::addColumn<QByteArray>("feedback");
+        QTest::addColumn<QByteArray>("command");
+        QTest::newRow("an angle and a length")
+            << QByteArray("mm") << QByteArray("arcsec")
+            << QByteArray("where the encoder reads 40 mm the reference of X is 12 arcsec above its "
+                          "encoder: the feedback file says +12 arcsec")
+            << QByteArray("commanded to 40 mm, where the reference of X is 12 arcsec below its "
+                          "encoder, the controller moves X by +12 arcsec: the command file says "
+                          "+12 arcsec");
+        QTest::newRow("positions without a unit")
+            << QByteArray() << QByteArray("um")
+            << QByteArray("where the encoder reads 40 the reference of X is 12 um above its "
+                          "encoder: the feedback file says +12 um")
+            << QByteArray("commanded to 40, where the reference of X is 12 um below its encoder, "
+                          "the controller moves X by +12 um: the command file says +12 um");
+        QTest::newRow("values without a unit")
+            << QByteArray("mm") << QByteArray()
+            << QByteArray("where the encoder reads 40 mm the reference of X is 12 above its "
+                          "encoder: the feedback file says +12")
+            << QByteArray("commanded to 40 mm, where the reference of X is 12 below its encoder, "
+                          "the controller moves X by +12: the command file says +12");
+        QTest::newRow("neither has a unit")
+            << QByteArray() << QByteArray()
+            << QByteArray("where the encoder reads 40 the reference says 52: the feedback file "
+                          "says +12")
+            << QByteArray("commanded to 40, the controller moves the encoder to 52, where the "
+                          "reference says 40: the command file says +12");
+    }
+    void numbersOfUnlikeUnitsAreNotAdded()
+    {
+        QFETCH(QByteArray, ofPosition);
+        QFETCH(QByteArray, ofValue);
+        QFETCH(QByteArray, feedback);
+        QFETCH(QByteArray, command);
+        NeutralTable table = tableOver(
+            {axisX({0, 40, 60})}, "X", [](const Values& p) { return p[0] == 40 ? 12.0 : -5.0; });
+        table.axes[0].unit = ofPosition.toStdString();
+        table.columns[0].unit = ofValue.toStdString();
+        QCOMPARE(examplePoint(table).english(), feedback.toStdString());
+        table.sign = SignConvention::Command;
+        QCOMPARE(examplePoint(table).english(), command.toStdString());
+    }
+
     void columnsOfZerosAreNoExample()
     {
         auto table = tableOver({axisX({0, 40, 60})}, "X", [](const Values&) { return 0.0; });
