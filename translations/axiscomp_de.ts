@@ -2350,8 +2350,8 @@
         <translation>Nummern der Achsen, für die METRIC Grad bedeutet, zum Beispiel 4,5; für alle anderen mm</translation>
     </message>
     <message>
-        <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
-        <translation>wofür PRIMARY, SECONDARY oder COUNTS stehen, zum Beispiel mm</translation>
+        <source>what PRIMARY stands for, such as mm</source>
+        <translation>wofür PRIMARY steht, zum Beispiel mm</translation>
     </message>
     <message>
         <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
@@ -4726,8 +4726,8 @@
         <translation>Die Achse steht außerhalb der Tabelle, wo die Werte an deren Enden gelten. Fahren Sie die Achse in den Bereich der Tabelle und aktivieren Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The table is 0 at every position that was looked at. Move the axis to where the table is not 0 and activate again.</source>
-        <translation>Die Tabelle ist an jeder betrachteten Position 0. Fahren Sie die Achse dorthin, wo die Tabelle nicht 0 ist, und aktivieren Sie noch einmal.</translation>
+        <source>The table is 0, or too small to be seen, at every position that was looked at. Move the axis to where the table is larger and activate again.</source>
+        <translation>Die Tabelle ist an jeder betrachteten Position 0 oder zu klein, um erkannt zu werden. Fahren Sie die Achse dorthin, wo die Tabelle größer ist, und aktivieren Sie noch einmal.</translation>
     </message>
     <message>
         <source>version 1 of the height map</source>
@@ -8481,6 +8481,66 @@
         <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
         <translation>Tabellenplatz {slot} ist belegt durch {user}, und ein Import verschiebt keine Tabelle von einer Achse zu einer anderen: die Tabelle aus ihrer Datei auf Achse {imported} schreiben und den Tabellenplatz, den sie dort erhält, in der Konfiguration angeben</translation>
     </message>
+    <message>
+        <source>interval of a square grid, or interval1 and interval2 of a grid RECTANGULAR</source>
+        <translation>interval eines quadratischen Gitters oder interval1 und interval2 eines Gitters RECTANGULAR</translation>
+    </message>
+    <message>
+        <source>parameter {number} of {value}</source>
+        <translation>Parameter {number} mit {value}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, to compare it with the setting {key} of {value}; the file does not say what unit it is in without one</source>
+        <translation>eine Zahl mit Dezimalpunkt, um sie mit der Angabe {key} von {value} zu vergleichen; ohne ihn sagt die Datei nicht, in welcher Einheit sie ist</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, with which the lengths of the table are in inches</source>
+        <translation>{name} = {value}, womit die Längen der Tabelle in Zoll sind</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply positions and values in inches by 25.4</source>
+        <translation>1; die Zeile entfernen und Positionen und Werte in Zoll mit 25,4 multiplizieren</translation>
+    </message>
+    <message>
+        <source>what SECONDARY stands for, such as inch</source>
+        <translation>wofür SECONDARY steht, zum Beispiel inch</translation>
+    </message>
+    <message>
+        <source>counts of each axis for one primary-unit; without it what is in COUNTS stays in counts</source>
+        <translation>Inkremente jeder Achse je primary-unit; ohne sie bleibt in Inkrementen, was in COUNTS ist</translation>
+    </message>
+    <message>
+        <source>{key} ENGLISH of the rotary axis {axis}</source>
+        <translation>{key} ENGLISH der Drehachse {axis}</translation>
+    </message>
+    <message>
+        <source>METRIC, which is degrees there; inches are lengths</source>
+        <translation>METRIC, das dort Grad bedeutet; Zoll sind Längen</translation>
+    </message>
+    <message>
+        <source>primary and secondary units in one table</source>
+        <translation>primäre und sekundäre Einheiten in einer Tabelle</translation>
+    </message>
+    <message>
+        <source>the settings {key} and {key2}</source>
+        <translation>die Angaben {key} und {key2}</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: another number follows its first one, as in degrees, minutes and seconds; set it to one decimal number, or say what the number is with a pattern</source>
+        <translation>das Messgerät sagt {line}: auf seine erste Zahl folgt noch eine, wie bei Grad, Minuten und Sekunden; es auf eine einzige Dezimalzahl stellen oder mit einem Muster sagen, was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>the axis lost its homing in mid-measurement, as after a restart of the drive; its positions are others after it is homed again: begin a new file</source>
+        <translation>Die Achse hat während der Messung ihre Referenz verloren, wie nach einem Neustart des Antriebs; nach erneutem Referenzieren sind ihre Positionen andere: Beginnen Sie eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
+        <translation>in der Datei steht sign: command, und angegeben ist {stated}: das Falsche von beiden korrigieren</translation>
+    </message>
+    <message>
+        <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
+        <translation>in {file} steht sign: command, und eine Tabelle, die aktiv war, enthält Werte der Geberseite (feedback): die Datei zuerst umwandeln und nehmen, was geschrieben wird</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -11453,6 +11513,10 @@
     <message>
         <source>largest step</source>
         <translation>größter Wert</translation>
+    </message>
+    <message>
+        <source>secondary unit</source>
+        <translation>sekundäre Einheit</translation>
     </message>
 </context>
 <context>

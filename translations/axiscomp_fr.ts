@@ -2350,8 +2350,8 @@
         <translation>numéros des axes pour lesquels METRIC signifie degrés, par exemple 4,5&#xa0;; mm pour tous les autres</translation>
     </message>
     <message>
-        <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
-        <translation>ce que représentent PRIMARY, SECONDARY ou COUNTS, par exemple mm</translation>
+        <source>what PRIMARY stands for, such as mm</source>
+        <translation>ce que représente PRIMARY, par exemple mm</translation>
     </message>
     <message>
         <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
@@ -4726,8 +4726,8 @@
         <translation>L&apos;axe est hors de la table, là où s&apos;appliquent les valeurs de ses extrémités. Amener l&apos;axe dans la table et activer de nouveau.</translation>
     </message>
     <message>
-        <source>The table is 0 at every position that was looked at. Move the axis to where the table is not 0 and activate again.</source>
-        <translation>La table vaut 0 à toutes les positions examinées. Amener l&apos;axe là où la table ne vaut pas 0 et activer de nouveau.</translation>
+        <source>The table is 0, or too small to be seen, at every position that was looked at. Move the axis to where the table is larger and activate again.</source>
+        <translation>La table vaut 0, ou est trop petite pour être vue, à toutes les positions examinées. Amener l&apos;axe là où la table est plus grande et activer de nouveau.</translation>
     </message>
     <message>
         <source>version 1 of the height map</source>
@@ -8481,6 +8481,66 @@
         <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
         <translation>l&apos;emplacement {slot} est déjà utilisé ({user}), et une importation ne déplace pas une table d&apos;un axe à un autre&#xa0;: écrire la table depuis son fichier sur l&apos;axe {imported}, et indiquer dans la configuration l&apos;emplacement qu&apos;elle y reçoit</translation>
     </message>
+    <message>
+        <source>interval of a square grid, or interval1 and interval2 of a grid RECTANGULAR</source>
+        <translation>interval d&apos;une grille carrée, ou interval1 et interval2 d&apos;une grille RECTANGULAR</translation>
+    </message>
+    <message>
+        <source>parameter {number} of {value}</source>
+        <translation>le paramètre {number} de {value}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, to compare it with the setting {key} of {value}; the file does not say what unit it is in without one</source>
+        <translation>un nombre avec un point décimal, pour le comparer au réglage {key} de {value}&#xa0;; sans lui, le fichier ne dit pas dans quelle unité il est</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, with which the lengths of the table are in inches</source>
+        <translation>{name} = {value}, avec quoi les longueurs de la table sont en pouces</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply positions and values in inches by 25.4</source>
+        <translation>1&#xa0;; supprimer la ligne et multiplier par 25,4 les positions et les valeurs en pouces</translation>
+    </message>
+    <message>
+        <source>what SECONDARY stands for, such as inch</source>
+        <translation>ce que représente SECONDARY, par exemple inch</translation>
+    </message>
+    <message>
+        <source>counts of each axis for one primary-unit; without it what is in COUNTS stays in counts</source>
+        <translation>incréments de chaque axe par primary-unit&#xa0;; à défaut, ce qui est en COUNTS reste en incréments</translation>
+    </message>
+    <message>
+        <source>{key} ENGLISH of the rotary axis {axis}</source>
+        <translation>{key} ENGLISH de l&apos;axe rotatif {axis}</translation>
+    </message>
+    <message>
+        <source>METRIC, which is degrees there; inches are lengths</source>
+        <translation>METRIC, qui y signifie degrés&#xa0;; les pouces sont des longueurs</translation>
+    </message>
+    <message>
+        <source>primary and secondary units in one table</source>
+        <translation>des unités primaires et secondaires dans une même table</translation>
+    </message>
+    <message>
+        <source>the settings {key} and {key2}</source>
+        <translation>les réglages {key} et {key2}</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: another number follows its first one, as in degrees, minutes and seconds; set it to one decimal number, or say what the number is with a pattern</source>
+        <translation>l&apos;instrument indique {line}&#xa0;: un autre nombre suit le premier, comme en degrés, minutes et secondes&#xa0;; le régler sur un seul nombre décimal ou préciser par un motif ce qu&apos;est le nombre</translation>
+    </message>
+    <message>
+        <source>the axis lost its homing in mid-measurement, as after a restart of the drive; its positions are others after it is homed again: begin a new file</source>
+        <translation>l&apos;axe a perdu son origine en cours de mesure, comme après un redémarrage du variateur&#xa0;; après une nouvelle prise d&apos;origine, ses positions sont différentes&#xa0;: commencer un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
+        <translation>le fichier dit sign: command, et {stated} est indiqué&#xa0;: corriger celui qui est faux</translation>
+    </message>
+    <message>
+        <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
+        <translation>{file} dit sign: command, et une table qui était active contient des valeurs côté codeur (feedback)&#xa0;: convertir d&apos;abord le fichier et prendre ce qui est écrit</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -11453,6 +11513,10 @@
     <message>
         <source>largest step</source>
         <translation>plus grande valeur</translation>
+    </message>
+    <message>
+        <source>secondary unit</source>
+        <translation>unité secondaire</translation>
     </message>
 </context>
 <context>

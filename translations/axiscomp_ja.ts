@@ -2350,8 +2350,8 @@
         <translation>METRIC が度を表す軸の番号 (4,5 など)。ほかはすべて mm</translation>
     </message>
     <message>
-        <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
-        <translation>PRIMARY、SECONDARY、COUNTS が表す単位 (mm など)</translation>
+        <source>what PRIMARY stands for, such as mm</source>
+        <translation>PRIMARY が表す単位 (mm など)</translation>
     </message>
     <message>
         <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
@@ -4702,8 +4702,8 @@
         <translation>軸がテーブルの範囲外にあり、端点値が使われています。軸をテーブルの範囲内に動かしてから、もう一度有効化してください。</translation>
     </message>
     <message>
-        <source>The table is 0 at every position that was looked at. Move the axis to where the table is not 0 and activate again.</source>
-        <translation>調べたすべての位置でテーブルの値が 0 です。テーブルの値が 0 でない位置に軸を動かしてから、もう一度有効化してください。</translation>
+        <source>The table is 0, or too small to be seen, at every position that was looked at. Move the axis to where the table is larger and activate again.</source>
+        <translation>調べたすべての位置でテーブルの値が 0 か、見分けられないほど小さい値です。テーブルの値がより大きい位置に軸を動かしてから、もう一度有効化してください。</translation>
     </message>
     <message>
         <source>version 1 of the height map</source>
@@ -8440,6 +8440,66 @@
         <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
         <translation>スロット {slot} は {user} が使用しており、インポートはテーブルをある軸から別の軸へ移しません。ファイルからテーブルを軸 {imported} に書き込み、そこで割り当てられたスロットを構成に指定してください</translation>
     </message>
+    <message>
+        <source>interval of a square grid, or interval1 and interval2 of a grid RECTANGULAR</source>
+        <translation>正方格子の interval、または格子 RECTANGULAR の interval1 と interval2</translation>
+    </message>
+    <message>
+        <source>parameter {number} of {value}</source>
+        <translation>値 {value} のパラメータ {number}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, to compare it with the setting {key} of {value}; the file does not say what unit it is in without one</source>
+        <translation>設定 {key} の値 {value} と比べられる、小数点付きの数値。小数点がないと、ファイルからは単位が分かりません</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, with which the lengths of the table are in inches</source>
+        <translation>{name} = {value} (テーブルの長さはインチ)</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply positions and values in inches by 25.4</source>
+        <translation>1。この行を削除し、インチの位置と値に 25.4 を掛けてください</translation>
+    </message>
+    <message>
+        <source>what SECONDARY stands for, such as inch</source>
+        <translation>SECONDARY が表す単位 (inch など)</translation>
+    </message>
+    <message>
+        <source>counts of each axis for one primary-unit; without it what is in COUNTS stays in counts</source>
+        <translation>1 primary-unit あたりの各軸のカウント数。省略時、COUNTS の数値はカウント単位のまま</translation>
+    </message>
+    <message>
+        <source>{key} ENGLISH of the rotary axis {axis}</source>
+        <translation>回転軸 {axis} の {key} ENGLISH</translation>
+    </message>
+    <message>
+        <source>METRIC, which is degrees there; inches are lengths</source>
+        <translation>METRIC (その軸では度)。インチは長さの単位です</translation>
+    </message>
+    <message>
+        <source>primary and secondary units in one table</source>
+        <translation>1 つのテーブルに PRIMARY と SECONDARY の単位</translation>
+    </message>
+    <message>
+        <source>the settings {key} and {key2}</source>
+        <translation>設定 {key} と {key2}</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: another number follows its first one, as in degrees, minutes and seconds; set it to one decimal number, or say what the number is with a pattern</source>
+        <translation>測定器の出力 {line} では、度・分・秒のように最初の数値の後に別の数値が続いています。測定器を 1 つの小数の出力に設定するか、数値をパターンで指定してください</translation>
+    </message>
+    <message>
+        <source>the axis lost its homing in mid-measurement, as after a restart of the drive; its positions are others after it is homed again: begin a new file</source>
+        <translation>測定の途中で、ドライブの再起動などにより、軸の原点復帰状態が失われました。再び原点復帰すると位置が変わります。新しいファイルで始めてください</translation>
+    </message>
+    <message>
+        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
+        <translation>ファイルでは sign: command、指定は {stated} となっています。誤っている方を修正してください</translation>
+    </message>
+    <message>
+        <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
+        <translation>{file} には sign: command とありますが、有効だったテーブルの値はフィードバック側 (feedback) です。先にファイルを変換し、書き出されたものを使ってください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -11402,6 +11462,10 @@
     <message>
         <source>largest step</source>
         <translation>最大の値</translation>
+    </message>
+    <message>
+        <source>secondary unit</source>
+        <translation>二次単位</translation>
     </message>
 </context>
 <context>

@@ -2350,8 +2350,8 @@
         <translation>METRIC 表示度的轴号，例如 4,5；其余均为 mm</translation>
     </message>
     <message>
-        <source>what PRIMARY, SECONDARY or COUNTS stand for, such as mm</source>
-        <translation>PRIMARY、SECONDARY 或 COUNTS 所代表的单位，例如 mm</translation>
+        <source>what PRIMARY stands for, such as mm</source>
+        <translation>PRIMARY 所代表的单位，例如 mm</translation>
     </message>
     <message>
         <source>METRIC (mm and degrees), or PRIMARY: the table&apos;s own units are those of the axes</source>
@@ -4702,8 +4702,8 @@
         <translation>轴位于表的范围之外，该处保持端值。请将轴移入表的范围，然后重新启用。</translation>
     </message>
     <message>
-        <source>The table is 0 at every position that was looked at. Move the axis to where the table is not 0 and activate again.</source>
-        <translation>在查看过的所有位置上，表的值均为 0。请将轴移到表值不为 0 的位置，然后重新启用。</translation>
+        <source>The table is 0, or too small to be seen, at every position that was looked at. Move the axis to where the table is larger and activate again.</source>
+        <translation>在查看过的所有位置上，表的值为 0，或小到无法分辨。请将轴移到表值较大的位置，然后重新启用。</translation>
     </message>
     <message>
         <source>version 1 of the height map</source>
@@ -8440,6 +8440,66 @@
         <source>slot {slot} is in use by {user}, and an import does not move a table from one axis to another: write the table to axis {imported} from its file, and name the slot that it gets there in the configuration</source>
         <translation>表槽 {slot} 正由 {user} 使用，而导入不会把表从一个轴移到另一个轴：请从文件将该表写入轴 {imported}，并在配置中指定它在那里得到的表槽</translation>
     </message>
+    <message>
+        <source>interval of a square grid, or interval1 and interval2 of a grid RECTANGULAR</source>
+        <translation>方形网格的 interval，或 RECTANGULAR 网格的 interval1 和 interval2</translation>
+    </message>
+    <message>
+        <source>parameter {number} of {value}</source>
+        <translation>值为 {value} 的参数 {number}</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point, to compare it with the setting {key} of {value}; the file does not say what unit it is in without one</source>
+        <translation>带小数点的数字，以便与设置 {key} 的值 {value} 比较；没有小数点时，文件未说明其单位</translation>
+    </message>
+    <message>
+        <source>{name} = {value}, with which the lengths of the table are in inches</source>
+        <translation>{name} = {value}，此时表中的长度以英寸为单位</translation>
+    </message>
+    <message>
+        <source>1; take the line out, and multiply positions and values in inches by 25.4</source>
+        <translation>1；删除该行，并将以英寸为单位的位置和值乘以 25.4</translation>
+    </message>
+    <message>
+        <source>what SECONDARY stands for, such as inch</source>
+        <translation>SECONDARY 所代表的单位，例如 inch</translation>
+    </message>
+    <message>
+        <source>counts of each axis for one primary-unit; without it what is in COUNTS stays in counts</source>
+        <translation>每个 primary-unit 对应的各轴计数；未给出时 COUNTS 的数字仍以计数为单位</translation>
+    </message>
+    <message>
+        <source>{key} ENGLISH of the rotary axis {axis}</source>
+        <translation>回转轴 {axis} 的 {key} ENGLISH</translation>
+    </message>
+    <message>
+        <source>METRIC, which is degrees there; inches are lengths</source>
+        <translation>METRIC，在该轴上表示度；英寸是长度单位</translation>
+    </message>
+    <message>
+        <source>primary and secondary units in one table</source>
+        <translation>一个表中既有 PRIMARY 又有 SECONDARY 单位</translation>
+    </message>
+    <message>
+        <source>the settings {key} and {key2}</source>
+        <translation>设置 {key} 和 {key2}</translation>
+    </message>
+    <message>
+        <source>the instrument says {line}: another number follows its first one, as in degrees, minutes and seconds; set it to one decimal number, or say what the number is with a pattern</source>
+        <translation>仪器给出 {line}：第一个数字后面还有另一个数字，如度、分、秒那样；请将仪器设为单个小数，或用匹配模式指明数字</translation>
+    </message>
+    <message>
+        <source>the axis lost its homing in mid-measurement, as after a restart of the drive; its positions are others after it is homed again: begin a new file</source>
+        <translation>测量中途该轴失去了原点，如同驱动器重启之后；重新回零后其位置会不同：请另起一个新文件</translation>
+    </message>
+    <message>
+        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
+        <translation>文件中写的是 sign: command，而指定的是 {stated}：请改正其中错误的一个</translation>
+    </message>
+    <message>
+        <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
+        <translation>{file} 中写的是 sign: command，而曾启用的表存放反馈侧 (feedback) 的值：请先转换该文件，再使用写出的结果</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -11402,6 +11462,10 @@
     <message>
         <source>largest step</source>
         <translation>最大值</translation>
+    </message>
+    <message>
+        <source>secondary unit</source>
+        <translation>次单位</translation>
     </message>
 </context>
 <context>
