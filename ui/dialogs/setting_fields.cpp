@@ -87,6 +87,7 @@ namespace {
     QT_TRANSLATE_NOOP("Setting", "persistent"),
     QT_TRANSLATE_NOOP("Setting", "rotary axes"),
     QT_TRANSLATE_NOOP("Setting", "primary unit"),
+    QT_TRANSLATE_NOOP("Setting", "secondary unit"),
     QT_TRANSLATE_NOOP("Setting", "units"),
     QT_TRANSLATE_NOOP("Setting", "primary"),
     QT_TRANSLATE_NOOP("Setting", "metric"),

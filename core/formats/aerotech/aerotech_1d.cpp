@@ -15,7 +15,8 @@ constexpr std::string_view known[] = {"SAMPLEDIST", "POSUNIT", "CORUNIT", "OFFSE
     "HOMEOFFSET", "NEGCOR", "SERIALNUMBER"};
 
 constexpr std::array<std::string_view, 1> extensions{".cal"};
-constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
+constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::secondaryUnit,
+    aerotech::countsPerUnit, aerotech::units,
     FormatSetting{.key = "axis",
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = AXISCOMP_TEXT(
@@ -32,9 +33,12 @@ constexpr std::array<std::string_view, 6> rules{
     "that at the nearest end is held.",
     "A file may hold several tables.",
 };
-constexpr std::array<std::string_view, 4> assumptions{
+constexpr std::array<std::string_view, 5> assumptions{
     "NEGCOR: the corrections count with the opposite sign.",
-    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch.",
+    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch, and refused for "
+    "these.",
+    "COUNTS are counts of the axis, which become primary units only with the setting "
+    "counts-per-unit.",
     "HOMEDIRECTION and HOMEOFFSET do not move the table.",
     "SERIALNUMBER says nothing about the table.",
 };
@@ -64,7 +68,9 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
             AXISCOMP_COUNTED("Error", "{count} corrections", "1 correction")
                 .with("count", block.values.size()),
             AXISCOMP_TEXT("Error", "at least 2"));
-    if (!distance || !offset || !positionUnit || !valueUnit || diagnostics.hasErrors())
+    if (!distance || !offset || !positionUnit || !valueUnit
+        || !aerotech::areKnownApart(*positionUnit, *valueUnit, diagnostics)
+        || diagnostics.hasErrors())
         return std::nullopt;
     aerotech::remarkHome(block, diagnostics);
     NeutralTable table;
@@ -73,7 +79,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     const aerotech::Sampling sampling{*distance, *offset, block.values.size()};
     SourceAxis& axis = table.axes.emplace_back();
     axis.name = std::to_string(*axisNumber);
-    axis.unit = positionUnit->of(reading.settings, axis.name);
+    axis.unit = positionUnit->of(reading, axis.name);
     axis.knots = sampling.knots(positionUnit->perUnit);
     const std::size_t line = block.start.line;
     if (!checkKnots(axis.knots, std::span(&line, 1),
@@ -81,7 +87,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
         return std::nullopt;
     CompensationColumn& column = table.columns.emplace_back();
     column.target = axis.name;
-    column.unit = valueUnit->of(reading.settings, axis.name);
+    column.unit = valueUnit->of(reading, axis.name);
     column.values = std::move(block.values);
     const double scale = block.option("NEGCOR") ? -1.0 : 1.0;
     for (double& value : column.values)
@@ -103,6 +109,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
+    AXISCOMP_CHECK(aerotech::checkCounts(aerotech_1d::format().facts, options.settings));
     return readText(aerotech_1d::format().facts, text, options, parse);
 }
 

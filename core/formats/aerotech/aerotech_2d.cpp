@@ -22,7 +22,8 @@ constexpr FormatSetting axisNumberSetting(std::string_view key, const TextPatter
         .forWriting = true};
 }
 constexpr std::array<std::string_view, 1> extensions{".cal"};
-constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::units,
+constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::secondaryUnit,
+    aerotech::countsPerUnit, aerotech::units,
     axisNumberSetting("column-axis",
         AXISCOMP_TEXT("Error", "number of the axis that changes along a line, from 1")),
     axisNumberSetting("row-axis",
@@ -46,9 +47,12 @@ constexpr std::array<std::string_view, 7> rules{
     "The correction is added to the commanded position. Between the points it is bilinear; "
     "outside, that at the nearest end is held.",
 };
-constexpr std::array<std::string_view, 4> assumptions{
+constexpr std::array<std::string_view, 5> assumptions{
     "NEGCOR: the corrections count with the opposite sign.",
-    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch.",
+    "METRIC is mm, for axes that a setting calls rotary degrees; ENGLISH is inch, and refused for "
+    "these.",
+    "COUNTS are counts of the axis, which become primary units only with the setting "
+    "counts-per-unit.",
     "A table of one column is written with corrections of 0 for one of its sources besides.",
     "SERIALNUMBER, HOMEDIRECTION and HOMEOFFSET say nothing about the table.",
 };
@@ -182,6 +186,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     const auto positionUnit = aerotech::unitOption(block, "POSUNIT", reading);
     const auto valueUnit = aerotech::unitOption(block, "CORUNIT", reading);
     if (!head || !offsetRow || !offsetColumn || !positionUnit || !valueUnit
+        || !aerotech::areKnownApart(*positionUnit, *valueUnit, diagnostics)
         || diagnostics.hasErrors())
         return std::nullopt;
     const auto rows = rowCount(block, *head, diagnostics);
@@ -197,7 +202,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     for (std::size_t n = 0; n < 2; ++n) {
         SourceAxis& axis = table.axes.emplace_back();
         axis.name = std::to_string(head->sources[n]);
-        axis.unit = positionUnit->of(reading.settings, axis.name);
+        axis.unit = positionUnit->of(reading, axis.name);
         axis.knots = samplings[n].knots(positionUnit->perUnit);
         const std::size_t line = block.start.line;
         if (!checkKnots(axis.knots, std::span(&line, 1),
@@ -209,7 +214,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     for (std::size_t n = 0; n < head->outputs.size(); ++n) {
         CompensationColumn& column = table.columns.emplace_back();
         column.target = std::to_string(head->outputs[n]);
-        column.unit = valueUnit->of(reading.settings, column.target);
+        column.unit = valueUnit->of(reading, column.target);
         column.values = valuesOf(block, n, head->outputs.size(), samplings, factor);
     }
     return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;
@@ -227,6 +232,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
+    AXISCOMP_CHECK(aerotech::checkCounts(aerotech_2d::format().facts, options.settings));
     return readText(aerotech_2d::format().facts, text, options, parse);
 }
 

@@ -277,31 +277,62 @@ void remarkHome(const Block& block, DiagnosticList& diagnostics)
     }
 }
 
-std::string Unit::of(const SettingValues& settings, std::string_view axis) const
+std::string Unit::of(const TextReading& reading, std::string_view axis) const
 {
-    if (!isMetric)
-        return name;
-    const std::string given = settings.text("rotary-axes");
+    const std::string given = reading.settings.text(rotaryAxes.key);
     std::vector<Token> rotary;
     splitTokens({given, 0, 0}, blanks, rotary);
-    return std::ranges::find(rotary, axis, &Token::text) == rotary.end() ? "mm" : "deg";
+    const bool isRotary = std::ranges::find(rotary, axis, &Token::text) != rotary.end();
+    if (isEnglish && isRotary)
+        reading.diagnostics.error(DiagnosticCode::Contradiction, place.line, place.column,
+            AXISCOMP_TEXT("Error", "{key} ENGLISH of the rotary axis {axis}")
+                .with("key", quoted(place.text))
+                .with("axis", axis),
+            AXISCOMP_TEXT("Error", "METRIC, which is degrees there; inches are lengths"));
+    if (!isMetric)
+        return name;
+    return isRotary ? "deg" : "mm";
 }
+
+namespace {
+
+/// What a setting says of the user's units, or a warning that it says nothing.
+void takeUserUnit(
+    Unit& unit, const FormatSetting& setting, const Text& found, const TextReading& reading)
+{
+    unit.setting = setting.key;
+    unit.name = reading.settings.text(setting.key);
+    if (unit.name.empty())
+        reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, unit.place.line,
+            unit.place.column, found,
+            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+                .with("key", setting.key));
+}
+
+void takeCounts(Unit& unit, const Text& found, const TextReading& reading)
+{
+    if (reading.settings.has(countsPerUnit.key)) {
+        unit.perUnit *= reading.settings.number(countsPerUnit.key);
+        takeUserUnit(unit, primaryUnit, found, reading);
+        return;
+    }
+    unit.name = "counts";
+    reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, unit.place.line, unit.place.column,
+        found,
+        AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
+            .with("key", countsPerUnit.key));
+}
+
+} // namespace
 
 std::optional<Unit> unitOption(const Block& block, std::string_view key, const TextReading& reading)
 {
     Unit unit;
-    unit.name = reading.settings.text("primary-unit");
-    const auto warnOfPrimary = [&](const Token& place, const Text& found) {
-        if (unit.name.empty())
-            reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, place.line, place.column,
-                found,
-                AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
-                    .with("key", primaryUnit.key));
-    };
     const Option* const option = block.option(key);
+    unit.place = option ? option->key : block.start;
     if (!option) {
-        warnOfPrimary(
-            block.start, AXISCOMP_TEXT("Error", "a table without {key}").with("key", key));
+        takeUserUnit(unit, primaryUnit,
+            AXISCOMP_TEXT("Error", "a table without {key}").with("key", key), reading);
         return unit;
     }
     const std::string_view text = option->value.text;
@@ -311,11 +342,13 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
         const auto perUnit = numberOf(text.substr(slash + 1));
         unit.perUnit = perUnit.value_or(0.0);
     }
-    const bool isUser = sameLetters(word, "PRIMARY") || sameLetters(word, "SECONDARY")
-        || sameLetters(word, "COUNTS");
-    const bool isEnglish = sameLetters(word, "ENGLISH");
+    const bool isPrimary = sameLetters(word, "PRIMARY");
+    const bool isSecondary = sameLetters(word, "SECONDARY");
+    const bool isCounts = sameLetters(word, "COUNTS");
+    unit.isEnglish = sameLetters(word, "ENGLISH");
     unit.isMetric = sameLetters(word, "METRIC");
-    if (!(unit.perUnit > 0.0) || (!isUser && !isEnglish && !unit.isMetric)) {
+    if (!(unit.perUnit > 0.0)
+        || (!isPrimary && !isSecondary && !isCounts && !unit.isEnglish && !unit.isMetric)) {
         reading.diagnostics.error(DiagnosticCode::Syntax, option->key.line, option->key.column,
             quoted(text),
             AXISCOMP_TEXT("Error",
@@ -324,11 +357,43 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
                 .with("key", key));
         return std::nullopt;
     }
-    if (isEnglish)
+    const Text found = Verbatim{std::string(key) + ' ' + quoted(text).text};
+    if (unit.isEnglish)
         unit.name = "inch";
-    else if (isUser)
-        warnOfPrimary(option->key, Verbatim{std::string(key) + ' ' + quoted(text).text});
+    else if (isCounts)
+        takeCounts(unit, found, reading);
+    else if (isPrimary || isSecondary)
+        takeUserUnit(unit, isSecondary ? secondaryUnit : primaryUnit, found, reading);
     return unit;
+}
+
+bool areKnownApart(const Unit& positions, const Unit& values, DiagnosticList& diagnostics)
+{
+    const bool areApart = !positions.setting.empty() && !values.setting.empty()
+        && positions.setting != values.setting;
+    if (!areApart || (!positions.name.empty() && !values.name.empty()))
+        return true;
+    diagnostics.error(DiagnosticCode::UnitNotGiven, values.place.line, values.place.column,
+        AXISCOMP_TEXT("Error", "primary and secondary units in one table"),
+        AXISCOMP_TEXT("Error", "the settings {key} and {key2}")
+            .with("key", primaryUnit.key)
+            .with("key2", secondaryUnit.key));
+    return false;
+}
+
+Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
+{
+    const auto given = settings.find(countsPerUnit.key);
+    const auto number = given == settings.end() ? std::nullopt : numberOf(given->second);
+    if (!number || *number > 0.0)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the setting {key} of the format {format} is {value}, expected a number above 0")
+                .with("key", given->first)
+                .with("format", facts.name)
+                .with("value", given->second)}});
 }
 
 bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& diagnostics)

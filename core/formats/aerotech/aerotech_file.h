@@ -51,13 +51,23 @@ void remarkHome(const Block& block, DiagnosticList& diagnostics);
 /// "METRIC/1000": mm or deg, 1000 numbers of the file for one.
 struct Unit {
     bool isMetric = false;
-    std::string name; ///< of what is not metric: "inch", or what the setting primary-unit says
+    bool isEnglish = false;
+    std::string name; ///< of what is not metric: "inch", "counts", or what a setting says
+    std::string_view setting = {}; ///< the key of that one
     double perUnit = 1.0;
+    Token place; ///< of the option, or of the table without it
 
-    [[nodiscard]] std::string of(const SettingValues& settings, std::string_view axis) const;
+    /// Adds an error for inches of a rotary axis.
+    [[nodiscard]] std::string of(const TextReading& reading, std::string_view axis) const;
 };
 [[nodiscard]] std::optional<Unit> unitOption(
     const Block& block, std::string_view key, const TextReading& reading);
+
+/// False, with an error, when both units are the user's, are different, and nobody says both.
+[[nodiscard]] bool areKnownApart(
+    const Unit& positions, const Unit& values, DiagnosticList& diagnostics);
+/// Errors: InvalidArgument for counts per unit that are not above 0.
+[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
 
 /// False, with an error, when a divided unit makes values that no double holds.
 [[nodiscard]] bool areFinite(
@@ -70,7 +80,16 @@ inline constexpr FormatSetting rotaryAxes{.key = "rotary-axes",
     .forReading = true};
 inline constexpr FormatSetting primaryUnit{.key = "primary-unit",
     .kind = FormatSetting::Kind::Text,
-    .meaning = AXISCOMP_TEXT("Error", "what PRIMARY, SECONDARY or COUNTS stand for, such as mm"),
+    .meaning = AXISCOMP_TEXT("Error", "what PRIMARY stands for, such as mm"),
+    .forReading = true};
+inline constexpr FormatSetting secondaryUnit{.key = "secondary-unit",
+    .kind = FormatSetting::Kind::Text,
+    .meaning = AXISCOMP_TEXT("Error", "what SECONDARY stands for, such as inch"),
+    .forReading = true};
+inline constexpr FormatSetting countsPerUnit{.key = "counts-per-unit",
+    .kind = FormatSetting::Kind::Number,
+    .meaning = AXISCOMP_TEXT("Error",
+        "counts of each axis for one primary-unit; without it what is in COUNTS stays in counts"),
     .forReading = true};
 inline constexpr FormatSetting units{.key = "units",
     .kind = FormatSetting::Kind::Choice,

@@ -53,6 +53,9 @@ void describe(test::FormatSample& sample)
 
     sample.warning("two tables of one axis, which the controller adds", file + file,
         {"0:0 Assumption several tables of 1"});
+    sample.warning("values in counts", with("CORUNIT=METRIC", "CORUNIT=COUNTS"),
+        {"2:38 UnitNotGiven CORUNIT COUNTS/1000|the setting counts-per-unit, where a unit "
+         "matters"});
     sample.warning("tables of two axes", file + with(":START 1 ", ":START 2 "), {});
 
     // Commas that can only separate: of numbers with points, of three numbers, before a blank.
@@ -124,6 +127,15 @@ void describe(test::FormatSample& sample)
         "3:8 Syntax OFFSET=|KEY=VALUE");
     row("unit", with("POSUNIT=METRIC", "POSUNIT=FURLONG"), "2:23 Syntax FURLONG|POSUNIT=METRIC");
     row("divided by 0", with("METRIC/1000", "METRIC/0"), "2:38 Syntax METRIC/0|CORUNIT=METRIC");
+    row("two units of which a setting says one",
+        with("METRIC CORUNIT=METRIC", "PRIMARY CORUNIT=SECONDARY"),
+        "2:39 UnitNotGiven primary and secondary units in one table|the settings primary-unit and "
+        "secondary-unit");
+    sample.problem("inches of a rotary axis",
+        with("METRIC CORUNIT=METRIC", "METRIC CORUNIT=ENGLISH"),
+        "2:38 Contradiction CORUNIT ENGLISH of the rotary axis 1|METRIC, which is degrees there",
+        {}, FormatSettings{{"rotary-axes", "1"}});
+    sample.refusesReading("no counts", {{"counts-per-unit", "0"}}, "expected a number above 0");
     row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
         "3:18 Contradiction OFFSET a second time|each option once");
     row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
@@ -196,11 +208,21 @@ private Q_SLOTS:
         const std::string primary = with("METRIC CORUNIT=METRIC/1000", "PRIMARY CORUNIT=COUNTS");
         READ_TABLE(unknown, format, primary, {});
         QCOMPARE(unknown.axes[0].unit, std::string());
+        QCOMPARE(unknown.columns[0].unit, std::string("counts"));
         QVERIFY(test::hasProblem(*reading_unknown, DiagnosticCode::UnitNotGiven, 2));
         options.settings["primary-unit"] = "um";
+        READ_TABLE(counted, format, primary, options);
+        QCOMPARE(counted.columns[0].unit, std::string("counts"));
+        options.settings["counts-per-unit"] = "2";
         READ_TABLE(known, format, primary, options);
+        QCOMPARE(known.axes[0].unit, std::string("um"));
         QCOMPARE(known.columns[0].unit, std::string("um"));
-        QVERIFY(known.columns[0].values[2] == -4 && reading_known->diagnostics.empty());
+        QVERIFY(known.columns[0].values[2] == -2 && reading_known->diagnostics.empty());
+        options.settings["secondary-unit"] = "inch";
+        READ_TABLE(both, format,
+            with("METRIC CORUNIT=METRIC/1000", "PRIMARY CORUNIT=SECONDARY/1000"), options);
+        QCOMPARE(both.axes[0].unit, std::string("um"));
+        QCOMPARE(both.columns[0].unit, std::string("inch"));
         READ_TABLE(silent, format, with(" POSUNIT=METRIC", ""), {});
         QCOMPARE(silent.axes[0].unit, std::string());
         QVERIFY(test::hasProblem(*reading_silent, DiagnosticCode::UnitNotGiven, 2));
