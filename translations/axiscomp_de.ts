@@ -11516,7 +11516,7 @@
     </message>
     <message>
         <source>secondary unit</source>
-        <translation>sekundäre Einheit</translation>
+        <translation>Einheit von SECONDARY</translation>
     </message>
 </context>
 <context>

@@ -11516,7 +11516,7 @@
     </message>
     <message>
         <source>secondary unit</source>
-        <translation>unité secondaire</translation>
+        <translation>unité de SECONDARY</translation>
     </message>
 </context>
 <context>

@@ -11465,7 +11465,7 @@
     </message>
     <message>
         <source>secondary unit</source>
-        <translation>二次単位</translation>
+        <translation>SECONDARY の単位</translation>
     </message>
 </context>
 <context>

@@ -11465,7 +11465,7 @@
     </message>
     <message>
         <source>secondary unit</source>
-        <translation>次单位</translation>
+        <translation>SECONDARY 的单位</translation>
     </message>
 </context>
 <context>
