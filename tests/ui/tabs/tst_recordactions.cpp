@@ -475,7 +475,9 @@ private Q_SLOTS:
                 for (int run = 1; run <= 10; ++run)
                     measurement.values.push_back(
                         {target, direction, run, 1e-6 * static_cast<double>(run)});
+        const auto began = test::Heartbeat::busy();
         const QString path = recordFile(bench, record);
+        const auto writing = test::Heartbeat::busy() - began;
         QVERIFY(bench.user.isThere());
         auto& tabs = bench.user.the<PageTabs>("pageTabs");
         tabs.setCurrentIndex(PageTabs::Prove);
@@ -491,9 +493,11 @@ private Q_SLOTS:
                         .contains(QStringLiteral("The measurement is in the record")));
         bench.user.press(Qt::Key_S, Qt::ControlModifier);
         QVERIFY(isNamed(bench, "x.axcal"));
-        // Of a build that is not optimised; the goal for one that is are 16 ms.
-        QVERIFY2(heart.longest() < std::chrono::milliseconds(100),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
+        // Whatever the machine: the window takes less than writing the record does.
+        QVERIFY2(heart.longestBusy() < writing,
+            qPrintable(QStringLiteral("%1 us, writing %2 us")
+                           .arg(heart.longestBusy().count())
+                           .arg(writing.count())));
         QCOMPARE(savedRecord(bench).after.size(), std::size_t{1});
     }
 
