@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
 
+#include "core/conversion/columns_beside.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
@@ -195,6 +196,11 @@ public:
         NeutralTable held, TableConversion& conversion) const;
 
 private:
+    /// What is done before the sign is converted.
+    [[nodiscard]] Result<NeutralTable> beforeSign(
+        NeutralTable table, SetSides sides, TableConversion& conversion) const;
+    /// The same of the columns beside the table, on its grid.
+    [[nodiscard]] Result<void> prepareBeside(const NeutralTable& table, SetSides sides);
     /// What a conversion needs to know of the units: those of numbers that are added to each other.
     [[nodiscard]] Result<NeutralTable> withUnits(NeutralTable table, SetSides sides) const;
     [[nodiscard]] Result<NeutralTable> merged(
@@ -202,7 +208,9 @@ private:
     [[nodiscard]] Result<NeutralTable> resampled(
         NeutralTable table, TableConversion& conversion) const;
     [[nodiscard]] Result<NeutralTable> signConverted(
-        NeutralTable table, SetSides sides, TableConversion& conversion) const;
+        NeutralTable table, SetSides sides, TableConversion& conversion);
+    /// With one column for both directions where that is asked for.
+    [[nodiscard]] NeutralTable asCompared(NeutralTable source) const;
     void remarkOnEnds(const TableConversion& conversion) const;
 
     /// A grid that was asked for is kept, and so is an even one where that is all the target takes.
@@ -230,8 +238,15 @@ private:
 
     [[nodiscard]] bool areValuesOfDrive() const { return m_request.units.values == unitOfDrive; }
 
+    /// The columns beside the table.
+    struct Beside {
+        NeutralTable source; ///< as that of the conversion
+        NeutralTable result; ///< with the other sign
+    };
+
     const ConversionRequest& m_request;
     std::vector<Text>& m_remarks;
+    std::optional<Beside> m_beside; ///< nothing: none was needed
 };
 
 Result<NeutralTable> Converter::withUnits(NeutralTable table, SetSides sides) const
@@ -287,8 +302,32 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
     return std::move(resampled.table);
 }
 
+Result<void> Converter::prepareBeside(const NeutralTable& table, SetSides sides)
+{
+    if (!m_request.beside)
+        return {};
+    NeutralTable beside = movingBeside(*m_request.beside, table);
+    if (beside.columns.empty())
+        return {};
+    beside.sign = m_request.sourceSign.value_or(beside.sign);
+    ConversionRequest request = m_request;
+    if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling)) {
+        ResamplingRequest grid;
+        grid.method = wanted->method;
+        for (const std::size_t points : knotCounts(table))
+            grid.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
+        request.resampling = std::move(grid);
+    }
+    std::vector<Text> unsaid; // which is of columns that nobody asked for
+    TableConversion conversion;
+    AXISCOMP_TRY(
+        auto result, Converter(request, unsaid).beforeSign(std::move(beside), sides, conversion));
+    m_beside = Beside{std::move(conversion.source), std::move(result)};
+    return {};
+}
+
 Result<NeutralTable> Converter::signConverted(
-    NeutralTable table, SetSides sides, TableConversion& conversion) const
+    NeutralTable table, SetSides sides, TableConversion& conversion)
 {
     const SignConvention to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
     if (table.sign == to) {
@@ -297,8 +336,19 @@ Result<NeutralTable> Converter::signConverted(
             examplePoint(isForSet ? withTurnedSigns(table, SignConvention::Command) : table);
     } else {
         const ConvertedKnots knots = knotsFor(table);
+        AXISCOMP_CHECK(prepareBeside(table, sides));
+        const std::size_t own = table.columns.size();
+        if (m_beside)
+            appendColumns(table, m_beside->result);
         AXISCOMP_TRY(
             auto converted, convertSign(table, to, m_request.from->facts.behaviour, knots));
+        if (m_beside) {
+            table.columns.resize(own);
+            m_beside->result = takeColumns(converted.table, own);
+            converted.example = to == SignConvention::Command
+                ? examplePoint(table, converted.table)
+                : examplePoint(converted.table, table);
+        }
         if (converted.usesHeldEnds)
             remarkOnce(m_remarks,
                 AXISCOMP_TEXT("Error",
@@ -315,13 +365,9 @@ Result<NeutralTable> Converter::signConverted(
     return table;
 }
 
-Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
+Result<NeutralTable> Converter::beforeSign(
+    NeutralTable table, SetSides sides, TableConversion& conversion) const
 {
-    AXISCOMP_CHECK(checkConsistent(table));
-    table.sign = m_request.sourceSign.value_or(table.sign);
-    AXISCOMP_TRY(
-        table, withTargets(std::move(table), m_request.targets, isTriamec(*m_request.from)));
-    AXISCOMP_TRY(const auto sides, setSides(table, m_request));
     AXISCOMP_TRY(table, withUnits(std::move(table), sides));
     AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
     if (const auto remark = lookupRemark(table, sides, m_request))
@@ -334,8 +380,17 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
         for (SourceAxis& axis : table.axes)
             axis.wrap.reset();
     auto result = merged(std::move(table), conversion);
-    if (result)
-        result = resampled(*std::move(result), conversion);
+    return result ? resampled(*std::move(result), conversion) : result;
+}
+
+Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)
+{
+    AXISCOMP_CHECK(checkConsistent(table));
+    table.sign = m_request.sourceSign.value_or(table.sign);
+    AXISCOMP_TRY(
+        table, withTargets(std::move(table), m_request.targets, isTriamec(*m_request.from)));
+    AXISCOMP_TRY(const auto sides, setSides(table, m_request));
+    auto result = beforeSign(std::move(table), sides, conversion);
     if (result)
         result = signConverted(*std::move(result), sides, conversion);
     // The drive's table has no units: its values are in the unit of its axis.
@@ -384,22 +439,34 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
     }
 }
 
+NeutralTable Converter::asCompared(NeutralTable source) const
+{
+    if (m_request.direction)
+        if (auto merge = mergeDirections(source, *m_request.direction))
+            return std::move(merge->table);
+    return source;
+}
+
 Result<void> Converter::finish(const NeutralTable& asked, const NeutralTable& prepared,
     NeutralTable held, TableConversion& conversion) const
 {
     AXISCOMP_TRY(const auto sides, setSides(asked, m_request));
     held.sign = targetSign();
     AXISCOMP_CHECK(checkSameTargets(prepared, held));
-    NeutralTable source = conversion.source;
-    if (m_request.direction)
-        if (auto merge = mergeDirections(source, *m_request.direction))
-            source = std::move(merge->table);
-    std::optional<NeutralTable> turned;
+    NeutralTable source = asCompared(conversion.source);
+    const std::size_t own = source.columns.size();
+    std::optional<NeutralTable> inUse;
     if (sides.isTargetConverted())
-        turned = withTurnedSigns(held, SignConvention::Command);
+        inUse = withTurnedSigns(held, SignConvention::Command);
+    if (m_beside) {
+        if (!inUse)
+            inUse = held;
+        appendColumns(source, asCompared(m_beside->source));
+        appendBeside(*inUse, m_beside->result);
+    }
     AXISCOMP_TRY(auto difference,
-        conversionDifference(source, m_request.from->facts.behaviour, turned ? *turned : held,
-            m_request.to->facts.behaviour));
+        conversionDifference(source, m_request.from->facts.behaviour, inUse ? *inUse : held,
+            m_request.to->facts.behaviour, mostComparedPositions, own));
     conversion.difference = std::move(difference);
     remarkOnEnds(conversion);
     notePoints(prepared, held, conversion);

@@ -9,6 +9,7 @@
 #include "core/neutral/lookup_note.h"
 #include "core/table/table_units.h"
 
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -32,6 +33,9 @@ struct ConversionRequest {
     /// What the columns of each table correct (target_axis.h), one for all or one for each; empty:
     /// as the tables say.
     std::vector<std::string> targets;
+    /// Of the only table, where that is one column of a file (sourcesBeside): they are converted
+    /// with it where its sign is. Null: there are none.
+    std::shared_ptr<const NeutralTable> beside;
     StatedUnits units; ///< of the source, in place of those that it states
     Adjustment adjustment;
     std::optional<DirectionChoice> direction; ///< merges values of two directions of motion

@@ -5,6 +5,8 @@
 #include "core/neutral/controller_lookup.h"
 #include "core/neutral/neutral_table.h"
 
+#include <optional>
+
 namespace axiscomp {
 
 /// A table whose numbers mean the other convention (docs/formats.md).
@@ -67,6 +69,8 @@ struct ColumnDifference {
     std::vector<double> whereInside;
 };
 
+inline constexpr std::size_t mostComparedPositions = 4'000'000;
+
 struct ConversionDifference {
     std::vector<ColumnDifference> columns; ///< every column of a at least once
     std::size_t positions = 0; ///< so many were looked at
@@ -84,8 +88,9 @@ struct ConversionDifference {
 /// when the other table has as many and no such target, or more and the target is not stated. Which
 /// axis a column acts on is as a states it, or as b does where a does not. Errors: InvalidArgument
 /// for tables that are not consistent or have different axes, and for a column of a that b lacks.
+/// columns: only so many of a, its first, are compared; the others move the places.
 [[nodiscard]] Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
-    std::size_t mostPositions = 4'000'000);
+    std::size_t mostPositions = mostComparedPositions, std::optional<std::size_t> columns = {});
 
 } // namespace axiscomp

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace axiscomp {
@@ -91,12 +92,14 @@ bool areOthersBeside(const PlaceAmongAlike& a, const PlaceAmongAlike& b)
     return a.count == b.count && a.number != b.number;
 }
 
-Result<std::vector<ColumnPair>> pairsOf(const NeutralTable& a, const NeutralTable& b)
+/// Of the first so many columns of a.
+Result<std::vector<ColumnPair>> pairsOf(
+    const NeutralTable& a, const NeutralTable& b, std::size_t columns)
 {
     const std::vector<PlaceAmongAlike> placesInA = placesAmongAlike(a);
     const std::vector<PlaceAmongAlike> placesInB = placesAmongAlike(b);
     std::vector<ColumnPair> pairs;
-    for (std::size_t i = 0; i < a.columns.size(); ++i) {
+    for (std::size_t i = 0; i < columns; ++i) {
         const CompensationColumn& column = a.columns[i];
         const std::size_t before = pairs.size();
         for (std::size_t j = 0; j < b.columns.size(); ++j) {
@@ -332,7 +335,7 @@ class Comparison {
 public:
     Comparison(const Side& a, const Side& b) : m_a(a), m_b(b) { }
 
-    [[nodiscard]] Result<void> prepare();
+    [[nodiscard]] Result<void> prepare(std::optional<std::size_t> columns);
     [[nodiscard]] Result<ConversionDifference> run(std::size_t mostPositions);
 
 private:
@@ -389,7 +392,7 @@ private:
     std::vector<ColumnPair> m_pairs;
 };
 
-Result<void> Comparison::prepare()
+Result<void> Comparison::prepare(std::optional<std::size_t> columns)
 {
     const NeutralTable& a = m_a.table;
     const NeutralTable& b = m_b.table;
@@ -408,7 +411,7 @@ Result<void> Comparison::prepare()
         m_a.factors[n] = 1.0;
         m_b.factors[n] = factor;
     }
-    AXISCOMP_TRY(auto pairs, pairsOf(a, b));
+    AXISCOMP_TRY(auto pairs, pairsOf(a, b, columns.value_or(a.columns.size())));
     m_pairs = std::move(pairs);
     return {};
 }
@@ -671,10 +674,10 @@ Result<ConversionDifference> Comparison::run(std::size_t mostPositions)
 
 Result<ConversionDifference> conversionDifference(const NeutralTable& a,
     const TableBehaviour& behaviourA, const NeutralTable& b, const TableBehaviour& behaviourB,
-    std::size_t mostPositions)
+    std::size_t mostPositions, std::optional<std::size_t> columns)
 {
     Comparison comparison({a, behaviourA, {}}, {b, behaviourB, {}});
-    AXISCOMP_CHECK(comparison.prepare());
+    AXISCOMP_CHECK(comparison.prepare(columns));
     return comparison.run(mostPositions);
 }
 

@@ -77,9 +77,10 @@ private:
     void readOther();
     void take(CalibrationData data);
     void refuseIncomplete();
-    void convert(const std::vector<NeutralTable>& tables, const Grid* kept = nullptr);
+    void convert(const std::vector<NeutralTable>& whole, const Grid* kept = nullptr);
     [[nodiscard]] bool keepsPositions(const NeutralTable& table) const;
-    [[nodiscard]] Result<CompensationTable> converted(const NeutralTable& column);
+    [[nodiscard]] Result<CompensationTable> converted(
+        const NeutralTable& column, std::shared_ptr<const NeutralTable> beside);
     void keepName(CompensationTable& table);
     void refuse(const Error& error) { m_result.refusal = error; }
     void problem(const Error& error)
@@ -128,7 +129,7 @@ void Import::take(CalibrationData data)
     m_result.sourceAxes = data.grid.dimensions();
     if (m_request.choices.isConversion()) {
         const std::vector tables{neutralTable(data)};
-        convert(separateColumns(tables), keepsPositions(tables.front()) ? &data.grid : nullptr);
+        convert(tables, keepsPositions(tables.front()) ? &data.grid : nullptr);
         return;
     }
     for (CompensationTable& table : data.tables)
@@ -180,7 +181,7 @@ void Import::readCsv()
         return;
     stateUnits(*uneven.data, m_request.choices.settings);
     m_result.sourceAxes = uneven.data->grid.dimensions();
-    convert(separateColumns(std::vector{neutralTable(*uneven.data, uneven.knots)}));
+    convert(std::vector{neutralTable(*uneven.data, uneven.knots)});
     if (m_result.data)
         m_result.problems = std::move(uneven.diagnostics);
 }
@@ -230,7 +231,7 @@ void Import::readOther()
     m_result.problems = std::move(reading->diagnostics);
     m_result.suppressedProblems = reading->suppressed;
     if (isUsable && !m_result.isCancelled)
-        convert(separateColumns(reading->tables));
+        convert(reading->tables);
     else if (format.facts.marksMissing && !m_result.isCancelled)
         refuseIncomplete();
 }
@@ -252,8 +253,9 @@ bool Import::keepsPositions(const NeutralTable& table) const
 }
 
 /// kept: the even grid that the tables have, and keep; null: they get one.
-void Import::convert(const std::vector<NeutralTable>& tables, const Grid* kept)
+void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
 {
+    const std::vector<NeutralTable> tables = separateColumns(whole);
     m_result.sourceAxes = static_cast<int>(tables.front().axes.size());
     for (const NeutralTable& table : tables) {
         m_result.hasDirections = m_result.hasDirections
@@ -265,12 +267,12 @@ void Import::convert(const std::vector<NeutralTable>& tables, const Grid* kept)
     m_isOneOfSeveral = tables.size() > 1;
     CalibrationData data;
     data.notes = tables.front().notes;
-    for (const NeutralTable& table : tables) {
+    for (std::size_t n = 0; n < tables.size(); ++n) {
         if (m_request.stop.stop_requested()) {
             m_result.isCancelled = true;
             return;
         }
-        auto one = converted(table);
+        auto one = converted(tables[n], sourcesBeside(whole, n));
         if (!one)
             return refuse(one.error());
         if (kept)
@@ -285,7 +287,8 @@ void Import::convert(const std::vector<NeutralTable>& tables, const Grid* kept)
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
-Result<CompensationTable> Import::converted(const NeutralTable& column)
+Result<CompensationTable> Import::converted(
+    const NeutralTable& column, std::shared_ptr<const NeutralTable> beside)
 {
     const ImportChoices& choices = m_request.choices;
     ConversionRequest request;
@@ -293,6 +296,7 @@ Result<CompensationTable> Import::converted(const NeutralTable& column)
     request.to = &calibration_csv::format();
     request.sourceSign = choices.sign;
     request.targets = choices.targetsFor(column);
+    request.beside = std::move(beside);
     request.units = choices.units;
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;

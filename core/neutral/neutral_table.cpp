@@ -136,26 +136,60 @@ Result<NeutralTable> withTargets(
     return table;
 }
 
+namespace {
+
+bool isOtherDirectionOf(const CompensationColumn& before, const CompensationColumn& column)
+{
+    return column.direction != Direction::Both && before.direction != Direction::Both
+        && before.direction != column.direction && before.target == column.target;
+}
+
+/// Behind the column that begins at first, or the pair of directions.
+std::size_t endOfColumn(const NeutralTable& table, std::size_t first)
+{
+    std::size_t end = first + 1;
+    while (end < table.columns.size()
+        && isOtherDirectionOf(table.columns[end - 1], table.columns[end]))
+        ++end;
+    return end;
+}
+
+} // namespace
+
 std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
 {
     std::vector<NeutralTable> separate;
     for (const NeutralTable& table : tables) {
         NeutralTable single = table;
-        for (std::size_t n = 0; n < table.columns.size(); ++n) {
-            const CompensationColumn& column = table.columns[n];
-            const bool isOtherDirection = n > 0 && column.direction != Direction::Both
-                && table.columns[n - 1].direction != Direction::Both
-                && table.columns[n - 1].direction != column.direction
-                && table.columns[n - 1].target == column.target;
-            if (isOtherDirection) {
-                separate.back().columns.push_back(column);
-                continue;
-            }
-            single.columns = {column};
+        for (std::size_t first = 0; first < table.columns.size();) {
+            const std::size_t end = endOfColumn(table, first);
+            single.columns.assign(table.columns.begin() + static_cast<std::ptrdiff_t>(first),
+                table.columns.begin() + static_cast<std::ptrdiff_t>(end));
             separate.push_back(single);
+            first = end;
         }
     }
     return separate;
+}
+
+std::shared_ptr<const NeutralTable> sourcesBeside(
+    std::span<const NeutralTable> tables, std::size_t separate)
+{
+    for (const NeutralTable& table : tables)
+        for (std::size_t first = 0; first < table.columns.size();) {
+            const std::size_t end = endOfColumn(table, first);
+            if (separate-- > 0) {
+                first = end;
+                continue;
+            }
+            NeutralTable beside{table.name, table.axes, {}, table.sign, table.notes};
+            for (std::size_t n = 0; n < table.columns.size(); ++n)
+                if ((n < first || n >= end) && ownAxis(table, table.columns[n]))
+                    beside.columns.push_back(table.columns[n]);
+            return beside.columns.empty() ? nullptr
+                                          : std::make_shared<const NeutralTable>(std::move(beside));
+        }
+    return nullptr;
 }
 
 Text axisText(const NeutralTable& table, std::size_t axis)

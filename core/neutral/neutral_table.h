@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,6 +94,11 @@ struct NeutralTable {
 /// The tables with one column each (a pair of directions is one), in the order of the file: what a
 /// user chooses from, and what a format with one column can hold.
 [[nodiscard]] std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables);
+/// The columns beside the one of this number among the separate ones, in its table, that correct
+/// one of its sources: in use together, they move the place where that one is looked up. Null:
+/// there are none.
+[[nodiscard]] std::shared_ptr<const NeutralTable> sourcesBeside(
+    std::span<const NeutralTable> tables, std::size_t separate);
 
 /// Its name, or "source 2".
 [[nodiscard]] std::vector<std::string> sourceNames(const NeutralTable& table);

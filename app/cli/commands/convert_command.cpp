@@ -184,24 +184,28 @@ Result<ExitCode> convertOwn(Environment& environment, const ConvertOptions& opti
 
 /// What goes into the file of another controller: everything, unless it can hold less or one was
 /// named.
-Result<std::vector<NeutralTable>> chosenColumns(
+struct ChosenTables {
+    std::vector<NeutralTable> tables;
+    std::shared_ptr<const NeutralTable> beside; ///< of the one that was chosen
+};
+
+Result<ChosenTables> chosenColumns(
     const TableInput& input, const ConvertOptions& options, const FormatFacts& to)
 {
-    std::vector<NeutralTable> whole = input.tables;
-    if (input.data)
-        whole.push_back(neutralTable(*input.data, input.knots));
-    const std::vector<NeutralTable> columns = separateColumns(whole);
-    const bool holdsAll = (to.mostColumns != 1 || columns.size() == whole.size())
+    ChosenTables chosen{neutralTables(input), {}};
+    std::vector<NeutralTable>& whole = chosen.tables;
+    const bool holdsAll = (to.mostColumns != 1 || separateColumns(whole).size() == whole.size())
         && (to.mostTables != 1 || whole.size() == 1);
     if (!holdsAll || !options.input.table.empty()) {
-        AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
-        whole = {columns[index]};
+        AXISCOMP_TRY(auto column, chosenColumn(whole, options.input));
+        whole = {std::move(column.table)};
+        chosen.beside = std::move(column.beside);
     }
     if (!options.name.empty()) {
         whole.front().name = options.name;
         whole.front().columns.front().name = options.name;
     }
-    return whole;
+    return chosen;
 }
 
 /// Along each axis of a table that follows a curve.
@@ -261,9 +265,11 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
 {
     const Output output{options.output, options.input.command};
     AXISCOMP_CHECK(refuseValueUnit(options, "convert in two steps"));
-    AXISCOMP_TRY(const auto tables, chosenColumns(input, options, to.facts));
+    AXISCOMP_TRY(auto chosen, chosenColumns(input, options, to.facts));
+    const std::vector<NeutralTable>& tables = chosen.tables;
     AXISCOMP_TRY(auto request,
         conversionRequest(options.conversion, *input.format, to, tables.front().axes.size()));
+    request.beside = std::move(chosen.beside);
     AXISCOMP_TRY(auto profile, profileOf(options.input.profile));
     request.writing.layout = &profile.layout;
     request.writing.fileName = pathFromText(options.output).filename().string();

@@ -56,6 +56,21 @@ Result<void> chooseColumns(const FittedFileOptions& options, const TableFormat& 
     return {};
 }
 
+/// The tables beside the one that was chosen (sourcesBeside).
+std::shared_ptr<const NeutralTable> tablesBeside(
+    const CalibrationData& chosen, const std::vector<FittedTable>& fitted)
+{
+    if (chosen.tables.size() == fitted.size())
+        return nullptr;
+    std::vector<CompensationTable> all;
+    for (const FittedTable& made : fitted)
+        all.push_back(made.table);
+    const auto found = std::ranges::find(all, chosen.tables.front().name, &CompensationTable::name);
+    const auto index = static_cast<std::size_t>(found - all.begin());
+    const NeutralTable whole = neutralTable(CalibrationData{chosen.grid, std::move(all), {}});
+    return sourcesBeside(std::span(&whole, 1), index);
+}
+
 Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& options,
     const TableFormat& format, const DriveProfile& profile, const CalibrationData& data,
     const std::vector<FittedTable>& fitted)
@@ -73,6 +88,7 @@ Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& 
     conversion.targets.clear(); // stated already
     AXISCOMP_TRY(auto request,
         conversionRequest(conversion, calibration_csv::format(), format, data.grid.axes.size()));
+    request.beside = tablesBeside(data, fitted);
     request.writing.layout = &profile.layout;
     request.writing.fileName = pathFromText(options.output.file).filename().string();
     AXISCOMP_TRY(const auto converted, convertTables(tables, request));

@@ -120,7 +120,7 @@ Result<ExitCode> lookUpForDrive(
         {{"file", options.input.file}, {"table", toJson(table)}, {"outside", outside}});
 }
 
-void noteRemarks(
+void noteOfTable(
     Environment& environment, const LookupOptions& options, std::span<const Text> remarks)
 {
     for (const Text& remark : remarks)
@@ -128,35 +128,38 @@ void noteRemarks(
 }
 
 /// As the file's own controller applies it, with what was said of it.
-Result<NeutralTable> statedTable(Environment& environment, const LookupOptions& options,
-    const TableInput& input, NeutralTable table)
+Result<NeutralTable> asStated(Environment& environment, const LookupOptions& options,
+    const TableInput& input, ChosenColumn chosen)
 {
     if (!options.conversion.isAnything())
-        return table;
+        return std::move(chosen.table);
     AXISCOMP_TRY(auto request,
-        conversionRequest(options.conversion, *input.format, *input.format, table.axes.size()));
-    AXISCOMP_TRY(auto stated, tableAsStated(table, request));
-    noteRemarks(environment, options, stated.remarks);
+        conversionRequest(
+            options.conversion, *input.format, *input.format, chosen.table.axes.size()));
+    request.beside = std::move(chosen.beside);
+    AXISCOMP_TRY(auto stated, tableAsStated(chosen.table, request));
+    noteOfTable(environment, options, stated.remarks);
     return std::move(stated.table);
 }
 
 /// As another controller applies what its file would say.
-Result<NeutralTable> convertedTable(Environment& environment, const LookupOptions& options,
-    const TableInput& input, const TableFormat& as, NeutralTable table)
+Result<NeutralTable> asConverted(Environment& environment, const LookupOptions& options,
+    const TableInput& input, const TableFormat& as, ChosenColumn chosen)
 {
     if (&as == input.format && !options.conversion.isAnything())
-        return table;
-    AXISCOMP_TRY(
-        auto request, conversionRequest(options.conversion, *input.format, as, table.axes.size()));
+        return std::move(chosen.table);
+    AXISCOMP_TRY(auto request,
+        conversionRequest(options.conversion, *input.format, as, chosen.table.axes.size()));
+    request.beside = std::move(chosen.beside);
     AXISCOMP_TRY(const auto profile, profileOf(options.input.profile));
     request.writing.layout = &profile.layout;
-    const NeutralTable tables[] = {std::move(table)};
+    const NeutralTable tables[] = {std::move(chosen.table)};
     AXISCOMP_TRY(auto conversion, convertTables(tables, request));
     // What the format says of its file, such as where to name it, is of no use here.
     const auto& ofFile = conversion.written.remarks;
     std::erase_if(conversion.remarks,
         [&](const Text& remark) { return std::ranges::find(ofFile, remark) != ofFile.end(); });
-    noteRemarks(environment, options, conversion.remarks);
+    noteOfTable(environment, options, conversion.remarks);
     NeutralTable held = std::move(conversion.written.held.front());
     // The column that was asked for comes first; a format may add others that correct nothing.
     if (held.columns.front().direction == Direction::Both)
@@ -170,15 +173,13 @@ Result<ExitCode> lookUpForController(
 {
     AXISCOMP_TRY(const auto as,
         options.as.empty() ? Result<const TableFormat*>(input.format) : formatNamed(options.as));
-    const std::vector<NeutralTable> columns = neutralColumns(input);
-    AXISCOMP_TRY(const auto index, chooseColumn(columns, options.input));
-    NeutralTable table = columns[index];
+    AXISCOMP_TRY(auto chosen, chosenColumn(neutralTables(input), options.input));
     std::vector<std::string> positionUnits;
-    for (const SourceAxis& axis : table.axes)
+    for (const SourceAxis& axis : chosen.table.axes)
         positionUnits.push_back(axis.unit);
-    AXISCOMP_TRY(table,
-        options.as.empty() ? statedTable(environment, options, input, std::move(table))
-                           : convertedTable(environment, options, input, *as, std::move(table)));
+    AXISCOMP_TRY(const auto table,
+        options.as.empty() ? asStated(environment, options, input, std::move(chosen))
+                           : asConverted(environment, options, input, *as, std::move(chosen)));
     if (table.columns.size() > 1)
         return wrongUsage("the table has a value for each direction of motion: choose one with "
                           "--direction positive or negative, or mean",

@@ -285,14 +285,13 @@ Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& 
         takeStatedUnits(result.table, options.units);
         return result;
     }
-    const std::vector<NeutralTable> columns = neutralColumns(input);
-    AXISCOMP_TRY(const auto index, chooseColumn(columns, inputOptions));
-    AXISCOMP_TRY(result.measuredDrive, measuredDriveInNotes(columns[index].notes));
-    AXISCOMP_TRY(const auto request,
+    AXISCOMP_TRY(const auto chosen, chosenColumn(neutralTables(input), inputOptions));
+    AXISCOMP_TRY(result.measuredDrive, measuredDriveInNotes(chosen.table.notes));
+    AXISCOMP_TRY(auto request,
         conversionRequest(
-            options, *input.format, calibration_csv::format(), columns[index].axes.size()));
-    AXISCOMP_TRY(
-        const auto conversion, convertTables(std::span(columns).subspan(index, 1), request));
+            options, *input.format, calibration_csv::format(), chosen.table.axes.size()));
+    request.beside = chosen.beside;
+    AXISCOMP_TRY(const auto conversion, convertTables(std::span(&chosen.table, 1), request));
     for (const Text& line : conversionReport(conversion, request))
         result.report.push_back(displayName(inputOptions.file) + ": " + line.english());
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));

@@ -350,17 +350,20 @@ Result<std::size_t> chooseTable(const CalibrationData& data, const TableInputOpt
     return choose(choices, options);
 }
 
-std::vector<NeutralTable> neutralColumns(const TableInput& input)
+std::vector<NeutralTable> neutralTables(const TableInput& input)
 {
-    if (!input.data)
-        return separateColumns(input.tables);
-    const NeutralTable tables[] = {neutralTable(*input.data, input.knots)};
-    return separateColumns(tables);
+    return input.data ? std::vector{neutralTable(*input.data, input.knots)} : input.tables;
 }
 
-Result<std::size_t> chooseColumn(
-    const std::vector<NeutralTable>& columns, const TableInputOptions& options)
+std::vector<NeutralTable> neutralColumns(const TableInput& input)
 {
+    return separateColumns(neutralTables(input));
+}
+
+Result<ChosenColumn> chosenColumn(
+    const std::vector<NeutralTable>& tables, const TableInputOptions& options)
+{
+    std::vector<NeutralTable> columns = separateColumns(tables);
     std::vector<TableName> choices;
     for (const NeutralTable& table : columns) {
         const CompensationColumn& column = table.columns.front();
@@ -368,7 +371,8 @@ Result<std::size_t> chooseColumn(
         choices.push_back({name.empty() ? targetName(table, column) : name,
             name.empty() ? columnText(table, column).english() : name});
     }
-    return choose(choices, options);
+    AXISCOMP_TRY(const auto index, choose(choices, options));
+    return ChosenColumn{std::move(columns[index]), sourcesBeside(tables, index)};
 }
 
 } // namespace axiscomp::app

@@ -8,6 +8,7 @@
 
 #include <CLI/App.hpp>
 
+#include <memory>
 #include <optional>
 
 namespace axiscomp::app {
@@ -74,11 +75,19 @@ struct TableInput {
 [[nodiscard]] Result<std::size_t> chooseTable(
     const CalibrationData& data, const TableInputOptions& options);
 
+/// The tables of the file, of any format.
+[[nodiscard]] std::vector<NeutralTable> neutralTables(const TableInput& input);
+
 /// Every column of the file (a pair of directions is one) as a table of its own.
 [[nodiscard]] std::vector<NeutralTable> neutralColumns(const TableInput& input);
 
-/// The same for columns: --table by name, target or number. Errors as chooseTable.
-[[nodiscard]] Result<std::size_t> chooseColumn(
-    const std::vector<NeutralTable>& columns, const TableInputOptions& options);
+/// One of these.
+struct ChosenColumn {
+    NeutralTable table;
+    std::shared_ptr<const NeutralTable> beside; ///< as sourcesBeside has them
+};
+/// --table by name, target or number, of what separateColumns makes. Errors as chooseTable.
+[[nodiscard]] Result<ChosenColumn> chosenColumn(
+    const std::vector<NeutralTable>& tables, const TableInputOptions& options);
 
 } // namespace axiscomp::app

@@ -174,6 +174,28 @@ private Q_SLOTS:
         QVERIFY2(!drive.err.contains("--as csv"), drive.err.constData());
     }
 
+    /// Both outputs correct a source, so that each moves the place where the other is looked up.
+    void oneTableOfAFileHasTheNumbersOfTheWholeFile()
+    {
+        const Sandbox box;
+        box.file("g.cal",
+            ":START2D 2 1 1 2 100 100 3\n:START2D POSUNIT=METRIC CORUNIT=METRIC/1000\n"
+            "0 0  100 -50  200 40\n300 10 -400 600 100 0\n0 500 200 -300 100 100\n:END\n");
+        VERIFY_CODE(box.run({"convert", "g.cal", "all.csv"}), 0);
+        const auto at100 = [&](const QString& file, const QStringList& options) {
+            const ProgramRun run = box.run(QStringList{"lookup", file, "100", "100"} + options);
+            return run.code == 0 ? run.out.toDouble() : std::nan("");
+        };
+        for (const char* number : {"#1", "#2"}) {
+            const QStringList table{"--table", number};
+            const double expected = at100("all.csv", QStringList{"--dims", "2"} + table);
+            VERIFY_CODE(box.run(QStringList{"convert", "g.cal", "one.csv"} + table), 0);
+            const QStringList as = table + QStringList{"--as", "csv"};
+            QVERIFY(std::abs(at100("one.csv", {"--dims", "2"}) - expected) < 1e-6);
+            QVERIFY(std::abs(at100("g.cal", as) - expected) < 1e-6);
+        }
+    }
+
     /// The file has finer numbers than one that is written of it, and no setting for writing
     /// counts.
     void lookupOfWhatIsStatedAnswersWhatTheFileSays()

@@ -114,6 +114,23 @@ ConversionRequest requestFor(const TableFormat& from, const TableFormat& to)
     return request;
 }
 
+/// Two columns that correct its two sources, with slopes that nobody can take for rounding.
+NeutralTable tableThatMovesBoth(bool ofCommands)
+{
+    NeutralTable table =
+        exampleTable(2, ofCommands ? SignConvention::Command : SignConvention::Feedback);
+    table.axes[0].name = "1";
+    table.axes[1].name = "2";
+    table.columns.push_back(table.columns[0]);
+    for (std::size_t i = 0; i < table.pointCount(); ++i) {
+        table.columns[0].values[i] = 0.1 * std::sin(static_cast<double>(3 * i));
+        table.columns[1].values[i] = 0.1 * std::sin(static_cast<double>(2 * i + 1));
+    }
+    table.columns[0].target = "1";
+    table.columns[1].target = "2";
+    return table;
+}
+
 /// Two positions, in um and in mm.
 NeutralTable tableOverTwoUnits()
 {
@@ -874,6 +891,86 @@ private Q_SLOTS:
         const double rounding = conversion->tables.front().valueRounding.front();
         QVERIFY2(rounding > 0.0 && rounding <= 0.5e-4, qPrintable(QString::number(rounding)));
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
+    }
+
+    /// Both columns move the place where they are looked up.
+    void oneColumnOfSeveralIsConvertedAsTheWholeFileIs_data()
+    {
+        QTest::addColumn<bool>("toDrive");
+        QTest::addColumn<bool>("isResampled");
+        for (const bool toDrive : {true, false})
+            for (const bool isResampled : {false, true})
+                QTest::addRow(
+                    "%s the drive%s", toDrive ? "to" : "from", isResampled ? ", resampled" : "")
+                    << toDrive << isResampled;
+    }
+    void oneColumnOfSeveralIsConvertedAsTheWholeFileIs()
+    {
+        QFETCH(const bool, toDrive);
+        QFETCH(const bool, isResampled);
+        const std::vector whole{tableThatMovesBoth(toDrive)};
+        const TableFormat& other = aerotech_2d::format();
+        ConversionRequest request = toDrive ? requestFor(other, calibration_csv::format())
+                                            : requestFor(calibration_csv::format(), other);
+        request.adjustment.scale = 2.0;
+        if (isResampled)
+            request.resampling = WantedDeviation{0.01, ResamplingMethod::Linear};
+        const auto all = convertTables(whole, request);
+        VERIFY_RESULT(all);
+        const std::vector<NeutralTable> columns = separateColumns(whole);
+        QCOMPARE(columns.size(), 2U);
+        for (std::size_t n = 0; n < columns.size(); ++n) {
+            request.beside = sourcesBeside(whole, n);
+            QVERIFY(request.beside);
+            const auto one = convertTables(std::span(columns).subspan(n, 1), request);
+            VERIFY_RESULT(one);
+            const TableConversion& table = one->tables[0];
+            QVERIFY(!table.result.columns.empty()); // Aerotech files have one for each source
+            QVERIFY(test::largestDifference(
+                        table.result.columns[0].values, all->tables[0].result.columns[n].values)
+                < 1e-12);
+            QCOMPARE(table.difference.columns.size(), 1U);
+            QVERIFY(std::abs(table.difference.columns[0].largest
+                        - all->tables[0].difference.columns[n].largest)
+                < 1e-9);
+            request.beside.reset();
+            const auto alone = convertTables(std::span(columns).subspan(n, 1), request);
+            VERIFY_RESULT(alone);
+            QVERIFY(test::largestDifference(
+                        alone->tables[0].result.columns[0].values, table.result.columns[0].values)
+                > 1e-4);
+        }
+    }
+
+    void theColumnsOfAFileAreImportedAsTheWholeFileIsConverted()
+    {
+        const TableImport import = imported(QStringLiteral("g.cal"),
+            ":START2D 2 1 1 2 100 100 3\n:START2D POSUNIT=METRIC CORUNIT=METRIC/1000\n"
+            "0 0  100 -50  200 40\n300 10 -400 600 100 0\n0 500 200 -300 100 100\n:END\n",
+            {});
+        QVERIFY(import.data);
+        QCOMPARE(import.data->tables.size(), 2U);
+        // the fixed point of e = -c(x + e) at 100, 100
+        QVERIFY(std::abs(import.data->tables[0].values[4] - 0.39506513F) < 1e-6F);
+    }
+
+    /// Of two columns for one axis nobody knows which is in use.
+    void aColumnForAChoiceMovesNoOther()
+    {
+        NeutralTable table = tableThatMovesBoth(false);
+        table.columns.push_back(table.columns[1]);
+        const std::vector whole{table};
+        const std::vector<NeutralTable> columns = separateColumns(whole);
+        ConversionRequest request = requestFor(calibration_csv::format(), softmc::format());
+        const auto alone = convertTables(std::span(columns).first(1), request);
+        VERIFY_RESULT(alone);
+        request.beside = sourcesBeside(whole, 0);
+        const auto beside = convertTables(std::span(columns).first(1), request);
+        VERIFY_RESULT(beside);
+        QCOMPARE(beside->tables[0].result, alone->tables[0].result);
+        request.beside = sourcesBeside(whole, 1);
+        QCOMPARE(request.beside->columns.size(), 2U);
+        VERIFY_RESULT(convertTables(std::span(columns).subspan(1, 1), request));
     }
 
     /// Its controller applies the numbers as they are, finer than its file would be written.
