@@ -68,8 +68,8 @@ std::optional<Point> largestPoint(const NeutralTable& table)
     return point;
 }
 
-/// What turns values into the unit of the positions of their own axis; nothing: it is not known, and
-/// they are not added.
+/// What turns values into the unit of the positions of their own axis; nothing: it is not known,
+/// and they are not added.
 std::optional<double> factorToPlace(const std::string& unit, const std::string& ofPlace)
 {
     return isSameUnit(unit, ofPlace) ? std::optional(1.0) : unitFactor(unit, ofPlace);

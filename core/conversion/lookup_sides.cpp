@@ -134,12 +134,12 @@ std::vector<std::string> notesOfResult(const NeutralTable& table, const Conversi
         isOfDrive(*request.from, request.sourceSign) && isOfDrive(*request.to, request.targetSign);
     std::vector<std::string> notes =
         lookupAt || !isKept ? withLookupNote(table.notes, lookupAt) : table.notes;
+    // Of other files the sign is known by their format.
     if (!isTriamec(*request.to))
-        return withSignNote(std::move(notes), SignConvention::Feedback); // it is known by its format
+        return withSignNote(std::move(notes), SignConvention::Feedback);
     if (!isTriamec(*request.from))
         notes = withoutStatements(std::move(notes));
-    return withSignNote(
-        std::move(notes), request.targetSign.value_or(request.to->facts.sign));
+    return withSignNote(std::move(notes), request.targetSign.value_or(request.to->facts.sign));
 }
 
 std::optional<Text> lookupRemark(

@@ -107,7 +107,8 @@ private:
     /// Errors: ChangedMeanwhile: the columns are no longer the sources of the table.
     [[nodiscard]] Result<void> checkSettings(const std::vector<RegisterReading>& readings) const
     {
-        for (std::size_t i = 0; i < m_settings.size() && m_names.size() + i < readings.size(); ++i) {
+        for (std::size_t i = 0; i < m_settings.size() && m_names.size() + i < readings.size();
+             ++i) {
             const std::string before = toText(m_settings[i].value);
             const std::string now = toText(readings[m_names.size() + i].value);
             if (now != before)

@@ -248,8 +248,7 @@ Result<std::vector<MappedColumn>> mappedColumns(
             inputOptions.table = pair.substr(0, equals);
         }
         AXISCOMP_TRY(auto request, requestWithoutTable(options));
-        MappedColumn column{
-            axis, {std::move(request), inputOptions, targetsOfMap(options, n), {}}};
+        MappedColumn column{axis, {std::move(request), inputOptions, targetsOfMap(options, n), {}}};
         AXISCOMP_CHECK(beginTable(options, input, column.pending));
         columns.push_back(std::move(column));
     }

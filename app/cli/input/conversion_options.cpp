@@ -283,8 +283,8 @@ bool isOfDrive(const TableInput& input, const ConversionOptions& options)
     return axiscomp::isOfDrive(*input.format, signOf(known ? known->sign : options.sign));
 }
 
-Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& inputOptions,
-    const ConversionOptions& stated)
+Result<DriveTable> driveTable(
+    const TableInput& input, const TableInputOptions& inputOptions, const ConversionOptions& stated)
 {
     AXISCOMP_TRY(const auto options, withSignOfFile(input, stated));
     DriveTable result;

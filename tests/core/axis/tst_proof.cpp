@@ -353,8 +353,8 @@ private Q_SLOTS:
             Written f(request);
             const auto proof = f.proofOf(Switch::Activate);
             VERIFY_RESULT(proof);
-            QVERIFY(proof->extent
-                == (part > 1.0F ? Proof::Extent::Proved : Proof::Extent::OnlyZeros));
+            QVERIFY(
+                proof->extent == (part > 1.0F ? Proof::Extent::Proved : Proof::Extent::OnlyZeros));
         }
     }
 

@@ -756,8 +756,8 @@ private Q_SLOTS:
         other.tablePlace = "MasterPosition from 5, 11 points every 10";
         const auto refused = RunFile::open(file, plan, other);
         const std::string said = refused ? "it was taken" : sentence(refused.error());
-        QVERIFY2(said.find("where // table: MasterPosition from 5") != std::string::npos,
-            said.c_str());
+        QVERIFY2(
+            said.find("where // table: MasterPosition from 5") != std::string::npos, said.c_str());
         QCOMPARE(contentOf(file), whole);
         QCOMPARE(RunFile::open(file, plan, active).value().taken(), std::size_t{1});
         // Those of earlier versions do not say it.

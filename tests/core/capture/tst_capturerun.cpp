@@ -275,8 +275,7 @@ private Q_SLOTS:
         };
         const auto played = fixture.play();
         QCOMPARE(played.kinds().back(), Kind::Stopped);
-        QVERIFY2(
-            played.news.back().text.english().find("lost its homing") != std::string::npos,
+        QVERIFY2(played.news.back().text.english().find("lost its homing") != std::string::npos,
             played.news.back().text.english().c_str());
     }
 
