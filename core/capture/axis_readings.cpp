@@ -14,8 +14,9 @@ namespace axiscomp {
 
 namespace {
 
-/// In m_paths; behind these the CRC of the table and the reference, where there are any.
-enum ReadingPlace : std::size_t { AtEncoder, AtOutput, AtState, AtHoming, AtTable, AtCrc };
+/// In m_paths; behind these the CRC of the table with its sources and positions, and the reference,
+/// where there are any.
+enum ReadingPlace : std::size_t { AtEncoder, AtOutput, AtState, AtHoming, AtTable, AtCrc, AtPlace };
 
 tl::unexpected<Error> notCaptured(Text reason)
 {
@@ -56,6 +57,18 @@ tl::unexpected<Error> notSwitched(const AxisStatus& status, const std::string& s
                 .with("state", state)}});
 }
 
+/// "Axes[0]/.../MasterPosition from 0, 11 points every 10; ..."
+std::string placeText(const AxisStatus& status)
+{
+    std::string text;
+    for (std::size_t n = 0; status.table && n < status.table->grid.axes.size(); ++n) {
+        const GridAxis& axis = status.table->grid.axes[n];
+        text += (n == 0 ? "" : "; ") + status.setup.sources[n].path + " from " + toText(axis.start)
+            + ", " + std::to_string(axis.size) + " points every " + toText(axis.distance);
+    }
+    return text;
+}
+
 /// What an axis does that is switched neither on nor off gives no deviations of either.
 Result<void> checkSwitched(const AxisStatus& status)
 {
@@ -86,6 +99,9 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
     made.choosePaths(status);
     AXISCOMP_TRY(const auto readings, link.readRegisters(made.m_paths, exchange));
     made.m_state = made.stateOf(readings);
+    made.m_place = made.placeIn(readings);
+    if (made.m_state.starts_with("crc:"))
+        made.m_tablePlace = placeText(status);
     // It may have changed since, and is what the file of the values says.
     if (made.m_state.starts_with("on, "))
         return fail(ErrorCode::MeasurementState,
@@ -174,6 +190,27 @@ Result<void> AxisReadings::checkEncoder(const AxisStatus& status) const
                            .with("axis", axisShown(status.axis)));
 }
 
+void AxisReadings::addPlacePaths(const AxisStatus& status)
+{
+    const RegisterPaths& names = m_profile->registers;
+    const std::size_t before = m_paths.size();
+    for (int n = 0; n < status.table->grid.dimensions(); ++n) {
+        m_paths.push_back(
+            expandPath(names.source, {.axis = status.axis.index, .slot = {}, .n = n + 1}));
+        for (const std::string& name : {names.tableSize, names.tableStart, names.tableDistance})
+            m_paths.push_back(expandPath(name, {.axis = {}, .slot = m_slot, .n = n}));
+    }
+    m_placePaths = m_paths.size() - before;
+}
+
+std::vector<std::string> AxisReadings::placeIn(const std::vector<RegisterReading>& readings) const
+{
+    std::vector<std::string> place;
+    for (std::size_t i = AtPlace; i < AtPlace + m_placePaths; ++i)
+        place.push_back(toText(readings[i].value));
+    return place;
+}
+
 void AxisReadings::choosePaths(const AxisStatus& status)
 {
     const RegisterPaths& names = m_profile->registers;
@@ -183,8 +220,10 @@ void AxisReadings::choosePaths(const AxisStatus& status)
     m_paths = {m_registers.encoder, path(names.output), path(names.state), path(names.homingState),
         path(names.table)};
     m_slot = status.table ? status.setup.slot : std::string();
-    if (!m_slot.empty())
+    if (!m_slot.empty()) {
         m_paths.push_back(expandPath(names.tableCrc, {.axis = {}, .slot = m_slot, .n = {}}));
+        addPlacePaths(status);
+    }
     if (!m_registers.reference.empty())
         m_paths.push_back(m_registers.reference);
 }
@@ -224,6 +263,7 @@ Result<CaptureReading> AxisReadings::read(DriveLink& link, const Exchange& excha
     reading.output = toDouble(readings[AtOutput].value) * m_axisFactor;
     reading.state = stateOf(readings);
     reading.isHomed = isHomedIn(readings);
+    reading.isSamePlace = m_tablePlace.empty() || placeIn(readings) == m_place;
     reading.reference = m_registers.reference.empty()
         ? std::numeric_limits<double>::quiet_NaN()
         : m_scale.position(toDouble(readings.back().value), m_referenceFactor);

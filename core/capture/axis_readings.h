@@ -54,6 +54,9 @@ public:
     [[nodiscard]] const std::string& referenceRegister() const { return m_registers.reference; }
     /// "off" or "crc:1c291ca3", when this was opened.
     [[nodiscard]] const std::string& state() const { return m_state; }
+    /// Over which sources and positions the table that is active lies, as one line, in the units of
+    /// the drive: the CRC of `state` is that of its values alone. Empty: none is active.
+    [[nodiscard]] const std::string& tablePlace() const { return m_tablePlace; }
     /// The unit of the axis is not known: the plan's is taken, since the axis must stand at its
     /// targets.
     [[nodiscard]] bool isUnitAssumed() const { return m_isUnitAssumed; }
@@ -68,6 +71,9 @@ private:
     [[nodiscard]] Result<void> checkEncoder(const AxisStatus& status) const;
     void choosePaths(const AxisStatus& status);
     [[nodiscard]] bool isHomedIn(const std::vector<RegisterReading>& readings) const;
+    void addPlacePaths(const AxisStatus& status);
+    [[nodiscard]] std::vector<std::string> placeIn(
+        const std::vector<RegisterReading>& readings) const;
     [[nodiscard]] std::string stateOf(const std::vector<RegisterReading>& readings) const;
 
     const DriveProfile* m_profile;
@@ -79,6 +85,9 @@ private:
     bool m_isSingle = false; ///< the reference register
     std::string m_slot; ///< of the axis's table, empty without one
     std::vector<std::string> m_paths; ///< in the order in which readings are used
+    std::size_t m_placePaths = 0; ///< of sources and positions, behind the CRC
+    std::vector<std::string> m_place; ///< what they said when this was opened
+    std::string m_tablePlace;
     std::string m_state;
 };
 

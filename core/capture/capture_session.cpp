@@ -75,9 +75,16 @@ bool CaptureSession::stateChanged(const CaptureReading& reading)
 {
     if (!m_state)
         m_state = reading.state;
-    if (reading.state == *m_state)
+    const bool isSame = reading.state == *m_state;
+    if (isSame && reading.isSamePlace)
         return false;
     m_isStopped = true;
+    if (isSame) {
+        m_problem = AXISCOMP_TEXT("Error",
+            "the table that is active lies over other positions or sources than at the beginning; "
+            "what was taken belongs to the one before: begin a new file");
+        return true;
+    }
     if (!reading.isHomed) {
         m_problem = AXISCOMP_TEXT("Error",
             "the axis lost its homing in mid-measurement, as after a restart of the drive; its "

@@ -19,6 +19,9 @@ struct CaptureReading {
     double output = 0.0; ///< what the drive adds: the axis stands at encoder + output
     double reference = 0.0; ///< what the instrument says; NaN: nothing that can be used
     std::string state; ///< of the compensation: its state, and the table that is active
+    /// Whether the table that is active lies over the positions and sources of the beginning, which
+    /// its CRC does not say.
+    bool isSamePlace = true;
     bool isHomed = true; ///< otherwise `state` is the drive's word for its homing
 
     [[nodiscard]] double position() const { return encoder + output; } ///< where the axis is

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::string_view firstLine = "// axiscomp runs: 1";
 constexpr std::string_view stateKey = "// compensation: ";
+constexpr std::string_view tableKey = "// table: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
@@ -179,8 +180,10 @@ Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
     const std::string unit = unitOf(plan);
     const std::string encoder =
         origin.encoder.empty() ? "" : "\n" + std::string(encoderKey) + origin.encoder;
+    const std::string table =
+        origin.tablePlace.empty() ? "" : std::string(tableKey) + origin.tablePlace + "\n";
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
-        + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n"
+        + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n" + table
         + std::string(referenceKey) + origin.reference + encoder
         + (origin.drive ? "\n" + driveLine(*origin.drive) : "")
         + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
@@ -193,6 +196,9 @@ Result<void> RunFile::goOn(
     const auto isOther = [](std::string_view line, std::string_view key, std::string_view value) {
         return line.starts_with(key) && line.substr(key.size()) != value;
     };
+    const std::array<std::pair<std::string_view, std::string_view>, 5> stated{
+        {{axisKey, plan.axis}, {stateKey, origin.state}, {tableKey, origin.tablePlace},
+            {referenceKey, origin.reference}, {encoderKey, origin.encoder}}};
     bool hasColumns = false;
     std::size_t number = 0;
     while (true) {
@@ -211,14 +217,9 @@ Result<void> RunFile::goOn(
         };
         if (number == 1 && line != firstLine)
             return wrong(Verbatim{std::string(firstLine)});
-        if (isOther(line, axisKey, plan.axis))
-            return wrong(Verbatim{std::string(axisKey) + plan.axis});
-        if (isOther(line, stateKey, origin.state))
-            return wrong(Verbatim{std::string(stateKey) + origin.state});
-        if (isOther(line, referenceKey, origin.reference))
-            return wrong(Verbatim{std::string(referenceKey) + origin.reference});
-        if (isOther(line, encoderKey, origin.encoder))
-            return wrong(Verbatim{std::string(encoderKey) + origin.encoder});
+        for (const auto& [key, value] : stated)
+            if (isOther(line, key, value))
+                return wrong(Verbatim{std::string(key) + std::string(value)});
         if (origin.drive && isOfAnotherDrive(line, *origin.drive))
             return wrong(Verbatim{driveLine(*origin.drive)});
         if (!hasColumns && !line.starts_with("//")) {

@@ -20,6 +20,7 @@ struct RunOrigin {
     std::string date; ///< of now, for a new file
     std::string encoder = {}; ///< the register of the raw position
     std::optional<DriveIdentity> drive = {}; ///< that measures; its number of axes does not count
+    std::string tablePlace = {}; ///< AxisReadings::tablePlace
 };
 
 /// The file of the values that are being captured: the documented CSV of runs, a line for each
@@ -28,9 +29,9 @@ struct RunOrigin {
 class RunFile {
 public:
     /// A file that is there goes on where it ends; its lines must be the first steps of the plan,
-    /// its state, its reference and, where it names them, its encoder and its drive these. A drive
-    /// is told by its serial number: its name may change. One without a value begins anew. Errors:
-    /// FileNotReadable with the line, FileNotWritable.
+    /// its state, its reference and, where it names them, its encoder, its drive and the place of
+    /// its table these. A drive is told by its serial number: its name may change. One without a
+    /// value begins anew. Errors: FileNotReadable with the line, FileNotWritable.
     [[nodiscard]] static Result<RunFile> open(
         const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin);
 

@@ -70,7 +70,7 @@ Result<CaptureRun> AxisCompensator::beginCapture(
         RunFile::open(request.file, request.plan,
             {readings.state(), reference.text(),
                 utcText(std::chrono::floor<std::chrono::seconds>(d->clock())), registers.encoder,
-                status.drive}));
+                status.drive, readings.tablePlace()}));
     CaptureRun run(std::move(readings), std::move(file), request.plan, request.rules, status.drive);
     run.useConnection(d->connection);
     if (instrument)

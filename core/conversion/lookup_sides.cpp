@@ -3,6 +3,7 @@
 
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/neutral/sign_note.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 #include "core/text/number_text.h"
@@ -133,8 +134,12 @@ std::vector<std::string> notesOfResult(const NeutralTable& table, const Conversi
         isOfDrive(*request.from, request.sourceSign) && isOfDrive(*request.to, request.targetSign);
     std::vector<std::string> notes =
         lookupAt || !isKept ? withLookupNote(table.notes, lookupAt) : table.notes;
-    const bool isForeign = !isTriamec(*request.from) && isTriamec(*request.to);
-    return isForeign ? withoutStatements(std::move(notes)) : notes;
+    // Of other files the sign is known by their format.
+    if (!isTriamec(*request.to))
+        return withSignNote(std::move(notes), SignConvention::Feedback);
+    if (!isTriamec(*request.from))
+        notes = withoutStatements(std::move(notes));
+    return withSignNote(std::move(notes), request.targetSign.value_or(request.to->facts.sign));
 }
 
 std::optional<Text> lookupRemark(

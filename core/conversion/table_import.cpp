@@ -6,6 +6,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
+#include "core/neutral/sign_note.h"
 #include "core/table/table_identity.h"
 #include "core/table/tam_table.h"
 
@@ -46,7 +47,10 @@ void keepSpans(Grid& grid, const Grid& kept)
 
 class Import {
 public:
-    explicit Import(const TableImportRequest& request) : m_request(request) { }
+    explicit Import(const TableImportRequest& request) : m_request(request)
+    {
+        m_result.sign = request.choices.sign;
+    }
 
     [[nodiscard]] TableImport run()
     {
@@ -75,6 +79,7 @@ private:
     void readCsv();
     void readTamTable();
     void readOther();
+    [[nodiscard]] bool takeSign(const std::vector<std::string>& notes);
     void take(CalibrationData data);
     void refuseIncomplete();
     void convert(const std::vector<NeutralTable>& whole, const Grid* kept = nullptr);
@@ -123,11 +128,24 @@ Result<Bytes> Import::bytes(std::uint64_t limit)
     return bytes;
 }
 
+/// A calibration file may say itself that it holds command values.
+bool Import::takeSign(const std::vector<std::string>& notes)
+{
+    auto sign = signOfTable(notes, m_request.choices.sign);
+    if (sign)
+        m_result.sign = *sign;
+    else
+        refuse(sign.error());
+    return sign.has_value();
+}
+
 void Import::take(CalibrationData data)
 {
     stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
-    if (m_request.choices.isConversion()) {
+    if (!takeSign(data.notes))
+        return;
+    if (m_request.choices.isConversion() || m_result.sign == SignConvention::Command) {
         const std::vector tables{neutralTable(data)};
         convert(tables, keepsPositions(tables.front()) ? &data.grid : nullptr);
         return;
@@ -180,6 +198,8 @@ void Import::readCsv()
     if (!uneven.data)
         return;
     stateUnits(*uneven.data, m_request.choices.settings);
+    if (!takeSign(uneven.data->notes))
+        return;
     m_result.sourceAxes = uneven.data->grid.dimensions();
     convert(std::vector{neutralTable(*uneven.data, uneven.knots)});
     if (m_result.data)
@@ -248,7 +268,7 @@ void Import::keepName(CompensationTable& table)
 bool Import::keepsPositions(const NeutralTable& table) const
 {
     const ImportChoices& choices = m_request.choices;
-    return choices.sign.value_or(table.sign) == calibration_csv::format().facts.sign
+    return m_result.sign.value_or(table.sign) == calibration_csv::format().facts.sign
         && choices.resampling.kind == ResamplingChoice::Kind::None;
 }
 
@@ -282,7 +302,9 @@ void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
     data.grid = data.tables.front().grid;
     if (!isTriamec(*m_result.format))
         data.notes = withoutStatements(std::move(data.notes));
-    if (!isOfDrive(*m_result.format, m_request.choices.sign))
+    else
+        data.notes = withSignNote(std::move(data.notes), SignConvention::Feedback);
+    if (!isOfDrive(*m_result.format, m_result.sign))
         data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
@@ -294,13 +316,13 @@ Result<CompensationTable> Import::converted(
     ConversionRequest request;
     request.from = m_result.format;
     request.to = &calibration_csv::format();
-    request.sourceSign = choices.sign;
+    request.sourceSign = m_result.sign;
     request.targets = choices.targetsFor(column);
     request.beside = std::move(beside);
     request.units = choices.units;
     request.direction = choices.direction;
     request.dropsWrap = choices.dropsWrap;
-    if (!isOfDrive(*request.from, choices.sign))
+    if (!isOfDrive(*request.from, m_result.sign))
         request.lookupAt = choices.place.lookupAt;
     AXISCOMP_TRY(auto resampling, resamplingRequest(choices.resampling, column.axes.size()));
     request.resampling = std::move(resampling);

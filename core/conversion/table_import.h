@@ -30,6 +30,8 @@ struct TableImport {
     std::size_t suppressedProblems = 0;
     /// Why the choices do not suffice: other ones may.
     std::optional<Error> refusal;
+    /// Of the values of the file, as stated or as it says itself; nothing: as its format says.
+    std::optional<SignConvention> sign;
     std::vector<Text> report; ///< of conversions
     std::optional<FullGrid> fullGrid; ///< what a calibration file is instead (calibration_csv.h)
     int sourceAxes = 0; ///< of the tables of the file, 0: there are none

@@ -77,7 +77,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = lookupAt.error();
     } else if (const auto measured = measuredDriveInNotes(import.data->notes); !measured) {
         result.problem = measured.error();
-    } else if (!place && !isOfDrive(*import.format, axis.choices.sign)) {
+    } else if (!place && !isOfDrive(*import.format, import.sign)) {
         result.isOpen = true;
     } else {
         result.table = *std::move(table);

@@ -332,8 +332,10 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     TableInputOptions inputOptions = options.input;
     inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
     AXISCOMP_TRY(auto input, readInput(environment, inputOptions));
-    if (!input.data || !isTriamec(*to) || options.conversion.isAnything())
-        return convertOther(environment, options, *to, input);
+    ConvertOptions known = options;
+    AXISCOMP_TRY(known.conversion, withSignOfFile(input, options.conversion));
+    if (!input.data || !isTriamec(*to) || known.conversion.isAnything())
+        return convertOther(environment, known, *to, input);
     return convertOwn(environment, options, *to, std::move(input));
 }
 

@@ -216,7 +216,9 @@ Result<ExitCode> runLookup(Environment& environment, const LookupOptions& option
     if (!options.outside.empty())
         return wrongUsage("--outside is for tables of the drive: other controllers have a rule",
             options.input.command);
-    return lookUpForController(environment, options, *input);
+    LookupOptions known = options;
+    AXISCOMP_TRY(known.conversion, withSignOfFile(*input, options.conversion));
+    return lookUpForController(environment, known, *input);
 }
 
 } // namespace

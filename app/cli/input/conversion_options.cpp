@@ -7,6 +7,7 @@
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/neutral/drive_note.h"
+#include "core/neutral/sign_note.h"
 #include "core/text/token_scanner.h"
 
 namespace axiscomp::app {
@@ -266,14 +267,26 @@ std::optional<LookupAt> lookupNamed(const std::string& name)
     return name == lookupAtName(LookupAt::Set) ? LookupAt::Set : LookupAt::Encoder;
 }
 
-bool isOfDrive(const TableInput& input, const ConversionOptions& options)
+Result<ConversionOptions> withSignOfFile(const TableInput& input, ConversionOptions options)
 {
-    return axiscomp::isOfDrive(*input.format, signOf(options.sign));
+    if (!input.data)
+        return options;
+    AXISCOMP_TRY(const auto sign, signOfTable(input.data->notes, signOf(options.sign)));
+    if (sign)
+        options.sign = signName(*sign);
+    return options;
 }
 
-Result<DriveTable> driveTable(const TableInput& input, const TableInputOptions& inputOptions,
-    const ConversionOptions& options)
+bool isOfDrive(const TableInput& input, const ConversionOptions& options)
 {
+    const auto known = withSignOfFile(input, options);
+    return axiscomp::isOfDrive(*input.format, signOf(known ? known->sign : options.sign));
+}
+
+Result<DriveTable> driveTable(
+    const TableInput& input, const TableInputOptions& inputOptions, const ConversionOptions& stated)
+{
+    AXISCOMP_TRY(const auto options, withSignOfFile(input, stated));
     DriveTable result;
     if (input.data && isOfDrive(input, options)) {
         AXISCOMP_TRY(result.lookupAt, lookupInNotes(input.data->notes));

@@ -63,6 +63,11 @@ CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::stri
 void addLookupOption(CLI::App& command, std::string& lookupAt); ///< of a conversion
 [[nodiscard]] std::optional<LookupAt> lookupNamed(const std::string& name); ///< of its values
 
+/// With the sign that the file says of itself (core/neutral/sign_note.h). Errors: InvalidArgument
+/// where another one is stated.
+[[nodiscard]] Result<ConversionOptions> withSignOfFile(
+    const TableInput& input, ConversionOptions options);
+
 /// Whether a file holds what the drive adds (core/conversion/lookup_sides.h).
 [[nodiscard]] bool isOfDrive(const TableInput& input, const ConversionOptions& options);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/known_tables.h"
 
+#include "core/neutral/sign_note.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
@@ -46,6 +47,14 @@ Result<void> addTable(KnownTables& known, const CompensationTable& table,
 Result<TablesOfFile> tablesOfFile(const std::string& name, const CalibrationData& data,
     const std::string& unit, const TableLayout& layout, std::optional<LookupAt> lookupAt)
 {
+    AXISCOMP_TRY(const auto sign, signOfTable(data.notes, std::nullopt));
+    if (sign == SignConvention::Command)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "{file} says sign: command, and a table that was active holds feedback values: "
+                    "convert the file first, and take what is written")
+                    .with("file", Verbatim{name})}});
     AXISCOMP_CHECK(lookupOfTable(data.notes, lookupAt));
     TablesOfFile made;
     made.tables.name = Verbatim{name};

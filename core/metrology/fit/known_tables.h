@@ -35,7 +35,8 @@ struct TablesOfFile {
 };
 /// name: of the file, as it is told. unit: of the measurement, mm or deg. lookupAt: where the drive
 /// looks them up, as far as that is stated. The CRC of each table is that of a drive with this
-/// unit. Errors: UnitMismatch; those of elementCrc and lookupOfTable.
+/// unit. Errors: InvalidArgument for command values; UnitMismatch; those of elementCrc and
+/// lookupOfTable.
 [[nodiscard]] Result<TablesOfFile> tablesOfFile(const std::string& name,
     const CalibrationData& data, const std::string& unit, const TableLayout& layout,
     std::optional<LookupAt> lookupAt);

@@ -615,6 +615,28 @@ private Q_SLOTS:
         QVERIFY2(read.out.contains("\n10,0.5\n20,0.2\n"), read.out.constData());
     }
 
+    void aCalibrationFileOfCommandValuesIsNotWrittenAsItIs()
+    {
+        const Sandbox box;
+        box.file("set.csv", "// lookup: set\nX [mm],X error [mm]\n0,0\n10,0.5\n20,0.2\n30,0\n");
+        VERIFY_CODE(box.run({"convert", "set.csv", "c.csv", "--dims", "1", "--target", "#1",
+                        "--to-sign", "command"}),
+            0);
+        QVERIFY2(box.content("c.csv").contains("// sign: command\n")
+                && box.content("c.csv").contains("\n10,-0.5\n"),
+            box.content("c.csv").constData());
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "c.csv", "--dims", "1", "--drive", drive.url(),
+            "--axis", "0", "--accept-large", "--source1", "Axes[0]/Signals/PathPlanner/Position"};
+        const ProgramRun refused = box.run(write + QStringList{"--sign", "feedback"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("the file says sign: command, and stated is feedback"),
+            refused.err.constData());
+        VERIFY_CODE(box.run(write), 0);
+        const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
+        QVERIFY2(read.out.contains("\n10,0.5\n20,0.2\n"), read.out.constData());
+    }
+
     void whatIsReadInTwoDimensionsCanBecomeTheFileOfAnotherController()
     {
         const Sandbox box;

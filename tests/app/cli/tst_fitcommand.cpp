@@ -462,6 +462,10 @@ private Q_SLOTS:
         VERIFY_CODE(refused, 2);
         QVERIFY2(refused.err.contains("says lookup: set, and stated is encoder"),
             refused.err.constData());
+        box.file("command.csv", "// sign: command\nX [mm],dX [mm]\n0,0\n50,-0.5\n100,0\n");
+        const ProgramRun command = fitOnto("command.csv", "set");
+        VERIFY_CODE(command, 2);
+        QVERIFY2(command.err.contains("command.csv says sign: command"), command.err.constData());
     }
 
     /// Nothing was left with the table of Y active, which is -x/5 um.

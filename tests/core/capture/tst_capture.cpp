@@ -343,6 +343,18 @@ private Q_SLOTS:
         QCOMPARE(axis.read(), Event::Stopped);
     }
 
+    void aTableOverOtherPositionsStopsIt()
+    {
+        HandMoved axis(planOver(30.0, 4, 1, 1.0));
+        axis.move(-1.0);
+        axis.move(0.0);
+        QVERIFY(axis.takes());
+        axis.reading.isSamePlace = false;
+        QCOMPARE(axis.read(), Event::Stopped);
+        QVERIFY2(axis.problem().find("over other positions or sources") != std::string::npos,
+            axis.problem().c_str());
+    }
+
     void aClockThatJumpsTakesNothingTwice()
     {
         HandMoved axis(planOver(30.0, 4, 1, 1.0));
@@ -718,6 +730,39 @@ private Q_SLOTS:
         // Those of earlier versions do not say it.
         std::string silent = whole;
         const std::size_t begin = silent.find("// drive: ");
+        silent.erase(begin, silent.find('\n', begin) + 1 - begin);
+        put(file, silent);
+        QCOMPARE(RunFile::open(file, plan, other).value().taken(), std::size_t{1});
+    }
+
+    /// The CRC of a table is that of its values alone.
+    void aFileGoesOnWithATableOverTheSamePositionsOnly()
+    {
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        RunOrigin active{"crc:1c291ca3", "laser", "2026-11-21T09:30:00"};
+        active.tablePlace = "MasterPosition from 0, 11 points every 10";
+        {
+            auto runs = RunFile::open(file, plan, active).value();
+            QVERIFY(runs.append(valueOf(plan, 0)));
+        }
+        const std::string whole = contentOf(file);
+        QVERIFY2(whole.find("\n// table: MasterPosition from 0, 11 points every 10\n")
+                != std::string::npos,
+            whole.c_str());
+        RunOrigin other = active;
+        other.tablePlace = "MasterPosition from 5, 11 points every 10";
+        const auto refused = RunFile::open(file, plan, other);
+        const std::string said = refused ? "it was taken" : sentence(refused.error());
+        QVERIFY2(
+            said.find("where // table: MasterPosition from 5") != std::string::npos, said.c_str());
+        QCOMPARE(contentOf(file), whole);
+        QCOMPARE(RunFile::open(file, plan, active).value().taken(), std::size_t{1});
+        // Those of earlier versions do not say it.
+        std::string silent = whole;
+        const std::size_t begin = silent.find("// table: ");
         silent.erase(begin, silent.find('\n', begin) + 1 - begin);
         put(file, silent);
         QCOMPARE(RunFile::open(file, plan, other).value().taken(), std::size_t{1});

@@ -7,6 +7,7 @@
 #include "drivecomm/profile/profile_loader.h"
 #include "drivecomm/virtualdrive/machine/machine_file.h"
 #include "drivecomm/virtualdrive/machine/program_motion.h"
+#include "tests/support/compensator_fixture.h"
 #include "tests/support/faulty_link.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -291,6 +292,45 @@ private Q_SLOTS:
         QCOMPARE(played.kinds().back(), Kind::Stopped);
         QVERIFY2(played.news.back().text.english().find("from off to on") != std::string::npos,
             played.news.back().text.english().c_str());
+    }
+
+    /// Another program writes the same values over other positions, or for another source.
+    void aTableOverOtherPositionsStopsIt_data()
+    {
+        QTest::addColumn<QByteArray>("changed");
+        QTest::newRow("positions") << QByteArray("/Header/StartValue[0]");
+        QTest::newRow("source") << QByteArray("/Compensations/Axis/Dim1Source");
+    }
+    void aTableOverOtherPositionsStopsIt()
+    {
+        QFETCH(const QByteArray, changed);
+        CaptureFixture fixture;
+        WriteRequest request;
+        request.dimensionality = 1;
+        request.sources = {encoder};
+        request.table = test::exampleTable(1, 1, 11);
+        fixture.link.beginning = [&](std::string_view) { fixture.time += 1ms; };
+        VERIFY_RESULT(fixture.compensator.write(0, request));
+        fixture.link.beginning = {};
+        bool isChanged = false;
+        fixture.link.altersReading = [&](RegisterReading& reading) {
+            if (reading.path == "Axes[0]/Signals/Compensations/Axis/State")
+                reading.value = std::string("Active");
+            if (isChanged && QByteArray::fromStdString(reading.path).endsWith(changed))
+                reading.value = std::string("another");
+        };
+        const auto opened = fixture.readings({encoder, referenceRegister});
+        VERIFY_RESULT(opened);
+        QCOMPARE(opened->tablePlace(), encoder + " from 0, 11 points every 10");
+        QVERIFY(opened->state().starts_with("crc:"));
+        const auto same = opened->read(fixture.link, {});
+        VERIFY_RESULT(same);
+        QVERIFY(same->isSamePlace);
+        isChanged = true;
+        const auto other = opened->read(fixture.link, {});
+        VERIFY_RESULT(other);
+        QCOMPARE(other->state, opened->state());
+        QVERIFY(!other->isSamePlace);
     }
 
     /// Plans are in mm or deg, whatever the axis is in.

@@ -3,6 +3,7 @@
 #include "core/conversion/table_export.h"
 #include "core/conversion/table_import.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/neutral/sign_note.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
 #include "core/table/tam_table.h"
@@ -416,6 +417,40 @@ private Q_SLOTS:
         back.sourceSign = SignConvention::Command;
         back.lookupAt = LookupAt::Set; // of neither of the two
         VERIFY_ERROR(convertTables(std::span(&table, 1), back), ErrorCode::InvalidArgument);
+    }
+
+    void aCalibrationFileSaysThatItHoldsCommandValues()
+    {
+        const NeutralTable table =
+            neutralTable({steepTable().grid, {steepTable()}, {lookupNote(LookupAt::Set)}});
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.targets = {"#1"};
+        request.targetSign = SignConvention::Command;
+        const auto command = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(command);
+        const std::string& file = command->written.bytes;
+        QVERIFY2(file.find("// sign: command\n") != std::string::npos, file.c_str());
+
+        // It is read so without being told, and what is made of it says it no more.
+        ImportChoices choices;
+        choices.place = {"#1", LookupAt::Set};
+        const auto import = imported(QStringLiteral("x.csv"), file, choices);
+        QVERIFY(import.data);
+        QVERIFY(import.sign == SignConvention::Command);
+        QCOMPARE(valuesOf(import), steepTable().values);
+        for (const std::string& note : import.data->notes)
+            QVERIFY2(note.find("sign:") == std::string::npos, note.c_str());
+
+        choices.sign = SignConvention::Feedback;
+        const auto refused = imported(QStringLiteral("x.csv"), file, choices);
+        QVERIFY(refused.refusal);
+        QVERIFY(contains({textOf(*refused.refusal)}, "the file says sign: command"));
+
+        // The statement of a measurement is none of these.
+        QVERIFY(!signOfTable(std::vector<std::string>{"sign: correction"}, std::nullopt).value());
+        QVERIFY(signOfTable(std::vector<std::string>{" Sign:  COMMAND ,,"}, std::nullopt).value()
+            == SignConvention::Command);
     }
 
     /// The drive knows the target of the file, but not whether its columns are those of the axis.
