@@ -8541,6 +8541,10 @@
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
         <translation>in {file} steht sign: command, und eine Tabelle, die aktiv war, enthält Werte der Geberseite (feedback): die Datei zuerst umwandeln und nehmen, was geschrieben wird</translation>
     </message>
+    <message>
+        <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
+        <translation>Die aktive Tabelle gilt für andere Positionen oder Quellen als am Anfang; die bisherigen Werte gehören zu der vorigen: Beginnen Sie eine neue Datei</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

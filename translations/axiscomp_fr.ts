@@ -8541,6 +8541,10 @@
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
         <translation>{file} dit sign: command, et une table qui était active contient des valeurs côté codeur (feedback)&#xa0;: convertir d&apos;abord le fichier et prendre ce qui est écrit</translation>
     </message>
+    <message>
+        <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
+        <translation>la table active porte sur d&apos;autres positions ou d&apos;autres sources qu&apos;au début&#xa0;; ce qui a été relevé appartient à la précédente&#xa0;: commencer un nouveau fichier</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

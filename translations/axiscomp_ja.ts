@@ -8500,6 +8500,10 @@
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
         <translation>{file} には sign: command とありますが、有効だったテーブルの値はフィードバック側 (feedback) です。先にファイルを変換し、書き出されたものを使ってください</translation>
     </message>
+    <message>
+        <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
+        <translation>有効なテーブルの位置またはソースが開始時と異なります。これまでの値は前のテーブルのものです。新しいファイルで始めてください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8500,6 +8500,10 @@
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
         <translation>{file} 中写的是 sign: command，而曾启用的表存放反馈侧 (feedback) 的值：请先转换该文件，再使用写出的结果</translation>
     </message>
+    <message>
+        <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
+        <translation>当前启用的表所对应的位置或源与开始时不同；已采集的值属于之前的表：请另起一个新文件</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
