@@ -38,7 +38,9 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
 void keepSpans(Grid& grid, const Grid& kept)
 {
     for (std::size_t n = 0; n < std::min(grid.axes.size(), kept.axes.size()); ++n) {
-        if (!areSamePositions(grid.axes[n], kept.axes[n]) || grid.axes[n].unit != kept.axes[n].unit)
+        const std::string& unit = kept.axes[n].unit; // empty: one was stated for it
+        if (!areSamePositions(grid.axes[n], kept.axes[n])
+            || (!unit.empty() && unit != grid.axes[n].unit))
             continue;
         grid.axes[n].start = kept.axes[n].start;
         grid.axes[n].distance = kept.axes[n].distance;

@@ -144,8 +144,8 @@ Result<void> checkJoinedDrive(
                 "measurements of the drive with the serial number {drive} and of the one with "
                 "{other} cannot be joined; take those of one drive, and where it was replaced in "
                 "between, correct the line // drive: of the files")
-                             .with("drive", Verbatim{std::to_string(*otherSerial)})
-                             .with("other", Verbatim{std::to_string(*serial)}));
+                             .with("drive", Verbatim{std::to_string(*serial)})
+                             .with("other", Verbatim{std::to_string(*otherSerial)}));
     }
     return {};
 }

@@ -98,7 +98,7 @@ private Q_SLOTS:
             "Position Forward Directional Avg Error\n0 0.001\n9 0.002\n"
             "Position Reverse Directional Avg Error\n0 0.001\n9 0.002\n"
             "Position Forward Directional Avg Error\n0 0.001\n",
-            {"8:0 DuplicateValue target 0 mm, up, run 2 in line 2 and in line 8|one mean"});
+            {"8:0 DuplicateValue target 0 mm, up, run 1 in line 2 and in line 8|one mean"});
         row("no kind", "runs", "// kind: means\n" + head + "0,+,1,1\n1,+,1,1\n",
             {"1:0 Syntax means|kind: runs, or kind: averages"});
         row("two kinds", "runs", "// kind: averages\n// kind: runs\n" + head + "0,+,1,1\n1,+,1,1\n",
@@ -201,7 +201,9 @@ private Q_SLOTS:
         row("a mean of both alone", "api-pos", both + "900 0.001\n" + forward,
             {"4:0 CountMismatch a position without a forward mean|the same positions in both"});
         row("another unit", "api-pos", "Units: mm\nUnits: inch\n" + forward,
-            {"2:0 UnitMissing Units: inch|mm, or both units stated"});
+            {"2:0 UnitMissing Units: inch|mm, or both units stated",
+                "4:0 CountMismatch a position without a bidirectional mean|",
+                "5:0 CountMismatch a position without a bidirectional mean|"});
         row("cycles", "ecmc",
             "CYCLES=2\nTGT_DATA[1]=0\nTGT_DATA[2]=1\nREF_DATA_FWD[1,1]=0\nREF_DATA_FWD[2,1]=1\n",
             {"0:0 CountMismatch CYCLES: 2, but 1 are there|"});
