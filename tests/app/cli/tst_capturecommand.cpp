@@ -443,7 +443,7 @@ private Q_SLOTS:
         const QByteArray expected =
             "// compensation: crc:" + QByteArray::number(crc, 16).rightJustified(8, '0') + "\n";
         QVERIFY2(file.contains(expected), file.constData());
-        QVERIFY2(file.contains("\n// table: Axes[0]/Signals/PositionController/MasterPosition from "
+        QVERIFY2(file.contains("\n// table: Axes[0]/Signals/PathPlanner/Position from "
                                "0, 3 points every 15\n"),
             file.constData());
         VERIFY_CODE(fixture.box.run({"deactivate", "--drive", drive, "--axis", "X"}), 0);

@@ -203,7 +203,7 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("x.lis",
             "kopf.achs_nr 1\nkw.ssfk.unit 1\nkw.ssfk.interval 100000\nkw.ssfk.kw_startpos 0\n"
-            "kw.ssfk.kw_nr_max 1\nkw.ssfk.bilateral 1\nkw.ssfk.modulo 0\n"
+            "kw.ssfk.kw_nr_max 2\nkw.ssfk.bilateral 1\nkw.ssfk.modulo 0\n"
             "kw.ssfk.table[0].pos 0\nkw.ssfk.table[0].neg 0.45\n"
             "kw.ssfk.table[1].pos 0.4\nkw.ssfk.table[1].neg 1.45\nEnd\n");
         const QStringList ofLis{"lookup", "x.lis", "10", "--set-in", "axis-kind=linear"};
