@@ -34,7 +34,7 @@ std::string homeFolder()
     return home != nullptr ? home : "";
 }
 
-std::string reportText(const Text& text)
+std::string shareableText(const Text& text)
 {
     return withoutSecrets(text.english(), homeFolder());
 }
@@ -52,8 +52,8 @@ Json reportJson(Json json, const std::string& home)
 
 std::string lineOf(const Finding& finding)
 {
-    const std::string found = reportText(finding.found);
-    return finding.wayOut.isEmpty() ? found : found + " -> " + reportText(finding.wayOut);
+    const std::string found = shareableText(finding.found);
+    return finding.wayOut.isEmpty() ? found : found + " -> " + shareableText(finding.wayOut);
 }
 
 Json timeJson(const std::optional<WallTime>& time)
@@ -303,9 +303,9 @@ std::string doctorText(const DoctorFacts& facts, const std::vector<FindingSectio
         for (const Finding& finding : section.findings) {
             std::string grade(gradeName(finding.grade));
             grade.resize(gradeName(Grade::Problem).size() + 2, ' ');
-            lines.emplace_back(grade + reportText(finding.name), lineOf(finding));
+            lines.emplace_back(grade + shareableText(finding.name), lineOf(finding));
         }
-        text += "\n" + reportText(section.title) + "\n" + labelled(lines, "  ");
+        text += "\n" + shareableText(section.title) + "\n" + labelled(lines, "  ");
     }
     const std::size_t problems = countOf(sections, Grade::Problem);
     text += "\n" + (problems == 0 ? "No problems" : plural(problems, "problem", "problems")) + ", "
