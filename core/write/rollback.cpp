@@ -2,6 +2,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
+#include "core/write/unfinished_write.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
 
@@ -52,8 +53,19 @@ Error WriteProcedure::rollBack(const Error& reason)
     }
     if (!undone && !hasOldState(access))
         return outcome(ErrorCode::RollbackFailed, reason, textOf(undone.error()));
+    if (const auto undoable = checkUndoable(); !undoable)
+        return outcome(ErrorCode::RollbackFailed, reason, textOf(undoable.error()));
     (void)closeJournal();
     return reason;
+}
+
+/// By the journal, which goes back to before the first write when this one finishes another.
+Result<void> WriteProcedure::checkUndoable() const
+{
+    if (!m_savedTouched || !deletesUnused())
+        return {};
+    AXISCOMP_TRY(const auto begun, UnfinishedWrite::load(m_access, m_journal));
+    return begun.checkUndoable();
 }
 
 /// Registers that are written one by one may have left the axis switched off, and a deletion begins
@@ -183,7 +195,8 @@ Result<void> WriteProcedure::undoRegisters(const RegisterAccess& access)
         if (auto same = compareRegisters(access, values); !same)
             return same;
     }
-    return m_savedTouched ? save(access) : Result<void>{};
+    // Otherwise what would be saved is not what a reboot would have brought back.
+    return m_savedTouched && checkUndoable() ? save(access) : Result<void>{};
 }
 
 /// Taking the new table out of the flash of its slot costs an operation. The axis has its old state

@@ -167,7 +167,7 @@ Result<void> WriteProcedure::deleteOldTable()
     AXISCOMP_CHECK(note("delete", 0.96));
     AXISCOMP_CHECK(m_access.checkDrive()); // what is read after saving may fail without a word
     const std::string& slot = m_write.plan.deletedSlot;
-    m_slotTouched = slot != m_write.plan.before.slot;
+    m_slotTouched = deletesUnused();
     m_flashTouched = changesPersistency();
     const auto deleted = deleteTable(m_access, slot);
     if (!deleted) {

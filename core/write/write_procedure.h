@@ -51,6 +51,7 @@ private:
 
     // Putting back, in reverse order.
     [[nodiscard]] Error rollBack(const Error& reason);
+    [[nodiscard]] Result<void> checkUndoable() const;
     [[nodiscard]] bool mayBeHalfWay() const;
     [[nodiscard]] Error otherDrive(const Error& reason, const Error& other) const;
     [[nodiscard]] Result<void> undo(const RegisterAccess& access);
@@ -73,6 +74,11 @@ private:
     [[nodiscard]] std::vector<std::string> touchedSlots() const;
     [[nodiscard]] bool isNewTable() const { return !m_write.file.empty(); }
     [[nodiscard]] bool deletes() const { return !m_write.plan.deletedSlot.empty(); }
+    /// The table of a slot that the axis does not use now.
+    [[nodiscard]] bool deletesUnused() const
+    {
+        return deletes() && m_write.plan.deletedSlot != m_write.plan.before.slot;
+    }
     [[nodiscard]] bool overwritesOwn() const;
     [[nodiscard]] bool switchesOff() const;
     [[nodiscard]] bool wantsPersistent() const;

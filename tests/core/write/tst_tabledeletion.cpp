@@ -7,6 +7,8 @@
 
 #include <QTest>
 
+#include <stop_token>
+
 namespace tst_tabledeletion {
 
 using namespace axiscomp;
@@ -31,7 +33,16 @@ struct Fixture : CompensatorFixture {
         return drive.download("tables/" + slot + ".TAMtbl").value_or(Bytes{}).empty();
     }
     [[nodiscard]] std::uint64_t flashTotal() { return store.flashHistory(4711).value().total; }
-    Result<WriteReport> deleteTable() { return compensator.write(0, deletionRequest()); }
+    Result<WriteReport> deleteTable()
+    {
+        std::stop_source stop;
+        OperationOptions options;
+        options.stop = stop.get_token();
+        link.stopUser = [&stop] { stop.request_stop(); };
+        auto report = compensator.write(0, deletionRequest(), options);
+        link.stopUser = {};
+        return report;
+    }
     /// A table that no axis uses, as a drive program puts it there.
     void fill(const std::string& slot, bool persistent)
     {
@@ -40,6 +51,24 @@ struct Fixture : CompensatorFixture {
         link.forgetChange();
     }
 };
+
+/// The axis uses none now; the saved parameters name the table in flash.
+struct DetachedFixture : Fixture {
+    DetachedFixture()
+    {
+        WriteRequest none;
+        none.withoutTable = true;
+        none.dimensionality = 3;
+        VERIFY_RESULT(compensator.write(0, none));
+    }
+};
+
+int exchangesOfDetachedDeletion()
+{
+    DetachedFixture c;
+    const int begin = c.link.exchanges();
+    return c.deleteTable() ? c.link.exchanges() - begin : 0;
+}
 
 } // namespace
 
@@ -249,31 +278,31 @@ private Q_SLOTS:
         QVERIFY(repeated > 1);
     }
 
-    /// The axis uses none now; the saved parameters name the table in flash.
+    void aDeletionOfWhatARebootBringsBackIsOnlyFinishedOnceParametersAreSaved_data()
+    {
+        QTest::addColumn<LinkFault>("fault");
+        QTest::newRow("the drive is gone") << LinkFault::DriveGoneAfter;
+        QTest::newRow("refused") << LinkFault::Refused;
+        QTest::newRow("stopped") << LinkFault::UserStops;
+    }
     void aDeletionOfWhatARebootBringsBackIsOnlyFinishedOnceParametersAreSaved()
     {
-        const auto detached = [](Fixture& c) {
-            WriteRequest none;
-            none.withoutTable = true;
-            none.dimensionality = 3;
-            VERIFY_RESULT(c.compensator.write(0, none));
-        };
-        Fixture whole;
-        detached(whole);
-        const int begin = whole.link.exchanges();
-        VERIFY_RESULT(whole.deleteTable());
-        const int exchanges = whole.link.exchanges() - begin;
+        QFETCH(LinkFault, fault);
+        const int exchanges = exchangesOfDetachedDeletion();
         int undone = 0;
         int finished = 0;
         for (int exchange = 1; exchange <= exchanges; ++exchange) {
-            Fixture c;
-            detached(c);
-            c.link.failAt(exchange, LinkFault::DriveGoneAfter);
-            static_cast<void>(c.deleteTable());
+            DetachedFixture c;
+            c.link.failAt(exchange, fault);
+            const auto deleted = c.deleteTable();
             c.link.heal();
             const auto entry = c.store.journal(4711, 0).value();
-            if (!entry)
+            if (!entry) {
+                c.drive.reboot();
+                QCOMPARE(c.text(tableOfX), std::string(deleted ? "Disabled" : "Small1"));
+                QCOMPARE(c.isEmpty("small1"), deleted.has_value());
                 continue;
+            }
             const auto recovery = c.compensator.recovery(*entry);
             VERIFY_RESULT(recovery);
             if (!recovery->undoObstacle) {
@@ -284,6 +313,7 @@ private Q_SLOTS:
                 ++undone;
                 continue;
             }
+            QVERIFY(!deleted);
             QCOMPARE(recovery->undoObstacle->code, ErrorCode::NotUndoable);
             VERIFY_ERROR(c.compensator.undoUnfinished(*entry), ErrorCode::NotUndoable);
             VERIFY_RESULT(c.compensator.finishUnfinished(*entry));
@@ -292,8 +322,68 @@ private Q_SLOTS:
             QVERIFY(c.isEmpty("small1"));
             ++finished;
         }
-        QVERIFY(undone > 0);
+        QVERIFY(undone > 0 || fault != LinkFault::DriveGoneAfter);
         QVERIFY(finished > 0);
+    }
+
+    /// They say what a reboot brings back, which nobody has read.
+    void puttingADeletionBackLeavesTheSavedParametersAsTheyAre()
+    {
+        const int exchanges = exchangesOfDetachedDeletion();
+        int savedNothing = 0;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            DetachedFixture c;
+            c.link.failAt(exchange, LinkFault::Refused);
+            const auto deleted = c.deleteTable();
+            c.link.heal();
+            if (deleted || deleted.error().code != ErrorCode::RollbackFailed)
+                continue;
+            QVERIFY(sentence(deleted.error()).find("can only be finished") != std::string::npos);
+            QVERIFY(!c.isEmpty("small1"));
+            c.drive.reboot();
+            QVERIFY(!c.isEmpty("small1"));
+            savedNothing += c.text(tableOfX) == "Small1" ? 1 : 0;
+        }
+        QVERIFY(savedNothing > 0);
+    }
+
+    /// The axis had the table before the first of the two, so that there is something to undo.
+    void finishingADeletionThatIsPutBackCanStillBeUndone()
+    {
+        const auto begun = [](Fixture& c) {
+            c.link.beginning = [&c](std::string_view what) {
+                if (what == "write")
+                    c.link.failAt(0, LinkFault::DriveGoneAfter);
+            };
+            static_cast<void>(c.deleteTable());
+            c.link.beginning = {};
+            c.link.heal();
+            return c.store.journal(4711, 0).value();
+        };
+        Fixture whole;
+        const auto first = begun(whole);
+        QVERIFY(first.has_value());
+        QCOMPARE(whole.text(tableOfX), std::string("Disabled"));
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.compensator.finishUnfinished(*first));
+        const int exchanges = whole.link.exchanges() - begin;
+        for (int exchange = 1; exchange <= exchanges; ++exchange) {
+            Fixture c;
+            const auto entry = begun(c);
+            QVERIFY(entry.has_value());
+            c.link.failAt(exchange, LinkFault::Refused);
+            const auto finished = c.compensator.finishUnfinished(*entry);
+            c.link.heal();
+            if (finished)
+                continue;
+            QVERIFY(finished.error().code != ErrorCode::RollbackFailed);
+            const auto left = c.store.journal(4711, 0).value();
+            QVERIFY(left.has_value());
+            VERIFY_RESULT(c.compensator.undoUnfinished(*left));
+            c.drive.reboot();
+            QCOMPARE(c.text(tableOfX), std::string("Small1"));
+            QVERIFY(!c.isEmpty("small1"));
+        }
     }
 
     void aSlotThatNoAxisUsesIsFreed_data()
