@@ -11,7 +11,6 @@
 #include "core/io/local_file.h"
 #include "core/machine/open_metrics.h"
 #include "core/machine/snapshot.h"
-#include "drivecomm/link/drive_endpoint.h"
 
 #include <filesystem>
 #include <memory>
@@ -88,17 +87,16 @@ Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& op
     return ExitCode::Done;
 }
 
-/// Addresses are labels: one that is there twice would give two samples of one name.
+/// Addresses are labels: one that is there twice would give two samples of one name. One that is
+/// none is a problem of its drive alone.
 Result<void> checkEndpoints(const MetricsOptions& options, const MachineRun& run)
 {
     std::set<std::string> known;
-    for (const MachineDriveRun& drive : run.drives) {
-        AXISCOMP_TRY(const auto endpoint, drivecomm::parseEndpoint(drive.wanted.endpoint));
-        if (!known.insert(drivecomm::displayText(endpoint)).second)
-            return wrongUsage("the drive at " + drivecomm::displayText(endpoint)
-                    + " is named twice; name each drive once",
+    for (const MachineDriveRun& drive : run.drives)
+        if (!drive.endpoint.empty() && !known.insert(drive.endpoint).second)
+            return wrongUsage(
+                "the drive at " + drive.endpoint + " is named twice; name each drive once",
                 options.machine.drive.command);
-    }
     return {};
 }
 

@@ -206,6 +206,22 @@ private Q_SLOTS:
         QCOMPARE(withoutAxis.value("axiscomp_axis_differs", {"name=\"Q\""}), 1.0);
         QCOMPARE(withoutAxis.value("axiscomp_axis_comparable", {"name=\"Q\""}), 0.0);
     }
+
+    void anAddressInAMachineFileThatIsNoneDoesNotEndTheMetrics()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        VERIFY_CODE(box.run({"snapshot", "--drive", drive.url(), "-o", "m"}), 0);
+        QByteArray machine = box.content("m/machine.toml");
+        QVERIFY(machine.contains(drive.url().toUtf8()));
+        box.file("m/machine.toml", machine.replace(drive.url().toUtf8(), "ftp://mill"));
+        const ProgramRun run = box.run({"metrics", "--machine", "m/machine.toml"});
+        VERIFY_CODE(run, 0);
+        QVERIFY(!run.err.isEmpty());
+        const ParsedMetrics metrics(run.out);
+        QVERIFY2(metrics.problem.isEmpty(), qPrintable(metrics.problem));
+        QCOMPARE(metrics.value("axiscomp_drive_up"), 0.0);
+    }
 };
 
 AXISCOMP_TEST(TestSnapshotCommands)
