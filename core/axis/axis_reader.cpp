@@ -82,19 +82,12 @@ AxisInfo infoFrom(const RegisterAccess& access, const Readings& readings, int ax
     return info;
 }
 
-std::vector<std::string> axisRegisterPaths(const RegisterAccess& access, int axis)
-{
-    std::vector<std::string> paths{access.axisPath(access.registers().table, axis)};
-    append(paths, access.axisPaths(access.registers().source, axis, 1, sourceCount));
-    return paths;
-}
-
 /// Everything about the axis that can be asked without knowing its slot and sources.
 std::vector<std::string> statusPaths(const RegisterAccess& access, int axis)
 {
     const RegisterPaths& names = access.registers();
     std::vector<std::string> paths = infoPaths(access, axis);
-    append(paths, axisRegisterPaths(access, axis));
+    append(paths, axisRegisterPaths(access.profile(), axis));
     for (const std::string& pattern : {names.activation, names.error, names.output})
         paths.push_back(access.axisPath(pattern, axis));
     append(paths, access.axisPaths(names.index, axis, 1, sourceCount));
@@ -303,7 +296,7 @@ Result<StatusReading> readStatusWith(const RegisterAccess& access, const DriveId
 
 Result<std::vector<RegisterWrite>> readAxisRegisters(const RegisterAccess& access, int axis)
 {
-    const std::vector<std::string> paths = axisRegisterPaths(access, axis);
+    const std::vector<std::string> paths = axisRegisterPaths(access.profile(), axis);
     AXISCOMP_TRY(auto readings, access.link().readRegisters(paths, access.exchange()));
     std::vector<RegisterWrite> registers;
     for (RegisterReading& reading : readings)
@@ -314,7 +307,7 @@ Result<std::vector<RegisterWrite>> readAxisRegisters(const RegisterAccess& acces
 std::vector<RegisterWrite> axisRegisters(
     const RegisterAccess& access, int axis, const CompensationSetup& setup)
 {
-    const std::vector<std::string> paths = axisRegisterPaths(access, axis);
+    const std::vector<std::string> paths = axisRegisterPaths(access.profile(), axis);
     const std::string table = setup.slot.empty() ? access.enums().tableDisabled : setup.slot;
     std::vector<RegisterWrite> registers{{paths[0], table}};
     for (std::size_t n = 0; n < sourceCount; ++n)

@@ -114,6 +114,16 @@ std::string expandPath(std::string_view pattern, const PathArguments& arguments)
     return result;
 }
 
+std::vector<std::string> axisRegisterPaths(const DriveProfile& profile, int axis)
+{
+    constexpr int mostSources = 3;
+    const RegisterPaths& names = profile.registers;
+    std::vector<std::string> paths{expandPath(names.table, {.axis = axis, .slot = {}, .n = {}})};
+    for (int n = 1; n <= mostSources; ++n)
+        paths.push_back(expandPath(names.source, {.axis = axis, .slot = {}, .n = n}));
+    return paths;
+}
+
 std::string unpackName(const std::vector<std::int32_t>& words)
 {
     std::string packed;

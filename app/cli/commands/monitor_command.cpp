@@ -4,6 +4,7 @@
 #include "app/cli/session/command_session.h"
 #include "app/common/number_checks.h"
 #include "app/common/number_text.h"
+#include "core/drive/drive_profile.h"
 
 #include <condition_variable>
 #include <mutex>
@@ -28,21 +29,11 @@ bool sleepUntil(std::chrono::steady_clock::time_point moment, const std::stop_to
     return !stop.stop_requested();
 }
 
-/// What decides which table is looked up, and where: its slot and the registers of its sources.
-std::vector<std::string> settingPaths(const DriveProfile& profile, int axis)
-{
-    constexpr int mostSources = 3;
-    const RegisterPaths& names = profile.registers;
-    std::vector<std::string> paths{expandPath(names.table, {.axis = axis, .slot = {}, .n = {}})};
-    for (int n = 1; n <= mostSources; ++n)
-        paths.push_back(expandPath(names.source, {.axis = axis, .slot = {}, .n = n}));
-    return paths;
-}
-
 /// Reads the registers of a running compensation in one request, line by line.
 class Monitor {
 public:
-    /// settings: of settingPaths, read before the status, so that whoever changes them is noticed.
+    /// settings: what decides which table is looked up, and where (axisRegisterPaths), read before
+    /// the status, so that whoever changes them is noticed.
     Monitor(Environment& environment, CommandSession& session, const AxisStatus& status,
         std::vector<RegisterReading> settings)
         : m_environment(environment)
@@ -176,7 +167,7 @@ private:
 Result<ExitCode> runMonitor(
     Environment& environment, CommandSession& session, int axis, const MonitorOptions& options)
 {
-    const std::vector<std::string> paths = settingPaths(session.profile(), axis);
+    const std::vector<std::string> paths = axisRegisterPaths(session.profile(), axis);
     auto settings = session.link().readRegisters(paths, session.exchange());
     // It says more clearly what is wrong with an axis.
     AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
