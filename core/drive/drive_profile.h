@@ -133,8 +133,8 @@ struct PathArguments {
 };
 [[nodiscard]] std::string expandPath(std::string_view pattern, const PathArguments& arguments);
 
-/// Of Table and the DimSources of an axis, in this order: what decides which table is looked up, and
-/// where.
+/// Of Table and the DimSources of an axis, in this order: what decides which table is looked up,
+/// and where.
 [[nodiscard]] std::vector<std::string> axisRegisterPaths(const DriveProfile& profile, int axis);
 
 /// Little-endian packed ASCII, as DeviceName and AxisName are kept; stops at the first zero byte.

@@ -398,6 +398,12 @@ std::vector<PlanProblem> DriveLook::problems(bool allowsMissing) const
     return problems;
 }
 
+bool doesAnyAnswer(std::span<const DriveLook* const> looks)
+{
+    return std::ranges::any_of(
+        looks, [](const DriveLook* look) { return look && !look->isMissing(); });
+}
+
 Result<DrivePlan> planDrive(AxisCompensator& compensator, const DriveProfile& profile,
     const MachineDrive& drive, std::span<const MachineTable> tables, const MachineContext& context,
     const OperationOptions& options)

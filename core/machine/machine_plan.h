@@ -65,6 +65,10 @@ struct DriveLook {
     [[nodiscard]] std::vector<PlanProblem> problems(bool allowsMissing) const;
 };
 
+/// Whether any drive of a machine answers; null: it was not asked. Where none does nothing is
+/// known, which is not that nothing differs: then none may be left out.
+[[nodiscard]] bool doesAnyAnswer(std::span<const DriveLook* const> looks);
+
 /// What a plan needs besides the drive.
 struct MachineContext {
     std::filesystem::path folder; ///< of the machine file

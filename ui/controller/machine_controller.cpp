@@ -385,6 +385,11 @@ QString MachineController::applyObstacle(bool allowsMissing) const
         return tr("Not all drives of the file are among the connections.");
     if (!obstacles(allowsMissing).empty())
         return tr("Nothing is written while something stands in the way of a part of it.");
+    std::vector<const DriveLook*> looks;
+    for (const Drive& drive : m_machine)
+        looks.push_back(drive.look.get());
+    if (!doesAnyAnswer(looks))
+        return tr("No drive of the file answers.");
     const bool isAnyChanged = std::ranges::any_of(m_machine, [this](const Drive& drive) {
         return drive.look && drive.look->plan
             && std::ranges::any_of(drive.look->plan->axes,

@@ -91,9 +91,10 @@ std::string placeOf(const MachineDriveRun& drive, const PlanProblem& problem)
 void addProblems(Environment& environment, const MachineOptions& options, const MachineRun& run,
     Problems& problems)
 {
-    // Where none answers nothing is known, which is not that nothing differs.
-    const bool allowsMissing =
-        options.allowsMissing && !std::ranges::all_of(run.drives, &MachineDriveRun::isMissing);
+    std::vector<const DriveLook*> looks;
+    for (const MachineDriveRun& drive : run.drives)
+        looks.push_back(&drive);
+    const bool allowsMissing = options.allowsMissing && doesAnyAnswer(looks);
     for (const MachineDriveRun& drive : run.drives) {
         if (drive.isMissing() && allowsMissing)
             environment.warn(

@@ -49,8 +49,8 @@ private Q_SLOTS:
         DriveProfile profile;
         profile.registers.table = "Axes[{axis}]/Table";
         profile.registers.source = "Axes[{axis}]/Dim{n}Source";
-        const std::vector<std::string> expected{"Axes[1]/Table", "Axes[1]/Dim1Source",
-            "Axes[1]/Dim2Source", "Axes[1]/Dim3Source"};
+        const std::vector<std::string> expected{
+            "Axes[1]/Table", "Axes[1]/Dim1Source", "Axes[1]/Dim2Source", "Axes[1]/Dim3Source"};
         QVERIFY(axisRegisterPaths(profile, 1) == expected);
     }
 

@@ -405,6 +405,22 @@ private Q_SLOTS:
         QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
     }
 
+    void whereNoDriveAnswersNothingIsKnown()
+    {
+        Machine all;
+        QVERIFY(all.bench.connect());
+        QVERIFY(all.open(all.writeBoth()));
+        for (const char* endpoint : {"http://x", "http://c"})
+            all.bench.drive(endpoint).gate.set(DriveGate::Mode::Gone);
+        all.machine().askAll();
+        for (const char* endpoint : {"http://x", "http://c"})
+            QTRY_COMPARE(all.drift(endpoint, 0).state, State::Unreachable);
+        QTRY_VERIFY(!all.machine().isAsking());
+        QVERIFY(!all.machine().obstacles(false).empty());
+        QCOMPARE(
+            all.machine().applyObstacle(true), QStringLiteral("No drive of the file answers."));
+    }
+
     void largeCorrectionsHaveToBeAcceptedInTheFile()
     {
         Machine all;
