@@ -349,7 +349,7 @@ void CompensationWizard::Private::tellDrive()
         drive.axis->source = lookupSource(
             *options.profile, status->axis.index, sourcePaths(controller.setup().edited()));
         if (const auto& table = status->table)
-            drive.held = TableIdentity{table->crc, table->grid};
+            drive.held = identityOf(*table);
         drive.table = controller.driveTable();
     }
     record.setDrive(drive);

@@ -6,6 +6,7 @@
 #include "core/drive/journal_entry.h"
 #include "core/drive/travel_coverage.h"
 #include "core/table/grid.h"
+#include "core/table/table_identity.h"
 
 #include <array>
 #include <cstdint>
@@ -52,6 +53,10 @@ struct TableHeader {
     std::uint32_t crc = 0;
     bool persistent = false;
 };
+
+/// Without a grid where the drive does not show all of it (NaN, the size 0): positions of which a
+/// part is known are not compared.
+[[nodiscard]] TableIdentity identityOf(const TableHeader& table);
 
 /// Everything the drive says about one axis, read at one instant where the profile allows.
 struct AxisStatus {

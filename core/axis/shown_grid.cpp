@@ -39,8 +39,7 @@ std::optional<GridDifference> differenceOf(const Grid& shown, const Grid& grid)
         if (drive.size != 0 && drive.size != axis.size)
             return GridDifference{TableField::Size, n, static_cast<double>(drive.size),
                 static_cast<double>(axis.size)};
-        // As much as a file with single precision may move the points.
-        const double rounding = 1e-3 * axis.distance;
+        const double rounding = largestPointShift * axis.distance;
         if (isElsewhere(drive.start, axis.start, rounding))
             return GridDifference{TableField::Start, n, drive.start, axis.start};
         if (isElsewhere(drive.distance, axis.distance, rounding / std::max(1U, axis.size - 1)))

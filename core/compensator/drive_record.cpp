@@ -162,7 +162,8 @@ Result<void> recordWrite(
     write.slot = now.setup.slot;
     write.isPersistent = now.table->persistent;
     write.crc = now.table->crc;
-    write.grid = spansOf(now.table->grid);
+    if (auto known = identityOf(*now.table); known.grid)
+        write.grid = spansOf(*std::move(known.grid));
     record.write = std::move(write);
     return {};
 }
@@ -177,7 +178,7 @@ Result<void> checkRecordTable(
             "it and notes that"));
     if (!status.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
-    const TableIdentity found{status.table->crc, status.table->grid};
+    const TableIdentity found = identityOf(*status.table);
     if (isSameTable(found, record.write->table()))
         return checkLookup(record, status, profile);
     if (found.crc == record.write->crc)

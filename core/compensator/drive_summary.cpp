@@ -28,8 +28,7 @@ std::optional<MeasuredFigures> measuredWith(
         return std::nullopt;
     auto known = DriveStore(storeRoot).measured(
         status.drive.serialNumber, status.axis.index, status.table->crc);
-    if (!known || !*known
-        || !isSameTable({status.table->crc, status.table->grid}, (*known)->table()))
+    if (!known || !*known || !isSameTable(identityOf(*status.table), (*known)->table()))
         return std::nullopt;
     return *std::move(known);
 }

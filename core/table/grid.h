@@ -41,6 +41,10 @@ struct Grid {
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
+/// As part of the distance: as much as a point may move where start and distance are rounded to
+/// single precision, and be the same point.
+inline constexpr double largestPointShift = 1e-3;
+
 /// The same sizes, starts and distances, NaN included, whatever the names and units.
 [[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
 

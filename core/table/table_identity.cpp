@@ -8,7 +8,7 @@ namespace axiscomp {
 
 bool areSamePositions(const GridAxis& a, const GridAxis& b)
 {
-    const double rounding = 1e-3 * std::min(a.distance, b.distance);
+    const double rounding = largestPointShift * std::min(a.distance, b.distance);
     return a.size == b.size && std::abs(a.start - b.start) <= rounding
         && std::abs(a.last() - b.last()) <= rounding;
 }

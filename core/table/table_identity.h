@@ -15,8 +15,8 @@ struct TableIdentity {
     std::optional<Grid> grid = {}; ///< nothing: not known, as of a file that notes the CRC alone
 };
 
-/// Whether no position differs by more than a thousandth of the distance: as much as a file with
-/// single precision may round. Whatever the names and units.
+/// Whether no position differs by more than single precision may round (largestPointShift).
+/// Whatever the names and units.
 [[nodiscard]] bool areSamePositions(const GridAxis& a, const GridAxis& b);
 
 /// Whether it is one table, as far as both are known: the same values over the same positions.

@@ -14,9 +14,6 @@ namespace axiscomp {
 
 namespace {
 
-/// A grid point may move by this part of the distance when start and distance are rounded to f32.
-constexpr double largestShift = 1e-3;
-
 tl::unexpected<Error> refused(Text reason)
 {
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
@@ -107,7 +104,7 @@ bool isSameGrid(const GridAxis& wanted, const GridAxis& stored)
 {
     const double shift =
         std::max(std::abs(stored.start - wanted.start), std::abs(stored.last() - wanted.last()));
-    return stored.distance > 0.0 && shift <= largestShift * wanted.distance;
+    return stored.distance > 0.0 && shift <= largestPointShift * wanted.distance;
 }
 
 /// As fields of these types hold it; nothing where they cannot.

@@ -36,7 +36,7 @@ bool hasSameTable(const AxisStatus& a, const AxisStatus& b)
 {
     if (!a.table || !b.table)
         return !a.table && !b.table;
-    return isSameTable({a.table->crc, a.table->grid}, {b.table->crc, b.table->grid})
+    return isSameTable(identityOf(*a.table), identityOf(*b.table))
         && a.setup.sources == b.setup.sources;
 }
 

@@ -439,8 +439,8 @@ void RecordActions::noteWrite()
     const auto& status = m_controller.status();
     if (!status || !status->table)
         return;
-    const auto has = [found = TableIdentity{status->table->crc, status->table->grid},
-                         &layout = m_profile.layout](const CalibrationRecord& record) {
+    const auto has = [found = identityOf(*status->table), &layout = m_profile.layout](
+                         const CalibrationRecord& record) {
         return hasTable(record, found, layout);
     };
     noteInRecords({has,
@@ -454,7 +454,7 @@ void RecordActions::noteProof()
     const auto& proof = m_controller.proof();
     if (!status || !status->table || !proof)
         return;
-    const TableIdentity found{status->table->crc, status->table->grid};
+    const TableIdentity found = identityOf(*status->table);
     const auto isWritten = [found](const CalibrationRecord& record) {
         return record.write && isSameTable(found, record.write->table());
     };

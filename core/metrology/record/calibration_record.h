@@ -135,7 +135,8 @@ struct RecordedWrite {
         friend bool operator==(const Proof&, const Proof&) = default;
     };
     std::optional<Proof> proof = {};
-    /// Where the values lie, as the drive shows it; nothing: older programs did not note it.
+    /// Where the values lie, as the drive shows it; nothing: it does not show all of it, or an
+    /// older program wrote it.
     std::optional<Grid> grid = {};
     OtherMembers others = {};
 

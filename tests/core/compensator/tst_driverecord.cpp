@@ -133,6 +133,36 @@ private Q_SLOTS:
         VERIFY_RESULT(checkRecordTable(record, status, profile()));
     }
 
+    void positionsThatTheDriveDoesNotShowAreNotCompared_data()
+    {
+        QTest::addColumn<double>("start");
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<int>("size");
+        QTest::newRow("start") << qQNaN() << 20.0 << 3;
+        QTest::newRow("distance") << 0.0 << qQNaN() << 3;
+        QTest::newRow("endless") << 0.0 << qInf() << 3;
+        QTest::newRow("size") << 0.0 << 20.0 << 0;
+    }
+
+    void positionsThatTheDriveDoesNotShowAreNotCompared()
+    {
+        QFETCH(const double, start);
+        QFETCH(const double, distance);
+        QFETCH(const int, size);
+        AxisStatus status = axisWithTable();
+        status.table->grid.axes[0] = {"", "", start, distance, static_cast<std::uint32_t>(size)};
+        VERIFY_RESULT(checkRecordTable(writtenRecord(), status, profile()));
+        CalibrationRecord record;
+        VERIFY_RESULT(recordWrite(record, status, "generic", WallTime{}));
+        QVERIFY(!record.write->grid);
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
+        const auto opened = recordFromText(recordText(record), "y.axcal");
+        VERIFY_RESULT(opened);
+        QVERIFY(opened->write == record.write);
+        status.table->crc = 1;
+        VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::InvalidArgument);
+    }
+
     void aTableOfTheRecordIsKnownInTheUnitOfItsAxis()
     {
         CompensationTable millimetres{{}, "mm", {{{"Y", "mm", 0.0, 20.0, 3}}}, {0.0F, 1.0F, 2.0F}};
