@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/write/previous_state.h"
 
+#include "core/axis/shown_grid.h"
 #include "core/table/tam_table.h"
 #include "core/write/kept_backup.h"
 
@@ -38,7 +39,7 @@ bool sameTable(const DriveProfile& profile, const AxisBackup::File& file, const 
         return false;
     const std::size_t elements = decoded->table.values.size() * sizeof(float);
     return crc32(ByteView(file.bytes).last(elements)) == status.table->crc
-        && sameSpans(decoded->table.grid, status.table->grid);
+        && isShownAs(status.table->grid, decoded->table.grid);
 }
 
 bool isCurrent(const DriveProfile& profile, const AxisBackup& backup, const AxisStatus& status)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Drives that say yes and do something else, or lack what others have.
+#include "core/write/previous_state.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -69,6 +70,29 @@ WriteRequest requestFrom30()
         axis.distance = 10.0;
     }
     return request;
+}
+
+/// Whose start and distance are no numbers of single precision.
+WriteRequest requestOfFinePositions()
+{
+    WriteRequest request = exampleRequest();
+    request.table->grid.axes[0].start = 12345.6789;
+    request.table->grid.axes[0].distance = 0.01;
+    request.acceptsLarge = true;
+    return request;
+}
+
+/// A drive that shows the positions of its tables in single precision, or not at all.
+std::function<void(RegisterReading&)> positionsShown(bool isShown)
+{
+    return [isShown](RegisterReading& reading) {
+        const bool isPosition = reading.path.find("/Header/") != std::string::npos
+            && std::holds_alternative<double>(reading.value);
+        if (isPosition)
+            reading.value = isShown
+                ? static_cast<double>(static_cast<float>(toDouble(reading.value)))
+                : std::numeric_limits<double>::quiet_NaN();
+    };
 }
 
 bool switchesOff(const RegisterWrite& write)
@@ -207,18 +231,8 @@ private Q_SLOTS:
     {
         QFETCH(bool, isShown);
         CompensatorFixture f;
-        f.link.altersReading = [isShown](RegisterReading& reading) {
-            const bool isPosition = reading.path.find("/Header/") != std::string::npos
-                && std::holds_alternative<double>(reading.value);
-            if (isPosition)
-                reading.value = isShown
-                    ? static_cast<double>(static_cast<float>(toDouble(reading.value)))
-                    : std::numeric_limits<double>::quiet_NaN();
-        };
-        WriteRequest request = requestFrom30();
-        request.table->grid.axes[0].start = 12345.6789;
-        request.table->grid.axes[0].distance = 0.01;
-        request.acceptsLarge = true;
+        f.link.altersReading = positionsShown(isShown);
+        WriteRequest request = requestOfFinePositions();
         VERIFY_RESULT(f.compensator.write(0, request));
         const auto read = f.compensator.readTable(0);
         VERIFY_RESULT(read);
@@ -226,6 +240,26 @@ private Q_SLOTS:
         VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::NothingToWrite);
         request.table->grid.axes[0].start += 1e-6;
         VERIFY_RESULT(f.compensator.write(0, request)); // the file says more than the registers
+    }
+
+    void aBackupOfWhatTheAxisHasIsNotItsPreviousState_data()
+    {
+        positionsThatTheDriveShowsRoundedOrNotAtAllAreNoOthers_data();
+    }
+    void aBackupOfWhatTheAxisHasIsNotItsPreviousState()
+    {
+        QFETCH(bool, isShown);
+        CompensatorFixture f;
+        f.link.altersReading = positionsShown(isShown);
+        VERIFY_RESULT(f.compensator.write(0, requestOfFinePositions()));
+        const auto now = f.compensator.backup();
+        VERIFY_RESULT(now);
+        VERIFY_RESULT(f.store.saveBackup(now->axes.at(0)));
+        const auto status = f.compensator.status(0);
+        VERIFY_RESULT(status);
+        const auto previous = previousState(f.store, drivecomm::genericProfile(), *status);
+        VERIFY_RESULT(previous);
+        QVERIFY(previous->backup.files.empty()); // of before the write
     }
 
     void aTableWhosePositionsTheFileRoundsIsThereTheNextTime()
