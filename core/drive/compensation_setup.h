@@ -37,6 +37,9 @@ struct CompensationSetup {
     friend bool operator==(const CompensationSetup&, const CompensationSetup&) = default;
 };
 
+/// Of a source that is set: its path, or its address where the register is not known: "0x0000abcd".
+[[nodiscard]] std::string sourceName(const DimSource& source);
+
 /// `tam://mc/<drive>/<path>`
 [[nodiscard]] std::string sourceUri(const std::string& drive, const std::string& path);
 

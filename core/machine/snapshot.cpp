@@ -28,9 +28,7 @@ std::vector<std::string> sourcesOf(const CompensationSetup& setup)
 {
     std::vector<std::string> sources;
     for (const DimSource& source : setup.sources)
-        sources.push_back(!source.isSet() ? std::string()
-                : source.path.empty()     ? "0x" + crcText(source.address)
-                                          : source.path);
+        sources.push_back(source.isSet() ? sourceName(source) : std::string());
     while (!sources.empty() && sources.back().empty())
         sources.pop_back();
     return sources;

@@ -50,16 +50,11 @@ const char* persistencyText(Persistency persistency)
     return persistency == Persistency::Persistent ? "persistent" : "volatile";
 }
 
-std::string hexText(std::uint32_t number)
-{
-    return "0x" + crcText(number);
-}
-
 std::string sourceText(const std::string& drive, const DimSource& source)
 {
     if (!source.isSet())
         return "none";
-    return source.path.empty() ? hexText(source.address) : sourceUri(drive, source.path);
+    return source.path.empty() ? sourceName(source) : sourceUri(drive, source.path);
 }
 
 } // namespace
@@ -74,7 +69,7 @@ Text setupText(const CompensationSetup& setup)
     std::vector<std::string> sources;
     for (const DimSource& source : setup.sources) {
         if (source.isSet())
-            sources.push_back(source.path.empty() ? hexText(source.address) : source.path);
+            sources.push_back(sourceName(source));
     }
     TextPattern pattern = sources.empty()
         ? AXISCOMP_TEXT("Error", "{table} (CRC {crc}), volatile")
@@ -303,13 +298,12 @@ void WritePlanner::noteUnknownUnits(const Grid& grid)
         const bool isUsual = isCelsius(unit) && profile.isTemperature(source.path);
         if (unit.empty() || isUsual || !source.isSet() || profile.axisOfPosition(source.path))
             continue;
-        const std::string name = source.path.empty() ? hexText(source.address) : source.path;
         plan.unitRemarks.push_back(AXISCOMP_TEXT("Error",
             "The positions of dimension {number} are written in {unit} as they stand: the profile "
             "does not say the unit of {source}.")
                                        .with("number", n + 1)
                                        .with("unit", unit)
-                                       .with("source", Verbatim{name}));
+                                       .with("source", Verbatim{sourceName(source)}));
     }
 }
 

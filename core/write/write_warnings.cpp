@@ -2,7 +2,6 @@
 //
 // What a person should know before a write.
 #include "core/drive/axis_target.h"
-#include "core/text/crc_text.h"
 #include "core/text/number_text.h"
 #include "core/write/lookup_side.h"
 #include "core/write/write_planner.h"
@@ -126,12 +125,11 @@ void WritePlanner::warnOfUnknownKinds()
             || !profile.axisOfPosition(plan.before.sources[n].path)
             || profile.axisOfPosition(source.path))
             continue;
-        const std::string name = source.path.empty() ? "0x" + crcText(source.address) : source.path;
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The table stays, its dimension {number} has positions of an axis, and the profile "
             "does not say what {source} is. Write the table that was made for this source.")
                                     .with("number", n + 1)
-                                    .with("source", Verbatim{name}));
+                                    .with("source", Verbatim{sourceName(source)}));
     }
 }
 

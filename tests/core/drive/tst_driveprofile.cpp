@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drive/compensation_setup.h"
 #include "core/drive/drive_profile.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -42,6 +43,12 @@ private Q_SLOTS:
     {
         QCOMPARE(expandPath("Axes[{axis}]/Dim{n}Source", {0, {}, {}}), "Axes[0]/Dim{n}Source");
         QCOMPARE(expandPath("Tables/{slot}", {}), "Tables/{slot}");
+    }
+
+    void aSourceIsNamedByItsPathOrByItsAddress()
+    {
+        QCOMPARE(sourceName({0xABCD, "Axes[0]/Signals/Position"}), "Axes[0]/Signals/Position");
+        QCOMPARE(sourceName({0xABCD, {}}), "0x0000abcd");
     }
 
     void theTableAndEverySourceOfAnAxisAreItsRegisters()
