@@ -326,6 +326,11 @@ Text togetherText(const Error& error)
         error.context};
 }
 
+constexpr TextPattern otherLayout = AXISCOMP_TEXT("Error",
+    "the drive does not read the table in {slot} as the layout of the profile has it: of dimension "
+    "{dimension} the drive shows {found} where the layout has {expected}. Compare {layout} in the "
+    "profile with the drive's table file");
+
 /// The sentence of an error with an argument that not each of its kind has. The first that fits
 /// counts.
 struct Variant {
@@ -391,18 +396,8 @@ constexpr std::array variants{
             "state: it is not activated. Finish that write with 'axiscomp recover "
             "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
             "state is kept in {backup}")},
-    Variant{ErrorCode::InvalidTable, "layout",
-        AXISCOMP_TEXT("Error",
-            "the drive does not read the table in {slot} as the layout of the profile has it: of "
-            "dimension {dimension} the drive shows {found} where the layout has {expected}. "
-            "Compare "
-            "{layout} in the profile with the drive's table file")},
-    Variant{ErrorCode::VerifyMismatch, "layout",
-        AXISCOMP_TEXT("Error",
-            "the drive does not read the table in {slot} as the layout of the profile has it: of "
-            "dimension {dimension} the drive shows {found} where the layout has {expected}. "
-            "Compare "
-            "{layout} in the profile with the drive's table file")},
+    Variant{ErrorCode::InvalidTable, "layout", otherLayout},
+    Variant{ErrorCode::VerifyMismatch, "layout", otherLayout},
     Variant{ErrorCode::VerifyMismatch, "half",
         AXISCOMP_TEXT("Error",
             "a write that did not end has left axis {axis} in neither its old nor its new state: "

@@ -3,6 +3,7 @@
 
 #include "core/drive/axis_target.h"
 #include "core/metrology/fit/known_tables.h"
+#include "core/neutral/drive_note.h"
 #include "core/store/backup_json.h"
 #include "core/table/position_unit.h"
 #include "core/table/tam_table.h"
@@ -33,11 +34,11 @@ Text axisText(int index, const std::string& name, const std::string& drive, std:
         .with("serial", Verbatim{std::to_string(serial)});
 }
 
-/// The axis X of a twin machine has another error.
-Result<void> checkMeasuredDrive(const CalibrationRecord& record, const AxisStatus& status)
+/// checkMeasuredDrive, with the way out of a record.
+Result<void> checkDriveOfRecord(const CalibrationRecord& record, const AxisStatus& status)
 {
     const auto measured = record.before ? statedDrive(*record.before) : std::nullopt;
-    if (!measured || *measured == status.drive.serialNumber)
+    if (checkMeasuredDrive(measured, status.drive.serialNumber))
         return {};
     return notOfRecord(AXISCOMP_TEXT("Error",
         "the record was made of a measurement of the drive with the serial number {measured}, and "
@@ -113,7 +114,7 @@ Grid spansOf(Grid grid)
 
 Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& status)
 {
-    AXISCOMP_CHECK(checkMeasuredDrive(record, status));
+    AXISCOMP_CHECK(checkDriveOfRecord(record, status));
     if (!record.drive
         || (record.drive->serialNumber == status.drive.serialNumber
             && record.drive->axis == status.axis.index))
