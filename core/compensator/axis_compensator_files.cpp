@@ -7,6 +7,7 @@
 #include "core/table/tam_table.h"
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
+#include "core/write/restored_axis.h"
 #include "core/write/write_planner.h"
 
 namespace axiscomp {
@@ -206,6 +207,9 @@ Result<std::vector<WriteRequest>> AxisCompensator::restoreRequests(
     AXISCOMP_CHECK(checkRestorable(access, backup, drive, force));
     for (const AxisBackup::File& file : backup.otherFiles)
         AXISCOMP_CHECK(d->slotOf(file));
+    if (!backup.otherFiles.empty()) // which no axis has checked
+        for (const AxisBackup& axis : backup.axes)
+            AXISCOMP_CHECK(checkLayout(axis, d->profile, drive.serialNumber));
     std::vector<WriteRequest> requests;
     for (const AxisBackup& axis : backup.axes) {
         AXISCOMP_TRY(auto request, restoreRequest(access, d->sources, axis));

@@ -36,39 +36,27 @@ bool holdsTable(const AxisBackup& backup)
         backup.files, [](const AxisBackup::File& file) { return !file.bytes.empty(); });
 }
 
-/// That the bytes of its files mean what they meant. Where nothing but the profile of that drive
-/// has changed, as when it was put right, they are the drive's own all the same.
-Result<void> checkFileLayout(
-    const RegisterAccess& access, const AxisBackup& backup, std::vector<Text>& doubts)
+/// That the bytes of its files mean what they meant. now: as describeAxis has it.
+Result<void> checkFileLayout(const RegisterAccess& access, const AxisBackup& backup,
+    const AxisBackup& now, std::vector<Text>& doubts)
 {
-    const DriveProfile& profile = access.profile();
-    const std::string layout = layoutText(profile.layout);
-    if (backup.layout == layout)
+    if (backup.layout == now.layout)
         return {};
     AXISCOMP_TRY(const auto drive, access.identify());
-    const bool isOtherDrive = drive.serialNumber != backup.drive.serialNumber;
     if (backup.layout.empty()) {
-        if (isOtherDrive)
+        if (drive.serialNumber != backup.drive.serialNumber)
             doubts.push_back(AXISCOMP_TEXT("Error",
                 "The backup of axis {axis} does not say with which profile it was made; its table "
                 "is read with the profile {profile}.")
                                  .with("axis", backup.axis)
-                                 .with("profile", profile.name));
+                                 .with("profile", now.profile));
         return {};
     }
-    if (isOtherDrive || backup.profile != profile.name)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error",
-                    "the backup was made with the profile {before}, which has another layout of "
-                    "table files than {profile}: restore it with that profile (--profile), or, on "
-                    "a drive that needs the other one, write the table from its file")
-                    .with("before", Verbatim{backup.profile})
-                    .with("profile", profile.name)}});
+    AXISCOMP_CHECK(checkLayout(backup, access.profile(), drive.serialNumber));
     doubts.push_back(AXISCOMP_TEXT("Error",
         "The layout of table files in the profile {profile} has been changed since the backup was "
         "made: see that the table is right.")
-                         .with("profile", profile.name));
+                         .with("profile", now.profile));
     return {};
 }
 
@@ -87,6 +75,24 @@ Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
 }
 
 } // namespace
+
+Result<void> checkLayout(
+    const AxisBackup& backup, const DriveProfile& profile, std::int32_t serialNumber)
+{
+    if (backup.layout.empty() || backup.layout == layoutText(profile.layout))
+        return {};
+    const bool isOtherDrive = serialNumber != backup.drive.serialNumber;
+    if (isOtherDrive || backup.profile != profile.name)
+        return fail(ErrorCode::InvalidArgument,
+            {{"reason",
+                AXISCOMP_TEXT("Error",
+                    "the backup was made with the profile {before}, which has another layout of "
+                    "table files than {profile}: restore it with that profile (--profile), or, on "
+                    "a drive that needs the other one, write the table from its file")
+                    .with("before", Verbatim{backup.profile})
+                    .with("profile", profile.name)}});
+    return {};
+}
 
 Result<void> describeAxis(
     const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup)
@@ -133,7 +139,7 @@ Result<RestoredAxis> checkSameAxis(
                                   .with("after", Verbatim{now.axisName}));
     if (!holdsTable(backup))
         return axis;
-    AXISCOMP_CHECK(checkFileLayout(access, backup, axis.doubts));
+    AXISCOMP_CHECK(checkFileLayout(access, backup, now, axis.doubts));
     AXISCOMP_CHECK(checkUnits(backup, now));
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
         axis.doubts.push_back(AXISCOMP_TEXT("Error",

@@ -3,7 +3,10 @@
 
 #include "core/axis/register_access.h"
 #include "core/axis/source_directory.h"
+#include "core/drive/drive_profile.h"
 #include "core/store/backup.h"
+
+#include <cstdint>
 
 namespace axiscomp {
 
@@ -12,6 +15,12 @@ namespace axiscomp {
 /// nobody could tell later that the same numbers mean something else.
 [[nodiscard]] Result<void> describeAxis(
     const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup);
+
+/// That the profile reads the files of a backup as they were meant, as far as the backup says.
+/// Where nothing but the profile of that drive has changed, as when it was put right, they are the
+/// drive's own all the same. serialNumber: of the drive that gets them. Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkLayout(
+    const AxisBackup& backup, const DriveProfile& profile, std::int32_t serialNumber);
 
 /// The axis of a backup, as it is on the drive.
 struct RestoredAxis {

@@ -392,6 +392,30 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.planRestore(ofAnother, true));
     }
 
+    void noTableThatNoAxisUsedIsRestoredWithAnotherLayoutEither()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        WriteRequest none;
+        none.withoutTable = true;
+        none.sources = {"", "", ""};
+        none.dimensionality = 3;
+        VERIFY_RESULT(f.compensator.write(0, none));
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        QVERIFY(!backup->otherFiles.empty());
+        const DriveProfile mine = transposing("mine");
+        AxisCompensator other(f.link, mine, f.store);
+        const auto refused = other.planRestore(*backup, true);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(refused.error()).starts_with("the backup was made with the profile"));
+        VERIFY_ERROR(other.restore(*backup, true), ErrorCode::InvalidArgument);
+        DriveBackup without = *backup;
+        without.otherFiles.clear();
+        VERIFY_RESULT(other.planRestore(without, true));
+        VERIFY_RESULT(f.compensator.planRestore(*backup, true));
+    }
+
     void aBackupThatSaysNoLayoutIsRestoredToAnotherDriveWithAWarning()
     {
         CompensatorFixture f;
