@@ -7,7 +7,6 @@
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
 #include "core/neutral/sign_note.h"
-#include "core/table/table_identity.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -31,19 +30,6 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
             && csv::isNoValue(diagnostic.found.english());
     default:
         return diagnostic.severity == Severity::Warning;
-    }
-}
-
-/// A distance that is computed from positions is not the same to the last bit.
-void keepSpans(Grid& grid, const Grid& kept)
-{
-    for (std::size_t n = 0; n < std::min(grid.axes.size(), kept.axes.size()); ++n) {
-        const std::string& unit = kept.axes[n].unit; // empty: one was stated for it
-        if (!areSamePositions(grid.axes[n], kept.axes[n])
-            || (!unit.empty() && unit != grid.axes[n].unit))
-            continue;
-        grid.axes[n].start = kept.axes[n].start;
-        grid.axes[n].distance = kept.axes[n].distance;
     }
 }
 
@@ -84,8 +70,7 @@ private:
     [[nodiscard]] bool takeSign(const std::vector<std::string>& notes);
     void take(CalibrationData data);
     void refuseIncomplete();
-    void convert(const std::vector<NeutralTable>& whole, const Grid* kept = nullptr);
-    [[nodiscard]] bool keepsPositions(const NeutralTable& table) const;
+    void convert(const std::vector<NeutralTable>& whole);
     [[nodiscard]] Result<CompensationTable> converted(
         const NeutralTable& column, std::shared_ptr<const NeutralTable> beside);
     void keepName(CompensationTable& table);
@@ -148,8 +133,7 @@ void Import::take(CalibrationData data)
     if (!takeSign(data.notes))
         return;
     if (m_request.choices.isConversion() || m_result.sign == SignConvention::Command) {
-        const std::vector tables{neutralTable(data)};
-        convert(tables, keepsPositions(tables.front()) ? &data.grid : nullptr);
+        convert(std::vector{neutralTable(data)});
         return;
     }
     for (CompensationTable& table : data.tables)
@@ -266,16 +250,7 @@ void Import::keepName(CompensationTable& table)
         table.name = name + " (" + std::to_string(n) + ')';
 }
 
-/// What is stated of a table for the drive, as its target, moves none of its positions.
-bool Import::keepsPositions(const NeutralTable& table) const
-{
-    const ImportChoices& choices = m_request.choices;
-    return m_result.sign.value_or(table.sign) == calibration_csv::format().facts.sign
-        && choices.resampling.kind == ResamplingChoice::Kind::None;
-}
-
-/// kept: the even grid that the tables have, and keep; null: they get one.
-void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
+void Import::convert(const std::vector<NeutralTable>& whole)
 {
     const std::vector<NeutralTable> tables = separateColumns(whole);
     m_result.sourceAxes = static_cast<int>(tables.front().axes.size());
@@ -297,8 +272,6 @@ void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
         auto one = converted(tables[n], sourcesBeside(whole, n));
         if (!one)
             return refuse(one.error());
-        if (kept)
-            keepSpans(one->grid, *kept);
         data.tables.push_back(*std::move(one));
     }
     data.grid = data.tables.front().grid;
