@@ -317,6 +317,7 @@ void takeCounts(Unit& unit, const Text& found, const TextReading& reading)
         return;
     }
     unit.name = "counts";
+    unit.setting = countsPerUnit.key;
     reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, unit.place.line, unit.place.column,
         found,
         AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
@@ -369,15 +370,16 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
 
 bool areKnownApart(const Unit& positions, const Unit& values, DiagnosticList& diagnostics)
 {
+    // Values in counts are not added to positions without a unit: whoever converts refuses that.
     const bool areApart = !positions.setting.empty() && !values.setting.empty()
-        && positions.setting != values.setting;
+        && positions.setting != values.setting && values.setting != countsPerUnit.key;
     if (!areApart || (!positions.name.empty() && !values.name.empty()))
         return true;
     diagnostics.error(DiagnosticCode::UnitNotGiven, values.place.line, values.place.column,
-        AXISCOMP_TEXT("Error", "primary and secondary units in one table"),
+        AXISCOMP_TEXT("Error", "two kinds of units in one table"),
         AXISCOMP_TEXT("Error", "the settings {key} and {key2}")
-            .with("key", primaryUnit.key)
-            .with("key2", secondaryUnit.key));
+            .with("key", positions.setting)
+            .with("key2", values.setting));
     return false;
 }
 

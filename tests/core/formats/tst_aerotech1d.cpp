@@ -129,8 +129,13 @@ void describe(test::FormatSample& sample)
     row("divided by 0", with("METRIC/1000", "METRIC/0"), "2:38 Syntax METRIC/0|CORUNIT=METRIC");
     row("two units of which a setting says one",
         with("METRIC CORUNIT=METRIC", "PRIMARY CORUNIT=SECONDARY"),
-        "2:39 UnitNotGiven primary and secondary units in one table|the settings primary-unit and "
+        "2:39 UnitNotGiven two kinds of units in one table|the settings primary-unit and "
         "secondary-unit");
+    sample.problem("values without a unit at positions in counts",
+        with("METRIC CORUNIT=METRIC", "COUNTS CORUNIT=PRIMARY"),
+        "2:38 UnitNotGiven two kinds of units in one table|the settings counts-per-unit and "
+        "primary-unit",
+        {}, FormatSettings{});
     sample.problem("inches of a rotary axis",
         with("METRIC CORUNIT=METRIC", "METRIC CORUNIT=ENGLISH"),
         "2:38 Contradiction CORUNIT ENGLISH of the rotary axis 1|METRIC, which is degrees there",
