@@ -316,7 +316,7 @@ void takeCounts(Unit& unit, const Text& found, const TextReading& reading)
         takeUserUnit(unit, primaryUnit, found, reading);
         return;
     }
-    unit.name = "counts";
+    unit.name = countsUnit;
     unit.setting = countsPerUnit.key;
     reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, unit.place.line, unit.place.column,
         found,
@@ -381,21 +381,6 @@ bool areKnownApart(const Unit& positions, const Unit& values, DiagnosticList& di
             .with("key", positions.setting)
             .with("key2", values.setting));
     return false;
-}
-
-Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
-{
-    const auto given = settings.find(countsPerUnit.key);
-    const auto number = given == settings.end() ? std::nullopt : numberOf(given->second);
-    if (!number || *number > 0.0)
-        return {};
-    return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            AXISCOMP_TEXT("Error",
-                "the setting {key} of the format {format} is {value}, expected a number above 0")
-                .with("key", given->first)
-                .with("format", facts.name)
-                .with("value", given->second)}});
 }
 
 bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& diagnostics)

@@ -67,8 +67,6 @@ struct Unit {
 /// both, so that values would be taken to be in the unit of the positions.
 [[nodiscard]] bool areKnownApart(
     const Unit& positions, const Unit& values, DiagnosticList& diagnostics);
-/// Errors: InvalidArgument for counts per unit that are not above 0.
-[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
 
 /// False, with an error, when a divided unit makes values that no double holds.
 [[nodiscard]] bool areFinite(

@@ -141,6 +141,8 @@ void describe(test::FormatSample& sample)
         "2:38 Contradiction CORUNIT ENGLISH of the rotary axis 1|METRIC, which is degrees there",
         {}, FormatSettings{{"rotary-axes", "1"}});
     sample.refusesReading("no counts", {{"counts-per-unit", "0"}}, "expected a number above 0");
+    sample.refusesReading(
+        "counts that are no number", {{"counts-per-unit", "x"}}, "expected a number such as 0.5");
     row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
         "3:18 Contradiction OFFSET a second time|each option once");
     row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");
