@@ -21,7 +21,6 @@ constexpr std::string_view tableKey = "// table: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
-constexpr std::string_view driveKey = "// drive: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -44,20 +43,15 @@ std::string unitOf(const MeasuringPlan& plan)
 /// "// drive: Demo-X, serial number 4711"
 std::string driveLine(const DriveIdentity& drive)
 {
-    std::string line(driveKey);
-    if (!drive.name.empty())
-        line += drive.name + ", ";
-    return line.append(driveSerialKey) + std::to_string(drive.serialNumber);
+    return "// " + driveNote(driveText(drive.name, drive.serialNumber));
 }
 
 /// Whether a line says another serial number than that of the drive.
 bool isOfAnotherDrive(std::string_view line, const DriveIdentity& drive)
 {
-    if (!line.starts_with(driveKey))
-        return false;
-    const std::size_t serial = line.rfind(driveSerialKey);
-    return serial != std::string_view::npos
-        && line.substr(serial + driveSerialKey.size()) != std::to_string(drive.serialNumber);
+    const auto stated = line.starts_with("//") ? statedIn(line.substr(2), driveKey) : std::nullopt;
+    return stated && stated->find(driveSerialKey) != std::string_view::npos
+        && driveSerialIn(*stated) != drive.serialNumber;
 }
 
 std::string columnLine(const MeasuringPlan& plan)

@@ -4,6 +4,7 @@
 #include "core/csv/grid_reader.h"
 #include "core/csv/table_reader.h"
 #include "core/io/local_file.h"
+#include "core/neutral/sign_note.h"
 #include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
@@ -86,20 +87,11 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
     data.notes.erase(note);
 }
 
-/// A statement that files of measurements know.
-bool isOfSign(std::string_view note)
-{
-    constexpr std::string_view key = "sign:";
-    return sameLetters(trimmed(note).substr(0, key.size()), key);
-}
-
-/// Here it changes nothing.
+/// A statement that files of measurements know: here it changes nothing.
 void warnOfSign(const CalibrationData& data, DiagnosticList& diagnostics)
 {
     for (const std::string& note : data.notes)
-        if (isOfSign(note)
-            && sameLetters(
-                trimmed(std::string_view(note).substr(note.find(':') + 1)), "correction"))
+        if (const auto sign = statedIn(note, signKey); sign && sameLetters(*sign, "correction"))
             diagnostics.warning(DiagnosticCode::Assumption, 0, 0, Verbatim{note},
                 AXISCOMP_TEXT("Error",
                     "nothing: the values of a calibration file are reference minus encoder, "
@@ -229,7 +221,7 @@ std::string mereNote(std::string_view note)
 std::vector<std::string> withoutStatements(std::vector<std::string> notes)
 {
     for (std::string& note : notes)
-        if (isOfSign(note) || targetInComment(trimmed(note)))
+        if (statedIn(note, signKey) || targetInComment(trimmed(note)))
             note = mereNote(note);
     return notes;
 }

@@ -5,8 +5,12 @@
 #include "core/csv/cell_reader.h"
 #include "core/csv/header.h"
 #include "core/csv/scattered.h"
+#include "core/neutral/drive_note.h"
+#include "core/neutral/lookup_note.h"
+#include "core/neutral/sign_note.h"
 #include "core/table/target_axis.h"
 #include "core/text/line_reader.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <array>
@@ -23,6 +27,13 @@ constexpr std::size_t mostPieceBytes = std::size_t{1} << 18U;
 /// After which it is asked whether what is read can be a grid.
 constexpr std::size_t firstBytes = std::size_t{1} << 18U;
 static_assert(mostPieceBytes / 5 + 1 < std::numeric_limits<std::uint16_t>::max());
+
+/// A comment that changes numbers, or says to which drive they may go.
+bool isStatement(std::string_view comment)
+{
+    return targetInComment(comment) || statedIn(comment, signKey) || statedIn(comment, lookupKey)
+        || statedIn(comment, driveKey);
+}
 
 class Scanner {
 public:
@@ -122,12 +133,11 @@ void Scanner::readLine()
         readDataLine(line, lineNumber);
 }
 
-/// A file may have more comments than data; the target, which changes numbers, is never among those
-/// that are left out.
+/// A file may have more comments than data; no statement is among those that are left out.
 void Scanner::keepNote(std::string_view comment, std::size_t lineNumber)
 {
     constexpr std::size_t maximumNoteBytes = std::size_t{1} << 20U;
-    if (m_noteBytes + comment.size() <= maximumNoteBytes || targetInComment(comment)) {
+    if (m_noteBytes + comment.size() <= maximumNoteBytes || isStatement(comment)) {
         m_noteBytes += comment.size();
         m_scan.notes.push_back(toUtf8(comment, m_encoding));
     } else if (m_droppedNotes++ == 0) {

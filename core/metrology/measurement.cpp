@@ -3,10 +3,8 @@
 
 #include "core/neutral/drive_note.h"
 #include "core/text/crc_text.h"
-#include "core/text/text_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <tuple>
 

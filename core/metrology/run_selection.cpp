@@ -192,6 +192,11 @@ MeasurementHeader commonHeader(std::span<const Measurement> measurements)
     MeasurementHeader header = measurements.front().header;
     for (const HeaderText& text : headerTexts)
         header.*text.member = firstStated(measurements, text.member);
+    // A drive is told by its serial number: a name alone says less.
+    const auto told = std::ranges::find_if(
+        measurements, [](const Measurement& one) { return driveSerialOf(one.header).has_value(); });
+    if (told != measurements.end())
+        header.drive = told->header.drive;
     const auto states = saidStates(measurements);
     if (states.size() < measurements.size()) {
         header.compensation = {};

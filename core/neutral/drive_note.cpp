@@ -12,15 +12,11 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::string_view driveKey = "drive:";
-
 /// Nothing: a note of something else, or without a serial number.
 std::optional<std::int32_t> serialInNote(std::string_view note)
 {
-    const std::string_view text = trimmed(note);
-    if (!sameLetters(text.substr(0, driveKey.size()), driveKey))
-        return std::nullopt;
-    return driveSerialIn(text.substr(driveKey.size()));
+    const auto drive = statedIn(note, driveKey);
+    return drive ? driveSerialIn(*drive) : std::nullopt;
 }
 
 } // namespace
@@ -38,6 +34,12 @@ std::optional<std::int32_t> driveSerialIn(std::string_view text)
     if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())
         return std::nullopt;
     return serial;
+}
+
+std::string driveText(std::string_view name, std::int32_t serial)
+{
+    const std::string number = std::string(driveSerialKey) + std::to_string(serial);
+    return name.empty() ? number : std::string(name) + ", " + number;
 }
 
 std::string driveNote(std::string_view drive)

@@ -14,8 +14,11 @@ namespace axiscomp {
 // Which drive was measured, as a line of a file: "drive: Mill, serial number 850618". A measurement
 // says it in its header, and a table that was made of it in its notes.
 
+inline constexpr std::string_view driveKey = "drive:";
 /// What stands before the serial number.
 inline constexpr std::string_view driveSerialKey = "serial number ";
+/// "Mill, serial number 850618"; a drive may have no name.
+[[nodiscard]] std::string driveText(std::string_view name, std::int32_t serial);
 /// By which a drive is told: its name may change. text: "Mill, serial number 850618". Nothing: it
 /// does not end with a serial number.
 [[nodiscard]] std::optional<std::int32_t> driveSerialIn(std::string_view text);

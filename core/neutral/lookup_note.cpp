@@ -11,8 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::string_view lookupKey = "lookup:";
-
 /// Nothing: neither side.
 std::optional<LookupAt> sideNamed(std::string_view name)
 {
@@ -24,7 +22,7 @@ std::optional<LookupAt> sideNamed(std::string_view name)
 
 bool isLookupNote(std::string_view note)
 {
-    return sameLetters(trimmed(note).substr(0, lookupKey.size()), lookupKey);
+    return statedIn(note, lookupKey).has_value();
 }
 
 } // namespace
@@ -52,10 +50,10 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
 {
     std::optional<LookupAt> said;
     for (const std::string& note : notes) {
-        if (!isLookupNote(note))
+        const auto name = statedIn(note, lookupKey);
+        if (!name)
             continue;
-        const std::string_view text = trimmed(note);
-        const auto side = sideNamed(trimmed(text.substr(lookupKey.size())));
+        const auto side = sideNamed(*name);
         if (!side || (said && side != said))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",
@@ -63,7 +61,7 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
                         "the file says \"{note}\", where one comment, lookup: encoder or "
                         "lookup: set, says for which side of the compensation the table was "
                         "made: correct that line, or leave it out")
-                        .with("note", shownText(text, 60))}});
+                        .with("note", shownText(trimmed(note), 60))}});
         said = side;
     }
     return said;

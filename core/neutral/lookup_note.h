@@ -21,6 +21,7 @@ enum class LookupAt {
 // Where a table has to be looked up, as a note of its file: a file that is written later says for
 // which side of the compensation its values were made.
 
+inline constexpr std::string_view lookupKey = "lookup:";
 [[nodiscard]] std::string lookupNote(LookupAt lookupAt); ///< "lookup: set"
 /// The notes with this one, or none of this kind, in place of what they have said before.
 [[nodiscard]] std::vector<std::string> withLookupNote(

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/neutral/sign_note.h"
 
-#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
@@ -12,18 +11,11 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::string_view signKey = "sign:";
-
 /// Other signs, such as "sign: deviation", are of files of measurements.
 bool saysSign(std::string_view note, SignConvention sign)
 {
-    const std::string_view text = trimmed(note);
-    if (!sameLetters(text.substr(0, signKey.size()), signKey))
-        return false;
-    std::string_view name = trimmed(text.substr(signKey.size()));
-    // A spreadsheet gives each line the separators of the longest one.
-    name = trimmed(name.substr(0, name.find_last_not_of(",;") + 1));
-    return sameLetters(name, signName(sign));
+    const auto name = statedIn(note, signKey);
+    return name && sameLetters(*name, signName(sign));
 }
 
 } // namespace

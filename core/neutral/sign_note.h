@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace axiscomp {
@@ -13,6 +14,7 @@ namespace axiscomp {
 // That a calibration file holds command values, as a note of it, "sign: command": nothing else of
 // the file tells them from what the drive adds.
 
+inline constexpr std::string_view signKey = "sign:";
 /// The notes with what they have to say of values of this sign, and nothing that contradicts it.
 [[nodiscard]] std::vector<std::string> withSignNote(
     std::vector<std::string> notes, SignConvention sign);

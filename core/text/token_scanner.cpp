@@ -225,6 +225,15 @@ bool sameLetters(std::string_view a, std::string_view b)
     return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+std::optional<std::string_view> statedIn(std::string_view comment, std::string_view key)
+{
+    const std::string_view text = trimmed(comment);
+    if (!sameLetters(text.substr(0, key.size()), key))
+        return std::nullopt;
+    const std::string_view value = text.substr(key.size());
+    return trimmed(value.substr(0, value.find_last_not_of(",; \t") + 1));
+}
+
 bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics)
 {
     if (text.size() > mostBytes) {

@@ -94,6 +94,10 @@ void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
 
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
+/// What a comment states behind a key such as "sign:", without the separators that a spreadsheet
+/// gives each line; nothing: it states something else.
+[[nodiscard]] std::optional<std::string_view> statedIn(
+    std::string_view comment, std::string_view key);
 /// In upper case (ASCII).
 [[nodiscard]] std::string capitals(std::string_view text);
 

@@ -344,8 +344,7 @@ std::vector<std::string> notesOf(const FitOutcome& outcome)
         sources += (sources.empty() ? "" : ", ")
             + QFileInfo(file.file.path).fileName().toStdString() + " ("
             + std::string(file.format->facts.name) + ')';
-    return notesOfFit(
-        sources, outcome.request.measurement->header, outcome.settings, *outcome.report);
+    return notesOfFit(sources, *outcome.request.measurement, outcome.settings, *outcome.report);
 }
 
 std::shared_ptr<const CalibrationRecord> calibrationOf(const FitOutcome& outcome)

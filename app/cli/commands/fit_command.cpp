@@ -285,7 +285,7 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
     if (isWritten)
         AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, report.tables,
             notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement),
-                measurement.header, settings, report)));
+                measurement, settings, report)));
     if (!options.record.empty()) {
         AXISCOMP_TRY(
             const auto record, recordOfFit(input, options.input, corrections, settings, report));

@@ -237,7 +237,8 @@ Json fitJson(const Measurement& measurement, const FitSettings& settings, const 
     for (std::size_t i = 0; i < report.tables.size(); ++i)
         columns.push_back(columnJson(report.tables[i], crcs[i]));
     return {{"table", tableJson(first, crcs.front())}, {"columns", std::move(columns)},
-        {"method", madeBy(report, settings)}, {"direction", fitDirectionName(settings.direction)},
+        {"method", madeBy(measurement, settings)},
+        {"direction", fitDirectionName(settings.direction)},
         {"smoothness", jsonOf(first.smoothness)}, {"periods", periodsJson(first)},
         {"knots", first.knots},
         {"residual", {{"rms", first.residualRms}, {"largest", first.residualLargest}}},

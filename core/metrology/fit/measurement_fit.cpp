@@ -68,9 +68,9 @@ bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings)
         || (measurement.kind == MeasurementKind::Track && settings.method == FitMethod::Linear);
 }
 
-std::string_view madeBy(const FitReport& report, const FitSettings& settings)
+std::string_view madeBy(const Measurement& measurement, const FitSettings& settings)
 {
-    return report.isOnGrid ? "grid" : fitMethodName(settings.method);
+    return isFittedOnGrid(measurement, settings) ? "grid" : fitMethodName(settings.method);
 }
 
 FitDirection fittedDirection(const Measurement& measurement, const FitSettings& settings)
@@ -207,7 +207,6 @@ Result<FitReport> fitMeasurement(const Measurement& measurement, const FitSettin
             "the whole error"));
     const FitInput input{measurement, settings, state, *settings.lookupAt, std::move(stop)};
     AXISCOMP_TRY(auto report, measurement.hasTargets() ? fitRuns(input) : fitScattered(input));
-    report.isOnGrid = isFittedOnGrid(measurement, settings);
     report.lookupAt = input.lookupAt;
     report.state = state;
     if (!state.assumption.isEmpty())

@@ -123,7 +123,6 @@ struct FitRemark {
 
 struct FitReport {
     std::vector<FittedTable> tables; ///< at least one, all over the same grid
-    bool isOnGrid = false; ///< isFittedOnGrid()
     LookupAt lookupAt = LookupAt::Encoder;
     FoundState state; ///< what it points to must live as long as that is used
     std::optional<FitMerge> merge = {};
@@ -170,7 +169,7 @@ struct FitReport {
 [[nodiscard]] bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings);
 
 /// What the tables are made by: the name of the method, or "grid".
-[[nodiscard]] std::string_view madeBy(const FitReport& report, const FitSettings& settings);
+[[nodiscard]] std::string_view madeBy(const Measurement& measurement, const FitSettings& settings);
 
 /// What the values in use are of: the direction that was asked for, or the only one that was
 /// measured in place of a mean.

@@ -559,7 +559,7 @@ bool MeasurementCsv::takeStatement(std::string_view key, const std::string& valu
             m_measurement.header.corrected = MeasurementHeader::Corrected::To20Celsius;
         else
             refuse(line, value, AXISCOMP_TEXT("Error", "corrected: none, or corrected: 20C"));
-    } else if (sameLetters(key, "kind")) {
+    } else if (sameLetters(key, "kind") && m_measurement.hasTargets()) {
         takeKind(value, line);
     } else if (sameLetters(key, "values")) {
         takeValues(value, line);

@@ -33,13 +33,13 @@ CalibrationRecord recordOfFit(RecordedMeasurement before, const FitSettings& set
     return record;
 }
 
-std::vector<std::string> notesOfFit(const std::string& sources, const MeasurementHeader& header,
+std::vector<std::string> notesOfFit(const std::string& sources, const Measurement& measurement,
     const FitSettings& settings, const FitReport& report)
 {
     std::vector<std::string> notes{"made of " + sources, lookupNote(report.lookupAt),
-        report.state.text.english(), "method " + std::string(madeBy(report, settings))};
-    if (driveSerialOf(header))
-        notes.push_back(driveNote(header.drive));
+        report.state.text.english(), "method " + std::string(madeBy(measurement, settings))};
+    if (driveSerialOf(measurement.header))
+        notes.push_back(driveNote(measurement.header.drive));
     for (const FittedTable& made : report.tables)
         if (const CompensationTable& table = made.table; !table.filled.empty())
             notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));

@@ -14,8 +14,8 @@ namespace axiscomp {
 
 /// What a person reads in the file of the table, and what a write holds the drive to: where it has
 /// to look the table up, and which one was measured. sources: the files of the measurement and what
-/// they hold. header: of the measurement.
+/// they hold.
 [[nodiscard]] std::vector<std::string> notesOfFit(const std::string& sources,
-    const MeasurementHeader& header, const FitSettings& settings, const FitReport& report);
+    const Measurement& measurement, const FitSettings& settings, const FitReport& report);
 
 } // namespace axiscomp

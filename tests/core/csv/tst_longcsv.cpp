@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/neutral/drive_note.h"
+#include "core/neutral/lookup_note.h"
+#include "core/neutral/sign_note.h"
 #include "tests/core/csv/csv_reading.h"
 
 #include "tests/support/test_registry.h"
@@ -65,19 +68,24 @@ private Q_SLOTS:
         }
     }
 
-    /// 30 comments of 64 KiB and then the target: only what changes no number is left out.
+    /// 30 comments of 64 KiB and then the statements: only what changes no number is left out.
     void commentsBeyondAMegabyteAreNotKept()
     {
         QByteArray text = "X [mm],Y [mm],E [mm]\n";
         for (int n = 0; n < 30; ++n)
             text += "// " + QByteArray(65536, static_cast<char>('a' + n % 26)) + '\n';
-        text += "// target: Y\n0,0,0.001\n1,0,0.002\n0,1,0.003\n1,1,0.004\n";
+        text += "// target: Y\n// sign: command,\n// lookup: set,,\n"
+                "// drive: Mill, serial number 4711\n0,0,0.001\n1,0,0.002\n0,1,0.003\n1,1,0.004\n";
         const CsvReading reading = parse(text, 2);
         QCOMPARE(describe(reading),
             QByteArrayList{"18:0 DroppedComments 14 more comment lines|at most 1 MiB of comments"});
         QVERIFY(reading.data);
-        QCOMPARE(reading.data->notes.size(), std::size_t{16});
+        const std::vector<std::string>& notes = reading.data->notes;
+        QCOMPARE(notes.size(), std::size_t{19});
         QCOMPARE(reading.data->tables[0].target, std::string("Y"));
+        QCOMPARE(signOfTable(notes, {}).value(), std::optional(SignConvention::Command));
+        QCOMPARE(lookupInNotes(notes).value(), std::optional(LookupAt::Set));
+        QCOMPARE(measuredDriveInNotes(notes).value(), std::optional(4711));
     }
 
     void aProblemIsInItsLine_data()

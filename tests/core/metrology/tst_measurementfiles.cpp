@@ -275,6 +275,21 @@ private Q_SLOTS:
         QVERIFY(std::abs(*taken.back().time - *taken.front().time - 5400.0) < 1e-9);
     }
 
+    /// They say theirs by their columns.
+    void aKindChangesNoTrackAndNoPoints()
+    {
+        std::string track = "// kind: runs\nencoder [mm],reference [mm]\n";
+        for (int i = 0; i < 20; ++i)
+            track += std::to_string(i) + "," + std::to_string(i) + "\n";
+        const MeasurementReading samples = test::readAs("track", track);
+        VERIFY_MEASUREMENT(samples);
+        QCOMPARE(samples.measurement->kind, MeasurementKind::Track);
+        const MeasurementReading points = test::readAs(
+            "points", "// kind: averages\nX [mm],Y [mm],dX [um]\n0,0,0\n40,0,4\n0,20,0\n");
+        VERIFY_MEASUREMENT(points);
+        QCOMPARE(points.measurement->kind, MeasurementKind::Points);
+    }
+
     void aReferenceBecomesADeviation()
     {
         const MeasurementReading reading = test::readAs(
@@ -864,6 +879,11 @@ private Q_SLOTS:
         const auto whole = joined(same);
         VERIFY_RESULT(whole);
         QCOMPARE(driveSerialOf(whole->header), std::optional<std::int32_t>(4711));
+        one.header.drive = "Mill";
+        const std::array nameFirst{one, other};
+        const auto told = joined(nameFirst);
+        VERIFY_RESULT(told);
+        QCOMPARE(driveSerialOf(told->header), std::optional<std::int32_t>(4711));
     }
 
     void theDriveThatMeasuredIsReadAndWrittenAgain()
