@@ -128,7 +128,6 @@ bool Import::takeSign(const std::vector<std::string>& notes)
 
 void Import::take(CalibrationData data)
 {
-    stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
     if (!takeSign(data.notes))
         return;
@@ -183,7 +182,6 @@ void Import::readCsv()
     m_result.isCancelled = uneven.cancelled;
     if (!uneven.data)
         return;
-    stateUnits(*uneven.data, m_request.choices.settings);
     if (!takeSign(uneven.data->notes))
         return;
     m_result.sourceAxes = uneven.data->grid.dimensions();
@@ -208,6 +206,7 @@ void Import::readTamTable()
     if (decoded->table.name.empty())
         decoded->table.name = m_request.file.stem().string();
     data.tables.push_back(std::move(decoded->table));
+    stateUnits(data, m_request.choices.settings);
     take(std::move(data));
 }
 
