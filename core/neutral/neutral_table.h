@@ -25,6 +25,8 @@ enum class SignConvention {
 /// The direction of motion that a column holds for.
 enum class Direction { Both, Positive, Negative };
 [[nodiscard]] std::string_view directionName(Direction direction); ///< "both", "positive", ...
+/// Whether there are motions that columns of both directions hold for.
+[[nodiscard]] bool sharesDirection(Direction a, Direction b);
 
 /// One input of a table.
 struct SourceAxis {
