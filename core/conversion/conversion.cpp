@@ -201,6 +201,16 @@ Result<void> checkPositionsOfDrive(const NeutralTable& table)
     return {};
 }
 
+/// Even, over the range of the table, with so many points of each axis.
+ResamplingRequest gridOf(const std::vector<std::size_t>& points, ResamplingMethod method)
+{
+    ResamplingRequest grid;
+    grid.method = method;
+    for (const std::size_t count : points)
+        grid.axes.push_back({.points = count, .distance = 0.0, .start = {}, .end = {}});
+    return grid;
+}
+
 /// One table on its way from one format to the other.
 class Converter {
 public:
@@ -310,9 +320,7 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
             limits.mostPoints = m_request.to->facts.mostPoints;
         AXISCOMP_TRY(
             const auto coarsest, coarsestGrid(table, wanted->deviation, wanted->method, limits));
-        request.method = wanted->method;
-        for (const std::size_t points : coarsest.points)
-            request.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
+        request = gridOf(coarsest.points, wanted->method);
     } else {
         return table;
     }
@@ -332,13 +340,8 @@ Result<void> Converter::prepareBeside(const NeutralTable& table, SetSides sides)
         return {};
     beside.sign = m_request.sourceSign.value_or(beside.sign);
     ConversionRequest request = m_request;
-    if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling)) {
-        ResamplingRequest grid;
-        grid.method = wanted->method;
-        for (const std::size_t points : knotCounts(table))
-            grid.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
-        request.resampling = std::move(grid);
-    }
+    if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling))
+        request.resampling = gridOf(knotCounts(table), wanted->method);
     std::vector<Text> unsaid; // which is of columns that nobody asked for
     TableConversion conversion;
     AXISCOMP_TRY(
@@ -366,9 +369,6 @@ Result<NeutralTable> Converter::signConverted(
         if (m_beside) {
             table.columns.resize(own);
             m_beside->result = takeColumns(converted.table, own);
-            converted.example = to == SignConvention::Command
-                ? examplePoint(table, converted.table)
-                : examplePoint(converted.table, table);
         }
         if (converted.usesHeldEnds)
             remarkOnce(m_remarks,
@@ -378,7 +378,8 @@ Result<NeutralTable> Converter::signConverted(
         // What the drive looks up at the set position is of neither of the two conventions.
         conversion.example = sides.isTargetConverted() ? examplePoint(table)
             : sides.isSourceConverted()                ? examplePoint(converted.table)
-                                                       : std::move(converted.example);
+            : to == SignConvention::Command            ? examplePoint(table, converted.table)
+                                                       : examplePoint(converted.table, table);
         table = std::move(converted.table);
     }
     if (sides.isTargetConverted())
