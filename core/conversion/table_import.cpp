@@ -71,7 +71,8 @@ private:
     void take(CalibrationData data);
     void refuseIncomplete();
     void convert(const std::vector<NeutralTable>& whole);
-    [[nodiscard]] Result<CompensationTable> converted(
+    /// One table, with the notes that it has then.
+    [[nodiscard]] Result<CalibrationData> converted(
         const NeutralTable& column, std::shared_ptr<const NeutralTable> beside);
     void keepName(CompensationTable& table);
     void refuse(const Error& error) { m_result.refusal = error; }
@@ -262,7 +263,6 @@ void Import::convert(const std::vector<NeutralTable>& whole)
     }
     m_isOneOfSeveral = tables.size() > 1;
     CalibrationData data;
-    data.notes = tables.front().notes;
     for (std::size_t n = 0; n < tables.size(); ++n) {
         if (m_request.stop.stop_requested()) {
             m_result.isCancelled = true;
@@ -271,19 +271,18 @@ void Import::convert(const std::vector<NeutralTable>& whole)
         auto one = converted(tables[n], sourcesBeside(whole, n));
         if (!one)
             return refuse(one.error());
-        data.tables.push_back(*std::move(one));
+        if (n == 0)
+            data = *std::move(one);
+        else
+            data.tables.push_back(std::move(one->tables.front()));
     }
-    data.grid = data.tables.front().grid;
-    if (!isTriamec(*m_result.format))
-        data.notes = withoutStatements(std::move(data.notes));
-    else
-        data.notes = withSignNote(std::move(data.notes), SignConvention::Feedback);
+    // Any of its columns may have been made for one of the two.
     if (!isOfDrive(*m_result.format, m_result.sign))
         data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
-Result<CompensationTable> Import::converted(
+Result<CalibrationData> Import::converted(
     const NeutralTable& column, std::shared_ptr<const NeutralTable> beside)
 {
     const ImportChoices& choices = m_request.choices;
@@ -310,7 +309,7 @@ Result<CompensationTable> Import::converted(
     if (m_isOneOfSeveral)
         m_result.report.emplace_back(Verbatim{table.name + ':'});
     std::ranges::move(conversionReport(conversion, request), std::back_inserter(m_result.report));
-    return std::move(table);
+    return data;
 }
 
 } // namespace
