@@ -3,6 +3,7 @@
 
 #include "app/cli/output/json_output.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace axiscomp::app {
@@ -67,6 +68,12 @@ py::object pythonObject(const Json& json)
         break;
     }
     return py::none();
+}
+
+void refuseControl(std::string_view text, const std::string& what)
+{
+    if (std::ranges::any_of(text, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
+        throw py::value_error(what + " has a line break or another control character");
 }
 
 } // namespace axiscomp::app

@@ -23,4 +23,8 @@ namespace axiscomp::app {
 [[nodiscard]] pybind11::str pythonText(std::string_view text);
 [[nodiscard]] pybind11::list pythonTexts(const std::vector<std::string>& texts);
 
+/// what: the text, for the message. Errors: ValueError for what a file would have as a line of its
+/// own, which might state something.
+void refuseControl(std::string_view text, const std::string& what);
+
 } // namespace axiscomp::app

@@ -8,6 +8,7 @@
 #include "core/compensator/known_tables.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/formats/measurement_format.h"
+#include "core/metrology/header_texts.h"
 #include "core/text/number_text.h"
 #include "drivecomm/profile/profile_loader.h"
 
@@ -83,19 +84,8 @@ void takeTargets(Measurement& measurement, const Numbers& targets)
 void takeStatements(Measurement& measurement, const std::map<std::string, std::string>& statements)
 {
     MeasurementHeader& header = measurement.header;
-    const std::map<std::string, std::string MeasurementHeader::*> fields{
-        {"machine", &MeasurementHeader::machine}, {"axis", &MeasurementHeader::axis},
-        {"instrument", &MeasurementHeader::instrument}, {"serial", &MeasurementHeader::serial},
-        {"operator", &MeasurementHeader::operatorName}, {"date", &MeasurementHeader::date},
-        {"feed", &MeasurementHeader::feed}, {"dwell", &MeasurementHeader::dwell},
-        {"drive", &MeasurementHeader::drive}};
-    const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
     for (const auto& [key, value] : statements) {
-        // behind a line break would be a statement of its own
-        if (std::ranges::any_of(value, isControl))
-            throw py::value_error("the statement " + key
-                + " has a line break or another control "
-                  "character");
+        refuseControl(value, "the statement " + key);
         if (key == "compensation") {
             if (value != "off" && value != "on")
                 throw py::value_error("compensation is on or off");
@@ -109,10 +99,10 @@ void takeStatements(Measurement& measurement, const std::map<std::string, std::s
             measurement.kind = value == "runs" ? MeasurementKind::Runs : MeasurementKind::Averages;
             continue;
         }
-        const auto field = fields.find(key);
-        if (field == fields.end())
+        const auto text = std::ranges::find(headerTexts, key, &HeaderText::key);
+        if (text == headerTexts.end())
             throw py::value_error("a measurement has no statement " + key);
-        header.*(field->second) = value;
+        header.*text->member = value;
     }
 }
 

@@ -153,13 +153,6 @@ Values valuesFrom(const py::object& given)
     return Values(given);
 }
 
-/// Errors: ValueError for what a file would have as a line of its own, which might state something.
-void refuseControl(const std::string& text, const char* what)
-{
-    if (std::ranges::any_of(text, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
-        throw py::value_error(std::string(what) + " has a line break or another control character");
-}
-
 void refuseControls(const TableObject& object)
 {
     const CompensationTable& table = object.table;

@@ -125,6 +125,8 @@ Result<AxisReadings> AxisReadings::open(DriveLink& link, const DriveProfile& pro
         made.m_isSingle =
             path == made.m_registers.reference && std::holds_alternative<float>(reading->value);
     }
+    if (made.m_tablePlace.empty())
+        made.dropPlacePaths();
     return made;
 }
 
@@ -201,6 +203,16 @@ void AxisReadings::addPlacePaths(const AxisStatus& status)
             m_paths.push_back(expandPath(name, {.axis = {}, .slot = m_slot, .n = n}));
     }
     m_placePaths = m_paths.size() - before;
+}
+
+/// A table that is switched on later ends the capture by its state.
+void AxisReadings::dropPlacePaths()
+{
+    if (m_placePaths == 0)
+        return;
+    const auto first = m_paths.begin() + AtPlace;
+    m_paths.erase(first, first + static_cast<std::ptrdiff_t>(m_placePaths));
+    m_placePaths = 0;
 }
 
 std::vector<std::string> AxisReadings::placeIn(const std::vector<RegisterReading>& readings) const

@@ -72,6 +72,7 @@ private:
     void choosePaths(const AxisStatus& status);
     [[nodiscard]] bool isHomedIn(const std::vector<RegisterReading>& readings) const;
     void addPlacePaths(const AxisStatus& status);
+    void dropPlacePaths();
     [[nodiscard]] std::vector<std::string> placeIn(
         const std::vector<RegisterReading>& readings) const;
     [[nodiscard]] std::string stateOf(const std::vector<RegisterReading>& readings) const;
@@ -85,7 +86,8 @@ private:
     bool m_isSingle = false; ///< the reference register
     std::string m_slot; ///< of the axis's table, empty without one
     std::vector<std::string> m_paths; ///< in the order in which readings are used
-    std::size_t m_placePaths = 0; ///< of sources and positions, behind the CRC
+    std::size_t m_placePaths =
+        0; ///< of sources and positions, behind the CRC; none while it is off
     std::vector<std::string> m_place; ///< what they said when this was opened
     std::string m_tablePlace;
     std::string m_state;

@@ -18,8 +18,7 @@ bool correctSame(const NeutralTable& a, const CompensationColumn& columnA, const
 {
     const auto own = ownAxis(a, columnA);
     return own && own == ownAxis(b, columnB)
-        && (columnA.direction == columnB.direction || columnA.direction == Direction::Both
-            || columnB.direction == Direction::Both);
+        && sharesDirection(columnA.direction, columnB.direction);
 }
 
 /// How many columns correct what this one does.

@@ -26,7 +26,18 @@ double factorOf(const std::string& from, const std::string& to)
 /// Where the knots of an axis stand in a file.
 struct WrittenKnots {
     std::vector<std::size_t> places; ///< among those of the file, of each knot
+    bool areSame = true; ///< the file has these knots in this order, and no others
     double rounding = 0.0; ///< the largest, in the unit of the file
+};
+
+/// Where the points of a table stand in a file.
+struct WrittenPoints {
+    std::vector<std::uint32_t> places; ///< of each point; empty: the same, as nearly always
+
+    [[nodiscard]] std::size_t of(std::size_t point) const
+    {
+        return places.empty() ? point : places[point];
+    }
 };
 
 std::size_t nearestKnot(const std::vector<double>& knots, double position)
@@ -48,6 +59,8 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
     const double first = to.knots.front();
     const double allowance = std::max(to.step, 1e-9 * (to.knots.back() - first));
     WrittenKnots written;
+    written.areSame = from.knots.size() == to.knots.size();
+    written.places.reserve(from.knots.size());
     for (const double knot : from.knots) {
         double position = knot * factor;
         std::size_t place = nearestKnot(to.knots, position);
@@ -58,44 +71,53 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
         const double rounding = std::abs(position - to.knots[place]);
         if (rounding > allowance)
             return std::nullopt;
+        written.areSame = written.areSame && place == written.places.size();
         written.places.push_back(place);
         written.rounding = std::max(written.rounding, rounding);
     }
     return written;
 }
 
-/// The index in the file of each point; empty for formats that arrange the points anew: the
-/// conversion's difference tells. roundings: of the positions of each axis.
-std::vector<std::uint32_t> writtenPoints(
+/// Nothing for formats that arrange the points anew: the conversion's difference tells. roundings:
+/// of the positions of each axis.
+std::optional<WrittenPoints> writtenPoints(
     const NeutralTable& prepared, const NeutralTable& held, std::vector<double>& roundings)
 {
-    std::vector<std::uint32_t> points{0};
+    std::vector<WrittenKnots> axes;
     for (std::size_t n = 0; n < held.axes.size(); ++n) {
-        const auto knots = writtenKnots(prepared.axes[n], held.axes[n]);
+        auto knots = writtenKnots(prepared.axes[n], held.axes[n]);
         if (!knots) {
             roundings.clear();
-            return {};
+            return std::nullopt;
         }
         roundings.push_back(knots->rounding);
+        axes.push_back(*std::move(knots));
+    }
+    WrittenPoints written;
+    if (std::ranges::all_of(axes, &WrittenKnots::areSame))
+        return written;
+    written.places = {0};
+    for (std::size_t n = 0; n < axes.size(); ++n) {
         const std::size_t stride = strideOf(held, n);
         std::vector<std::uint32_t> further;
-        further.reserve(points.size() * knots->places.size());
-        for (const std::size_t place : knots->places)
-            for (const std::uint32_t point : points)
+        further.reserve(written.places.size() * axes[n].places.size());
+        for (const std::size_t place : axes[n].places)
+            for (const std::uint32_t point : written.places)
                 further.push_back(static_cast<std::uint32_t>(point + place * stride));
-        points = std::move(further);
+        written.places = std::move(further);
     }
-    return points;
+    return written;
 }
 
 /// The largest difference of values before and after writing, in the unit after it.
-double largestRounding(const CompensationColumn& before, const CompensationColumn& after,
-    const std::vector<std::uint32_t>& points)
+double largestRounding(
+    const CompensationColumn& before, const CompensationColumn& after, const WrittenPoints& points)
 {
     const double factor = factorOf(before.unit, after.unit);
     double largest = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        largest = std::max(largest, std::abs(before.values[i] * factor - after.values[points[i]]));
+    for (std::size_t i = 0; i < before.values.size(); ++i)
+        largest =
+            std::max(largest, std::abs(before.values[i] * factor - after.values[points.of(i)]));
     return largest;
 }
 
@@ -104,18 +126,17 @@ void notePoints(const NeutralTable& prepared, NeutralTable& held, TableConversio
 {
     for (CompensationColumn& column : held.columns)
         column.filled.clear();
-    const std::vector<std::uint32_t> points =
-        writtenPoints(prepared, held, conversion.positionRounding);
-    if (points.empty())
+    const auto points = writtenPoints(prepared, held, conversion.positionRounding);
+    if (!points)
         return;
     for (std::size_t n = 0; n < std::min(prepared.columns.size(), held.columns.size()); ++n) {
         const CompensationColumn& from = prepared.columns[n];
         CompensationColumn& to = held.columns[n];
         for (const std::uint32_t point : from.filled)
-            to.filled.push_back(points[point]);
+            to.filled.push_back(static_cast<std::uint32_t>(points->of(point)));
         std::ranges::sort(to.filled);
         to.filled.erase(std::unique(to.filled.begin(), to.filled.end()), to.filled.end());
-        conversion.valueRounding.push_back(largestRounding(from, to, points));
+        conversion.valueRounding.push_back(largestRounding(from, to, *points));
     }
 }
 
@@ -178,6 +199,16 @@ Result<void> checkPositionsOfDrive(const NeutralTable& table)
                         .with("unit", table.axes[*own].unit)}});
     }
     return {};
+}
+
+/// Even, over the range of the table, with so many points of each axis.
+ResamplingRequest gridOf(const std::vector<std::size_t>& points, ResamplingMethod method)
+{
+    ResamplingRequest grid;
+    grid.method = method;
+    for (const std::size_t count : points)
+        grid.axes.push_back({.points = count, .distance = 0.0, .start = {}, .end = {}});
+    return grid;
 }
 
 /// One table on its way from one format to the other.
@@ -289,9 +320,7 @@ Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& c
             limits.mostPoints = m_request.to->facts.mostPoints;
         AXISCOMP_TRY(
             const auto coarsest, coarsestGrid(table, wanted->deviation, wanted->method, limits));
-        request.method = wanted->method;
-        for (const std::size_t points : coarsest.points)
-            request.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
+        request = gridOf(coarsest.points, wanted->method);
     } else {
         return table;
     }
@@ -311,13 +340,8 @@ Result<void> Converter::prepareBeside(const NeutralTable& table, SetSides sides)
         return {};
     beside.sign = m_request.sourceSign.value_or(beside.sign);
     ConversionRequest request = m_request;
-    if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling)) {
-        ResamplingRequest grid;
-        grid.method = wanted->method;
-        for (const std::size_t points : knotCounts(table))
-            grid.axes.push_back({.points = points, .distance = 0.0, .start = {}, .end = {}});
-        request.resampling = std::move(grid);
-    }
+    if (const auto* wanted = std::get_if<WantedDeviation>(&m_request.resampling))
+        request.resampling = gridOf(knotCounts(table), wanted->method);
     std::vector<Text> unsaid; // which is of columns that nobody asked for
     TableConversion conversion;
     AXISCOMP_TRY(
@@ -345,9 +369,6 @@ Result<NeutralTable> Converter::signConverted(
         if (m_beside) {
             table.columns.resize(own);
             m_beside->result = takeColumns(converted.table, own);
-            converted.example = to == SignConvention::Command
-                ? examplePoint(table, converted.table)
-                : examplePoint(converted.table, table);
         }
         if (converted.usesHeldEnds)
             remarkOnce(m_remarks,
@@ -357,7 +378,8 @@ Result<NeutralTable> Converter::signConverted(
         // What the drive looks up at the set position is of neither of the two conventions.
         conversion.example = sides.isTargetConverted() ? examplePoint(table)
             : sides.isSourceConverted()                ? examplePoint(converted.table)
-                                                       : std::move(converted.example);
+            : to == SignConvention::Command            ? examplePoint(table, converted.table)
+                                                       : examplePoint(converted.table, table);
         table = std::move(converted.table);
     }
     if (sides.isTargetConverted())

@@ -90,10 +90,8 @@ Result<bool> SignConverter::moveKnots(ConvertedKnots knots)
 Result<SignConversion> SignConverter::run(SignConvention to, ConvertedKnots knots)
 {
     AXISCOMP_CHECK(checkConsistent(m_source));
-    if (m_source.sign == to) {
-        m_result.example = examplePoint(m_source);
+    if (m_source.sign == to)
         return std::move(m_result);
-    }
     AXISCOMP_CHECK(checkTargets(m_source));
     AXISCOMP_TRY(const bool isMoved, moveKnots(knots));
     if (!isMoved)
@@ -103,9 +101,6 @@ Result<SignConversion> SignConverter::run(SignConvention to, ConvertedKnots knot
     m_result.table.sign = to;
     AXISCOMP_TRY(const auto residual, largestResidual());
     m_result.residual = residual;
-    const bool toCommand = to == SignConvention::Command;
-    m_result.example =
-        examplePoint(toCommand ? m_source : m_result.table, toCommand ? m_result.table : m_source);
     return std::move(m_result);
 }
 

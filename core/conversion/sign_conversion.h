@@ -19,7 +19,6 @@ struct SignConversion {
     /// Places beyond the knots were needed, where the source's controller applies nothing. There
     /// the end values were held: at the step no place would belong to the knot.
     bool usesHeldEnds = false;
-    Text example; ///< a sentence, see examplePoint
 };
 
 /// At which knots a converted table stands.

@@ -25,11 +25,6 @@ struct ColumnPair {
     double factor = 1.0; ///< from the unit of b's column to that of a's
 };
 
-bool sharesDirection(Direction a, Direction b)
-{
-    return a == b || a == Direction::Both || b == Direction::Both;
-}
-
 bool haveSameTarget(const NeutralTable& a, const CompensationColumn& columnA, const NeutralTable& b,
     const CompensationColumn& columnB)
 {

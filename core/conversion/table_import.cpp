@@ -7,7 +7,6 @@
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
 #include "core/neutral/sign_note.h"
-#include "core/table/table_identity.h"
 #include "core/table/tam_table.h"
 
 #include <algorithm>
@@ -31,19 +30,6 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
             && csv::isNoValue(diagnostic.found.english());
     default:
         return diagnostic.severity == Severity::Warning;
-    }
-}
-
-/// A distance that is computed from positions is not the same to the last bit.
-void keepSpans(Grid& grid, const Grid& kept)
-{
-    for (std::size_t n = 0; n < std::min(grid.axes.size(), kept.axes.size()); ++n) {
-        const std::string& unit = kept.axes[n].unit; // empty: one was stated for it
-        if (!areSamePositions(grid.axes[n], kept.axes[n])
-            || (!unit.empty() && unit != grid.axes[n].unit))
-            continue;
-        grid.axes[n].start = kept.axes[n].start;
-        grid.axes[n].distance = kept.axes[n].distance;
     }
 }
 
@@ -84,9 +70,9 @@ private:
     [[nodiscard]] bool takeSign(const std::vector<std::string>& notes);
     void take(CalibrationData data);
     void refuseIncomplete();
-    void convert(const std::vector<NeutralTable>& whole, const Grid* kept = nullptr);
-    [[nodiscard]] bool keepsPositions(const NeutralTable& table) const;
-    [[nodiscard]] Result<CompensationTable> converted(
+    void convert(const std::vector<NeutralTable>& whole);
+    /// One table, with the notes that it has then.
+    [[nodiscard]] Result<CalibrationData> converted(
         const NeutralTable& column, std::shared_ptr<const NeutralTable> beside);
     void keepName(CompensationTable& table);
     void refuse(const Error& error) { m_result.refusal = error; }
@@ -143,13 +129,11 @@ bool Import::takeSign(const std::vector<std::string>& notes)
 
 void Import::take(CalibrationData data)
 {
-    stateUnits(data, m_request.choices.settings);
     m_result.sourceAxes = data.grid.dimensions();
     if (!takeSign(data.notes))
         return;
     if (m_request.choices.isConversion() || m_result.sign == SignConvention::Command) {
-        const std::vector tables{neutralTable(data)};
-        convert(tables, keepsPositions(tables.front()) ? &data.grid : nullptr);
+        convert(std::vector{neutralTable(data)});
         return;
     }
     for (CompensationTable& table : data.tables)
@@ -199,7 +183,6 @@ void Import::readCsv()
     m_result.isCancelled = uneven.cancelled;
     if (!uneven.data)
         return;
-    stateUnits(*uneven.data, m_request.choices.settings);
     if (!takeSign(uneven.data->notes))
         return;
     m_result.sourceAxes = uneven.data->grid.dimensions();
@@ -224,6 +207,7 @@ void Import::readTamTable()
     if (decoded->table.name.empty())
         decoded->table.name = m_request.file.stem().string();
     data.tables.push_back(std::move(decoded->table));
+    stateUnits(data, m_request.choices.settings);
     take(std::move(data));
 }
 
@@ -266,16 +250,7 @@ void Import::keepName(CompensationTable& table)
         table.name = name + " (" + std::to_string(n) + ')';
 }
 
-/// What is stated of a table for the drive, as its target, moves none of its positions.
-bool Import::keepsPositions(const NeutralTable& table) const
-{
-    const ImportChoices& choices = m_request.choices;
-    return m_result.sign.value_or(table.sign) == calibration_csv::format().facts.sign
-        && choices.resampling.kind == ResamplingChoice::Kind::None;
-}
-
-/// kept: the even grid that the tables have, and keep; null: they get one.
-void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
+void Import::convert(const std::vector<NeutralTable>& whole)
 {
     const std::vector<NeutralTable> tables = separateColumns(whole);
     m_result.sourceAxes = static_cast<int>(tables.front().axes.size());
@@ -288,7 +263,6 @@ void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
     }
     m_isOneOfSeveral = tables.size() > 1;
     CalibrationData data;
-    data.notes = tables.front().notes;
     for (std::size_t n = 0; n < tables.size(); ++n) {
         if (m_request.stop.stop_requested()) {
             m_result.isCancelled = true;
@@ -297,21 +271,18 @@ void Import::convert(const std::vector<NeutralTable>& whole, const Grid* kept)
         auto one = converted(tables[n], sourcesBeside(whole, n));
         if (!one)
             return refuse(one.error());
-        if (kept)
-            keepSpans(one->grid, *kept);
-        data.tables.push_back(*std::move(one));
+        if (n == 0)
+            data = *std::move(one);
+        else
+            data.tables.push_back(std::move(one->tables.front()));
     }
-    data.grid = data.tables.front().grid;
-    if (!isTriamec(*m_result.format))
-        data.notes = withoutStatements(std::move(data.notes));
-    else
-        data.notes = withSignNote(std::move(data.notes), SignConvention::Feedback);
+    // Any of its columns may have been made for one of the two.
     if (!isOfDrive(*m_result.format, m_result.sign))
         data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 
-Result<CompensationTable> Import::converted(
+Result<CalibrationData> Import::converted(
     const NeutralTable& column, std::shared_ptr<const NeutralTable> beside)
 {
     const ImportChoices& choices = m_request.choices;
@@ -338,7 +309,7 @@ Result<CompensationTable> Import::converted(
     if (m_isOneOfSeveral)
         m_result.report.emplace_back(Verbatim{table.name + ':'});
     std::ranges::move(conversionReport(conversion, request), std::back_inserter(m_result.report));
-    return std::move(table);
+    return data;
 }
 
 } // namespace

@@ -160,4 +160,18 @@ bool SettingValues::yes(std::string_view key) const
     return text(key) == "yes";
 }
 
+Result<void> checkAboveZero(
+    const FormatFacts& facts, std::string_view key, const std::string& value)
+{
+    if (numberOf(value).value_or(0.0) > 0.0)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "the setting {key} of the format {format} is {value}, expected a number above 0")
+                .with("key", key)
+                .with("format", facts.name)
+                .with("value", value)}});
+}
+
 } // namespace axiscomp

@@ -203,4 +203,8 @@ private:
     FormatSettings m_values;
 };
 
+/// Errors: InvalidArgument for the value of a setting that is no number above 0.
+[[nodiscard]] Result<void> checkAboveZero(
+    const FormatFacts& facts, std::string_view key, const std::string& value);
+
 } // namespace axiscomp

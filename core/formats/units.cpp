@@ -3,6 +3,7 @@
 
 #include "core/table/position_unit.h"
 #include "core/table/table_units.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,14 @@ Argument unitWords(const std::string& unit)
 }
 
 } // namespace
+
+Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
+{
+    for (const auto& [key, value] : settings)
+        if (key.ends_with("counts-per-unit") && numberOf(value))
+            AXISCOMP_CHECK(checkAboveZero(facts, key, value));
+    return {};
+}
 
 void remarkOnce(std::vector<Text>& remarks, Text remark)
 {

@@ -6,6 +6,11 @@
 
 namespace axiscomp {
 
+/// The unit of numbers that were read without counts per unit.
+inline constexpr std::string_view countsUnit = "counts";
+/// Errors: InvalidArgument for settings of counts per unit that are not above 0.
+[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
+
 /// Adds a sentence that is not among the remarks yet.
 void remarkOnce(std::vector<Text>& remarks, Text remark);
 

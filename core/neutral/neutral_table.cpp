@@ -27,6 +27,11 @@ std::string_view directionName(Direction direction)
     return "both";
 }
 
+bool sharesDirection(Direction a, Direction b)
+{
+    return a == b || a == Direction::Both || b == Direction::Both;
+}
+
 std::size_t NeutralTable::pointCount() const
 {
     std::size_t count = axes.empty() ? 0 : 1;

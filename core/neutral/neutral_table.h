@@ -25,6 +25,8 @@ enum class SignConvention {
 /// The direction of motion that a column holds for.
 enum class Direction { Both, Positive, Negative };
 [[nodiscard]] std::string_view directionName(Direction direction); ///< "both", "positive", ...
+/// Whether there are motions that columns of both directions hold for.
+[[nodiscard]] bool sharesDirection(Direction a, Direction b);
 
 /// One input of a table.
 struct SourceAxis {
@@ -33,8 +35,14 @@ struct SourceAxis {
     std::vector<double> knots; ///< at least 2, finite, strictly ascending
     std::optional<double> wrap; ///< the period of a modulo axis; at least the span of the knots
     double step = 0.0; ///< positions are multiples of this in the file; 0: decimal numbers
+    std::optional<double> distance = {}; ///< of even knots, as the file states it
 
-    friend bool operator==(const SourceAxis&, const SourceAxis&) = default;
+    /// The knots say all that the distance does, but for its last bit.
+    friend bool operator==(const SourceAxis& a, const SourceAxis& b)
+    {
+        return a.name == b.name && a.unit == b.unit && a.knots == b.knots && a.wrap == b.wrap
+            && a.step == b.step;
+    }
 };
 
 /// The values for one target axis.

@@ -49,11 +49,6 @@ bool isKnown(std::string_view unit)
     return unitFactor(unit, unit).has_value();
 }
 
-bool overlap(Direction a, Direction b)
-{
-    return a == b || a == Direction::Both || b == Direction::Both;
-}
-
 } // namespace
 
 Result<void> checkConsistent(const NeutralTable& table)
@@ -169,7 +164,7 @@ Result<std::vector<Mover>> moversOf(
     for (std::size_t b = 0; b < table.columns.size(); ++b)
         for (std::size_t a = 0; a < b; ++a)
             if (ownAxes[a] && ownAxes[a] == ownAxes[b]
-                && overlap(table.columns[a].direction, table.columns[b].direction))
+                && sharesDirection(table.columns[a].direction, table.columns[b].direction))
                 return invalid(AXISCOMP_TEXT("Error",
                     "columns {first} and {second} both correct {axis} in the same direction; keep "
                     "one of them")
@@ -181,7 +176,7 @@ Result<std::vector<Mover>> moversOf(
         Mover mover{axis, {}};
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
             const CompensationColumn& column = table.columns[i];
-            if (ownAxes[i] != axis || !overlap(column.direction, direction))
+            if (ownAxes[i] != axis || !sharesDirection(column.direction, direction))
                 continue;
             AXISCOMP_TRY(const auto factor,
                 factorBetween(column.unit, table.axes[axis].unit,

@@ -28,18 +28,6 @@ const axiscomp::Verdict* verdictOf(const Comparison& comparison, int row)
     return found == comparison.verdicts.end() ? nullptr : &*found;
 }
 
-/// Those of a side of which nothing is left out are its figures.
-std::optional<double> ofAllValues(const Comparison& comparison, Iso230Figure figure, bool isAfter)
-{
-    const auto& before = comparison.beforeOfAllValues;
-    const auto& after = comparison.afterOfAllValues;
-    if (!before && !after)
-        return std::nullopt;
-    if (isAfter)
-        return (after ? *after : comparison.after)[figure].value;
-    return (before ? *before : comparison.before)[figure].value;
-}
-
 } // namespace
 
 ComparisonFiguresModel::ComparisonFiguresModel(const ComparisonModel& comparison, QObject* parent)
@@ -54,8 +42,7 @@ void ComparisonFiguresModel::follow()
 {
     const auto& comparison = m_comparison.state().comparison;
     const bool isThere = comparison != nullptr;
-    const bool hasAllValues =
-        comparison && (comparison->beforeOfAllValues || comparison->afterOfAllValues);
+    const bool hasAllValues = comparison && comparison->hasExcluded();
     if (isThere != m_isThere || hasAllValues != m_hasAllValues) {
         beginResetModel();
         m_isThere = isThere;
@@ -97,7 +84,8 @@ std::optional<double> ComparisonFiguresModel::value(int row, int column) const
     }
     case AllBefore:
     case AllAfter:
-        return ofAllValues(comparison, figure, column == AllAfter);
+        return comparison.hasExcluded() ? comparison.ofAllValues(column == AllAfter)[figure].value
+                                        : std::nullopt;
     default:
         return std::nullopt;
     }

@@ -7,6 +7,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
+#include "core/metrology/header_texts.h"
 
 namespace axiscomp::app {
 
@@ -89,21 +90,21 @@ Json numberOrNothing(const std::optional<double>& value)
 
 Json headerJson(const MeasurementHeader& header)
 {
+    Json json = Json::object();
+    for (const HeaderText& text : headerTexts)
+        json[text.key] = textOrNull(header.*text.member);
     Json compensation = nullptr;
     if (header.compensation.kind != MeasuredState::Kind::NotSaid)
         compensation = {{"active", header.compensation.kind == MeasuredState::Kind::On},
             {"crc",
                 header.compensation.tableCrc ? Json(*header.compensation.tableCrc)
                                              : Json(nullptr)}};
-    return {{"machine", textOrNull(header.machine)}, {"axis", textOrNull(header.axis)},
-        {"instrument", textOrNull(header.instrument)}, {"serial", textOrNull(header.serial)},
-        {"operator", textOrNull(header.operatorName)}, {"date", textOrNull(header.date)},
-        {"feed", textOrNull(header.feed)}, {"dwell", textOrNull(header.dwell)},
-        {"drive", textOrNull(header.drive)}, {"compensation", std::move(compensation)},
-        {"airTemperature", numberOrNothing(header.airTemperature)},
-        {"materialTemperature", numberOrNothing(header.materialTemperature)},
-        {"expansion", numberOrNothing(header.expansion)},
-        {"corrected", textOrNull(correctedText(header.corrected))}};
+    json["compensation"] = std::move(compensation);
+    json["airTemperature"] = numberOrNothing(header.airTemperature);
+    json["materialTemperature"] = numberOrNothing(header.materialTemperature);
+    json["expansion"] = numberOrNothing(header.expansion);
+    json["corrected"] = textOrNull(correctedText(header.corrected));
+    return json;
 }
 
 Json runsJson(const MeasurementInput& input)

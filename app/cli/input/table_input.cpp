@@ -147,7 +147,8 @@ Result<TableInput> inspectCsv(
     return input;
 }
 
-Result<TableInput> inspectTamTable(Environment& environment, const TableInputOptions& options)
+Result<TableInput> inspectTamTable(
+    Environment& environment, const TableInputOptions& options, const FormatSettings& settings)
 {
     AXISCOMP_TRY(auto profile, profileOf(options.profile));
     AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
@@ -162,6 +163,7 @@ Result<TableInput> inspectTamTable(Environment& environment, const TableInputOpt
     input.bytes = text.size();
     input.data = CalibrationData{table.table.grid, {}, {}};
     input.data->tables.push_back(std::move(table.table));
+    stateUnits(*input.data, settings);
     return input;
 }
 
@@ -296,11 +298,8 @@ Result<TableInput> inspectInput(Environment& environment, const TableInputOption
     AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
     if (!isTriamec(*format))
         return inspectOther(environment, *format, options);
-    auto input = format == &calibration_csv::format() ? inspectCsv(environment, options, settings)
-                                                      : inspectTamTable(environment, options);
-    if (input && input->data)
-        stateUnits(*input->data, settings);
-    return input;
+    return format == &calibration_csv::format() ? inspectCsv(environment, options, settings)
+                                                : inspectTamTable(environment, options, settings);
 }
 
 Result<TableInput> readInput(Environment& environment, const TableInputOptions& options)

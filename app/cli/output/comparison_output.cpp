@@ -41,12 +41,10 @@ std::string sideBySide(bool isAngular, const Comparison& comparison)
 /// As if nothing were left out; empty where nothing is.
 std::string allValuesText(bool isAngular, const Comparison& comparison)
 {
-    if (!comparison.beforeOfAllValues && !comparison.afterOfAllValues)
+    if (!comparison.hasExcluded())
         return {};
-    const Iso230Figures& before =
-        comparison.beforeOfAllValues ? *comparison.beforeOfAllValues : comparison.before;
-    const Iso230Figures& after =
-        comparison.afterOfAllValues ? *comparison.afterOfAllValues : comparison.after;
+    const Iso230Figures& before = comparison.ofAllValues(false);
+    const Iso230Figures& after = comparison.ofAllValues(true);
     std::vector<Value> shown;
     for (const Iso230Figures* one : {&before, &after})
         std::ranges::copy(figureValues(*one).values, std::back_inserter(shown));
@@ -143,9 +141,6 @@ Json comparisonJson(const Measurement& after, const Comparison& comparison)
     const auto figuresOrNothing = [](const std::optional<Iso230Figures>& figures) {
         return figures ? axisFiguresJson(*figures) : Json(nullptr);
     };
-    Json warnings = Json::array();
-    for (const JudgeWarning& warning : comparison.warnings)
-        warnings.push_back({{"code", warning.name}, {"message", warning.text.english()}});
     Json heldOut;
     if (comparison.heldOut)
         heldOut = {{"rms", comparison.heldOut->rms}, {"largest", comparison.heldOut->largest},
@@ -160,7 +155,7 @@ Json comparisonJson(const Measurement& after, const Comparison& comparison)
         {"beforeOfAllValues", figuresOrNothing(comparison.beforeOfAllValues)},
         {"afterOfAllValues", figuresOrNothing(comparison.afterOfAllValues)},
         {"verdictOfAllValues", verdictsJson(comparison.verdictsOfAllValues)},
-        {"warnings", std::move(warnings)}};
+        {"warnings", warningsJson(comparison.warnings)}};
 }
 
 } // namespace axiscomp::app

@@ -337,11 +337,16 @@ Json axisFiguresJson(const Iso230Figures& figures)
     return axis;
 }
 
+Json warningsJson(const std::vector<JudgeWarning>& warnings)
+{
+    Json all = Json::array();
+    for (const JudgeWarning& warning : warnings)
+        all.push_back({{"code", warning.name}, {"message", warning.text.english()}});
+    return all;
+}
+
 Json judgementJson(const Measurement& measurement, const Judgement& judgement)
 {
-    Json warnings = Json::array();
-    for (const JudgeWarning& warning : judgement.warnings)
-        warnings.push_back({{"code", warning.name}, {"message", warning.text.english()}});
     return {{"standard", "ISO 230-2:2014"}, {"unit", positionUnit(measurement)},
         {"targets", measurement.targets},
         {"runs",
@@ -361,7 +366,8 @@ Json judgementJson(const Measurement& measurement, const Judgement& judgement)
         {"published", publishedJson(judgement.published)},
         {"contradictions", textsJson(judgement.published.contradictions)},
         {"compliance", complianceJson(judgement.compliance)},
-        {"verdict", verdictsJson(judgement.verdicts)}, {"warnings", std::move(warnings)}};
+        {"verdict", verdictsJson(judgement.verdicts)},
+        {"warnings", warningsJson(judgement.warnings)}};
 }
 
 } // namespace axiscomp::app

@@ -26,6 +26,8 @@ namespace axiscomp::app {
 [[nodiscard]] Json verdictsJson(const std::vector<Verdict>& verdicts);
 /// [{"direction", "target", "run"}]
 [[nodiscard]] Json excludedJson(const Measurement& measurement);
+/// [{"code", "message"}]
+[[nodiscard]] Json warningsJson(const std::vector<JudgeWarning>& warnings);
 /// Everything of a judgement but source, corrections and uncertainty, which the command knows.
 [[nodiscard]] Json judgementJson(const Measurement& measurement, const Judgement& judgement);
 

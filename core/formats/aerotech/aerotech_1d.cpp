@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/aerotech/aerotech_file.h"
 #include "core/formats/formats.h"
+#include "core/formats/units.h"
 #include "core/text/text_file.h"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
-    AXISCOMP_CHECK(aerotech::checkCounts(aerotech_1d::format().facts, options.settings));
+    AXISCOMP_CHECK(checkCounts(aerotech_1d::format().facts, options.settings));
     return readText(aerotech_1d::format().facts, text, options, parse);
 }
 

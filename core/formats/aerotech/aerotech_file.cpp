@@ -316,7 +316,8 @@ void takeCounts(Unit& unit, const Text& found, const TextReading& reading)
         takeUserUnit(unit, primaryUnit, found, reading);
         return;
     }
-    unit.name = "counts";
+    unit.name = countsUnit;
+    unit.setting = countsPerUnit.key;
     reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, unit.place.line, unit.place.column,
         found,
         AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
@@ -369,31 +370,17 @@ std::optional<Unit> unitOption(const Block& block, std::string_view key, const T
 
 bool areKnownApart(const Unit& positions, const Unit& values, DiagnosticList& diagnostics)
 {
+    // Values in counts are not added to positions without a unit: whoever converts refuses that.
     const bool areApart = !positions.setting.empty() && !values.setting.empty()
-        && positions.setting != values.setting;
+        && positions.setting != values.setting && values.setting != countsPerUnit.key;
     if (!areApart || (!positions.name.empty() && !values.name.empty()))
         return true;
     diagnostics.error(DiagnosticCode::UnitNotGiven, values.place.line, values.place.column,
-        AXISCOMP_TEXT("Error", "primary and secondary units in one table"),
+        AXISCOMP_TEXT("Error", "two kinds of units in one table"),
         AXISCOMP_TEXT("Error", "the settings {key} and {key2}")
-            .with("key", primaryUnit.key)
-            .with("key2", secondaryUnit.key));
+            .with("key", positions.setting)
+            .with("key2", values.setting));
     return false;
-}
-
-Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
-{
-    const auto given = settings.find(countsPerUnit.key);
-    const auto number = given == settings.end() ? std::nullopt : numberOf(given->second);
-    if (!number || *number > 0.0)
-        return {};
-    return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            AXISCOMP_TEXT("Error",
-                "the setting {key} of the format {format} is {value}, expected a number above 0")
-                .with("key", given->first)
-                .with("format", facts.name)
-                .with("value", given->second)}});
 }
 
 bool areFinite(const NeutralTable& table, const Block& block, DiagnosticList& diagnostics)

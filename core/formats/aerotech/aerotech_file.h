@@ -53,7 +53,7 @@ struct Unit {
     bool isMetric = false;
     bool isEnglish = false;
     std::string name; ///< of what is not metric: "inch", "counts", or what a setting says
-    std::string_view setting = {}; ///< the key of that one
+    std::string_view setting = {}; ///< the key of that one, or of what makes counts a unit
     double perUnit = 1.0;
     Token place; ///< of the option, or of the table without it
 
@@ -63,11 +63,10 @@ struct Unit {
 [[nodiscard]] std::optional<Unit> unitOption(
     const Block& block, std::string_view key, const TextReading& reading);
 
-/// False, with an error, when both units are the user's, are different, and nobody says both.
+/// False, with an error, when both units are the user's or counts, are different, and nobody says
+/// both, so that values would be taken to be in the unit of the positions.
 [[nodiscard]] bool areKnownApart(
     const Unit& positions, const Unit& values, DiagnosticList& diagnostics);
-/// Errors: InvalidArgument for counts per unit that are not above 0.
-[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
 
 /// False, with an error, when a divided unit makes values that no double holds.
 [[nodiscard]] bool areFinite(

@@ -17,14 +17,8 @@ auto refuseSetting(Text reason)
 Result<double> numberAboveZero(
     const FormatFacts& facts, const SettingValues& settings, std::string_view key)
 {
-    const double number = settings.number(key);
-    if (number > 0.0)
-        return number;
-    return refuseSetting(AXISCOMP_TEXT(
-        "Error", "the setting {key} of the format {format} is {value}, expected a number above 0")
-                             .with("key", key)
-                             .with("format", facts.name)
-                             .with("value", settings.text(key)));
+    AXISCOMP_CHECK(checkAboveZero(facts, key, settings.text(key)));
+    return settings.number(key);
 }
 
 /// How many sections a turn has.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/formats/pmac/pmac_file.h"
+#include "core/formats/units.h"
 
 namespace axiscomp::pmac {
 

@@ -17,8 +17,6 @@ namespace axiscomp::pmac {
 
 /// An entry of a table is a whole number of this part of a count.
 inline constexpr double entriesPerCount = 16.0;
-/// The unit of numbers that were read without counts per unit.
-inline constexpr std::string_view countsUnit = "counts";
 
 /// The tables of one or of two dimensions in a file.
 [[nodiscard]] std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions);
@@ -31,8 +29,6 @@ struct Keys {
 };
 [[nodiscard]] Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     const NeutralTable& source, const FormatSettings& settings);
-/// Errors: InvalidArgument for counts per unit that are not above 0.
-[[nodiscard]] Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings);
 
 /// Reading: the counts for one unit that the setting of one motor says, or the one of all motors;
 /// nothing where neither is given, and the numbers stay in counts.

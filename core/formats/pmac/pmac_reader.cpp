@@ -439,21 +439,4 @@ void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourc
                 .with("key", Verbatim{"counts-per-unit"}));
 }
 
-Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
-{
-    for (const auto& [key, value] : settings) {
-        const auto number = numberOf(value);
-        if (key.ends_with("counts-per-unit") && number && !(*number > 0.0))
-            return fail(ErrorCode::InvalidArgument,
-                {{"reason",
-                    AXISCOMP_TEXT("Error",
-                        "the setting {key} of the format {format} is {value}, expected a number "
-                        "above 0")
-                        .with("key", key)
-                        .with("format", facts.name)
-                        .with("value", value)}});
-    }
-    return {};
-}
-
 } // namespace axiscomp::pmac

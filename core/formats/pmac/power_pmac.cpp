@@ -466,7 +466,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
 {
     const FormatFacts& facts = power_pmac::format().facts;
-    AXISCOMP_CHECK(pmac::checkCounts(facts, options.settings));
+    AXISCOMP_CHECK(checkCounts(facts, options.settings));
     return readText(facts, text, options, parse);
 }
 
@@ -540,7 +540,7 @@ std::string textOf(const NeutralTable& table, const Numbers& numbers, double pos
 Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWriteOptions& options)
 {
     const FormatFacts& facts = power_pmac::format().facts;
-    AXISCOMP_CHECK(pmac::checkCounts(facts, options.settings));
+    AXISCOMP_CHECK(checkCounts(facts, options.settings));
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(tables.front(), given, written.remarks));

@@ -156,7 +156,7 @@ void Collector::takeWeight(const siemens::Assignment& said)
 /// Whether a control whose basic system is metric has the table in mm (MD32711).
 void Collector::takeScaling(const siemens::Assignment& said)
 {
-    if (numberOf(trimmed(said.value.text)) == 1.0)
+    if (siemens::yesOrNo(trimmed(said.value.text)) == true)
         return;
     m_diagnostics.error(DiagnosticCode::LimitExceeded, said.name.line, said.name.column,
         AXISCOMP_TEXT(

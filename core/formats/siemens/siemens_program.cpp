@@ -171,6 +171,16 @@ bool readProgram(const TextReading& reading, std::vector<std::string>& notes,
     return true;
 }
 
+std::optional<bool> yesOrNo(std::string_view value)
+{
+    const auto number = numberOf(value);
+    if (number == 1.0 || sameLetters(value, "TRUE"))
+        return true;
+    if (number == 0.0 || sameLetters(value, "FALSE"))
+        return false;
+    return std::nullopt;
+}
+
 bool Switches::take(const Assignment& said, std::string_view name, std::size_t argumentCount)
 {
     if (!sameLetters(said.name.text, name) || said.arguments.size() != argumentCount)
@@ -182,7 +192,7 @@ bool Switches::take(const Assignment& said, std::string_view name, std::size_t a
     const char* const end = said.value.text.data() + said.value.text.size();
     Token statement = said.name;
     statement.text = {begin, static_cast<std::size_t>(end - begin)};
-    const bool isOff = numberOf(said.value.text) == 0.0 || sameLetters(said.value.text, "FALSE");
+    const bool isOff = yesOrNo(said.value.text) == false;
     m_switches[key] = {statement, said.name, isOff};
     return true;
 }

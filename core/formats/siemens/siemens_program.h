@@ -22,6 +22,10 @@ struct Assignment {
     Token value; ///< without the brackets or quotation marks of an axis name
 };
 
+/// What a variable that is true or false is set to: 1, 0, TRUE or FALSE; nothing: to something
+/// else.
+[[nodiscard]] std::optional<bool> yesOrNo(std::string_view value);
+
 /// What switches tables on: "$SN_CEC_TABLE_ENABLE[0]=1". The last one counts, since a program may
 /// switch a table off while it is loaded.
 class Switches {

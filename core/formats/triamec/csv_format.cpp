@@ -55,10 +55,8 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     reading.diagnostics = std::move(parsed.diagnostics);
     reading.suppressed = parsed.suppressed;
     reading.cancelled = parsed.cancelled;
-    if (parsed.data) {
-        stateUnits(*parsed.data, options.settings);
+    if (parsed.data)
         reading.tables.push_back(neutralTable(*parsed.data, parsed.knots));
-    }
     return reading;
 }
 

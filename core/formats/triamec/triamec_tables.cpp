@@ -18,11 +18,26 @@ auto refuse(Text reason, Text wayOut)
     return cannotHold(calibration_csv::format().facts, std::move(reason), std::move(wayOut));
 }
 
+bool hasKnots(const GridAxis& axis, const std::vector<double>& knots)
+{
+    for (std::size_t i = 0; i < knots.size(); ++i)
+        if (axis.position(i) != knots[i])
+            return false;
+    return true;
+}
+
+/// A distance that is computed from positions is not the stated one to the last bit. That one is
+/// kept where it still gives the positions.
 GridAxis gridAxis(const SourceAxis& axis)
 {
-    const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
-    return {axis.name, axis.unit, spacing.start, spacing.distance,
+    GridAxis grid{axis.name, axis.unit, axis.knots.front(), axis.distance.value_or(0.0),
         static_cast<std::uint32_t>(axis.knots.size())};
+    if (axis.distance && hasKnots(grid, axis.knots))
+        return grid;
+    const EvenSpacing spacing = fitEvenSpacing(axis.knots, noDecimals);
+    grid.start = spacing.start;
+    grid.distance = spacing.distance;
+    return grid;
 }
 
 /// The number that a person would write for a float32: 0.0021 and not 0.0020999999046325684. Made
@@ -69,6 +84,8 @@ NeutralTable neutralTable(
         axis.name = from.name;
         axis.unit = from.unit;
         axis.knots = knots.empty() ? evenKnots(from.start, from.distance, from.size) : knots[n];
+        if (knots.empty())
+            axis.distance = from.distance;
         neutral.axes.push_back(std::move(axis));
     }
     for (const CompensationTable& table : data.tables) {

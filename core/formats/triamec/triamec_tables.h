@@ -23,7 +23,7 @@ namespace axiscomp {
 /// What is stated before a calibration file is read: stated, else what the settings position-unit
 /// and value-unit say.
 [[nodiscard]] StatedUnits statedUnits(const FormatSettings& settings, StatedUnits stated = {});
-/// What the settings position-unit and value-unit say comes before what the file says.
+/// What these settings say, of a table of the drive, whose file holds no units.
 void stateUnits(CalibrationData& data, const FormatSettings& settings);
 
 } // namespace axiscomp

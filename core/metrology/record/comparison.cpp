@@ -394,6 +394,18 @@ bool Comparison::isWithinTolerances() const
         verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
 }
 
+bool Comparison::hasExcluded() const
+{
+    return beforeOfAllValues || afterOfAllValues;
+}
+
+const Iso230Figures& Comparison::ofAllValues(bool isAfter) const
+{
+    if (isAfter)
+        return afterOfAllValues ? *afterOfAllValues : after;
+    return beforeOfAllValues ? *beforeOfAllValues : before;
+}
+
 ComparisonRequest comparisonRequest(const CalibrationRecord& record)
 {
     ComparisonRequest request;

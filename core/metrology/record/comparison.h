@@ -96,6 +96,10 @@ struct Comparison {
     bool isByTemperature = false; ///< as in the request
 
     [[nodiscard]] bool isWithinTolerances() const;
+    /// Whether values of one of the two measurements are left out.
+    [[nodiscard]] bool hasExcluded() const;
+    /// As if nothing were left out; of a measurement of which nothing is, its figures.
+    [[nodiscard]] const Iso230Figures& ofAllValues(bool isAfter) const;
 };
 
 /// Hints are looked for when the error is not as predicted; without a prediction, when M is not

@@ -333,6 +333,34 @@ private Q_SLOTS:
         QVERIFY(!other->isSamePlace);
     }
 
+    /// Readings are as fast as the drive answers, and each register takes its time.
+    void whereATableLiesIsNotReadWhileItIsOff()
+    {
+        CaptureFixture fixture;
+        WriteRequest request;
+        request.dimensionality = 1;
+        request.sources = {encoder};
+        request.table = test::exampleTable(1, 1, 11);
+        fixture.link.beginning = [&](std::string_view) { fixture.time += 1ms; };
+        VERIFY_RESULT(fixture.compensator.write(0, request));
+        fixture.link.beginning = {};
+        const auto opened = fixture.readings({encoder, referenceRegister}, {.unit = "mm"});
+        VERIFY_RESULT(opened);
+        QCOMPARE(opened->state(), std::string("off"));
+        std::vector<std::string> paths;
+        fixture.link.altersReading = [&](RegisterReading& reading) {
+            paths.push_back(reading.path);
+            if (reading.path == referenceRegister)
+                reading.value = 12.5F;
+        };
+        const auto reading = opened->read(fixture.link, {});
+        VERIFY_RESULT(reading);
+        QCOMPARE(paths.size(), 7U);
+        QCOMPARE(paths.back(), referenceRegister);
+        QCOMPARE(reading->reference, 12.5);
+        QVERIFY(reading->isSamePlace);
+    }
+
     /// Plans are in mm or deg, whatever the axis is in.
     void aPlanOfTheOtherKindIsRefusedWithTheUnitThatItNeeds()
     {

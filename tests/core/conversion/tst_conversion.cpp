@@ -928,6 +928,34 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
     }
 
+    /// A distance that the positions do not give back to the last bit is what the file states.
+    void aDistanceThatIsStatedIsKeptToTheLastBit()
+    {
+        CompensationTable table;
+        table.name = "X";
+        table.grid.axes = {{.name = {}, .unit = {}, .start = 0, .distance = 0, .size = 3}};
+        table.grid.axes[0].distance = std::nextafter(10.0, 11.0);
+        table.values = {0.0F, 0.5F, 0.25F};
+        NeutralTable source = neutralTable({table.grid, {table}, {}});
+        ConversionRequest request = requestFor(tam_table::format(), tam_table::format());
+        request.targets = {"#1"};
+        request.lookupAt = LookupAt::Encoder;
+        const auto distanceOf = [](const Conversion& conversion) {
+            const auto data = calibrationData(conversion.written.held.front());
+            return data ? data->grid.axes[0].distance : 0.0;
+        };
+        const auto kept = convertTables(std::span(&source, 1), request);
+        VERIFY_RESULT(kept);
+        QCOMPARE(kept->tables[0].positionRounding, std::vector{0.0});
+        QVERIFY(distanceOf(*kept) == table.grid.axes[0].distance);
+
+        for (double& knot : source.axes[0].knots)
+            knot *= 2.0;
+        const auto moved = convertTables(std::span(&source, 1), request);
+        VERIFY_RESULT(moved);
+        QCOMPARE(distanceOf(*moved), 20.0);
+    }
+
     /// Both columns move the place where they are looked up.
     void oneColumnOfSeveralIsConvertedAsTheWholeFileIs_data()
     {

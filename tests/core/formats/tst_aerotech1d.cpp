@@ -129,13 +129,20 @@ void describe(test::FormatSample& sample)
     row("divided by 0", with("METRIC/1000", "METRIC/0"), "2:38 Syntax METRIC/0|CORUNIT=METRIC");
     row("two units of which a setting says one",
         with("METRIC CORUNIT=METRIC", "PRIMARY CORUNIT=SECONDARY"),
-        "2:39 UnitNotGiven primary and secondary units in one table|the settings primary-unit and "
+        "2:39 UnitNotGiven two kinds of units in one table|the settings primary-unit and "
         "secondary-unit");
+    sample.problem("values without a unit at positions in counts",
+        with("METRIC CORUNIT=METRIC", "COUNTS CORUNIT=PRIMARY"),
+        "2:38 UnitNotGiven two kinds of units in one table|the settings counts-per-unit and "
+        "primary-unit",
+        {}, FormatSettings{});
     sample.problem("inches of a rotary axis",
         with("METRIC CORUNIT=METRIC", "METRIC CORUNIT=ENGLISH"),
         "2:38 Contradiction CORUNIT ENGLISH of the rotary axis 1|METRIC, which is degrees there",
         {}, FormatSettings{{"rotary-axes", "1"}});
     sample.refusesReading("no counts", {{"counts-per-unit", "0"}}, "expected a number above 0");
+    sample.refusesReading(
+        "counts that are no number", {{"counts-per-unit", "x"}}, "expected a number such as 0.5");
     row("twice", with("OFFSET=10", "OFFSET=10 OFFSET=11"),
         "3:18 Contradiction OFFSET a second time|each option once");
     row("a value that is none", with("-4", "-4x"), "5:3 NotANumber -4x|a correction");

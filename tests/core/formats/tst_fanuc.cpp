@@ -166,6 +166,7 @@ void describeProblems(test::FormatSample& sample)
         set("interval", "1e308"));
 
     sample.refusesReading("no interval", set("interval", "0"), "expected a number above 0");
+    sample.refusesReading("interval is no number", set("interval", "x"), "a number such as 0.5");
     sample.refusesReading("no detection unit", set("detection-unit", "-1"), "number above 0");
     sample.refusesReading("no magnification", set("magnification", "0"), "expected 1 to 10000");
     sample.refusesReading("no such number", set("reference-number", "10000"), "expected 0 to 9999");

@@ -81,6 +81,8 @@ void describe(test::FormatSample& sample)
     sample.warning("units that nobody says", file,
         {"2:0 UnitNotGiven a table in motor units|the setting counts-per-unit"}, FormatSettings());
     sample.refusesReading("counts of 0", counted("0").settings, "expected a number above 0");
+    sample.refusesReading(
+        "counts that are no number", counted("many").settings, "expected a number such as 0.5");
 
     const auto row = sample.problemRow();
     row("no table", "Sys.CompEnable = 1;\n", "0:0 Syntax |assignments to CompTable[0]");

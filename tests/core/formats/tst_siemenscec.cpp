@@ -94,6 +94,7 @@ void describe(test::FormatSample& sample)
         "1:1 LimitExceeded $MA_CEC_SCALING_SYSTEM_METRIC = 0, with which the lengths of the table "
         "are in inches|1; take the line out, and multiply positions and values in inches by 25.4");
     sample.applies({{{400}, 0.03}}, "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n" + program);
+    sample.applies({{{400}, 0.03}}, "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=TRUE\n" + program);
     describeSwitches(sample);
     const std::string others = "$AN_CEC_INPUT_NCU[0]=1\n$AA_ENC_COMP[0,0,X]=1\n" + program;
     const auto twoTables = [](const char* first, const char* second) {

@@ -296,8 +296,12 @@ private Q_SLOTS:
                 for (const auto to : {SignConvention::Feedback, SignConvention::Command}) {
                     const auto converted = convertSign(table, to, {});
                     sentences.add(converted);
-                    if (converted)
-                        sentences.add(converted->example);
+                    if (!converted)
+                        continue;
+                    const bool toCommand = to == SignConvention::Command;
+                    sentences.add(table.sign == to ? examplePoint(table)
+                            : toCommand            ? examplePoint(table, converted->table)
+                                                   : examplePoint(converted->table, table));
                 }
                 sentences.add(conversionDifference(table, {}, test::neutralExample(1), {}, 1000));
                 sentences.add(conversionDifference(test::neutralExample(2), {}, table, {}, 1000));

@@ -416,6 +416,9 @@ private Q_SLOTS:
         QVERIFY(result->isWithinTolerances());
         QVERIFY(!result->beforeOfAllValues);
         QVERIFY(*(*result->afterOfAllValues)[Iso230Figure::M].value > 0.02);
+        QVERIFY(result->hasExcluded());
+        QCOMPARE(&result->ofAllValues(false), &result->before);
+        QCOMPARE(&result->ofAllValues(true), &*result->afterOfAllValues);
         QCOMPARE(result->verdictsOfAllValues.front().result, VerdictResult::Failed);
         QCOMPARE(result->warnings.size(), std::size_t{2});
         QCOMPARE(result->warnings[0].text.english(),
@@ -428,13 +431,16 @@ private Q_SLOTS:
         const auto other = compareMeasurements(after, measured(small), request);
         VERIFY_RESULT(other);
         QVERIFY(other->beforeOfAllValues && !other->afterOfAllValues);
+        QVERIFY(other->hasExcluded());
+        QCOMPARE(&other->ofAllValues(false), &*other->beforeOfAllValues);
+        QCOMPARE(&other->ofAllValues(true), &other->after);
         QCOMPARE(other->warnings.size(), std::size_t{1});
         QCOMPARE(other->warnings[0].text.english(),
             std::string("first measurement: 4 values excluded, not an evaluation by ISO 230-2"));
         QVERIFY(other->verdictsOfAllValues.empty());
         const auto whole = compareMeasurements(measured(&errorBefore), measured(small), request);
         VERIFY_RESULT(whole);
-        QVERIFY(whole->warnings.empty() && !whole->afterOfAllValues);
+        QVERIFY(whole->warnings.empty() && !whole->hasExcluded());
     }
 
     void aRecordSaysWhatWasPromised()
