@@ -8518,8 +8518,8 @@
         <translation>METRIC, das dort Grad bedeutet; Zoll sind Längen</translation>
     </message>
     <message>
-        <source>primary and secondary units in one table</source>
-        <translation>primäre und sekundäre Einheiten in einer Tabelle</translation>
+        <source>two kinds of units in one table</source>
+        <translation>zwei Arten von Einheiten in einer Tabelle</translation>
     </message>
     <message>
         <source>the settings {key} and {key2}</source>
@@ -15665,6 +15665,10 @@
     <message>
         <source>All drives have what the file says.</source>
         <translation>Alle Antriebe haben, was in der Datei steht.</translation>
+    </message>
+    <message>
+        <source>No drive of the file answers.</source>
+        <translation>Kein Antrieb der Datei antwortet.</translation>
     </message>
 </context>
 <context>

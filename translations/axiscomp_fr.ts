@@ -8518,8 +8518,8 @@
         <translation>METRIC, qui y signifie degrés&#xa0;; les pouces sont des longueurs</translation>
     </message>
     <message>
-        <source>primary and secondary units in one table</source>
-        <translation>des unités primaires et secondaires dans une même table</translation>
+        <source>two kinds of units in one table</source>
+        <translation>deux sortes d&apos;unités dans une même table</translation>
     </message>
     <message>
         <source>the settings {key} and {key2}</source>
@@ -15665,6 +15665,10 @@
     <message>
         <source>All drives have what the file says.</source>
         <translation>Tous les variateurs ont le contenu du fichier.</translation>
+    </message>
+    <message>
+        <source>No drive of the file answers.</source>
+        <translation>Aucun variateur du fichier ne répond.</translation>
     </message>
 </context>
 <context>

@@ -8477,8 +8477,8 @@
         <translation>METRIC (その軸では度)。インチは長さの単位です</translation>
     </message>
     <message>
-        <source>primary and secondary units in one table</source>
-        <translation>1 つのテーブルに PRIMARY と SECONDARY の単位</translation>
+        <source>two kinds of units in one table</source>
+        <translation>1 つのテーブルに 2 種類の単位</translation>
     </message>
     <message>
         <source>the settings {key} and {key2}</source>
@@ -15614,6 +15614,10 @@
     <message>
         <source>All drives have what the file says.</source>
         <translation>すべてのドライブがファイルと同じ内容です。</translation>
+    </message>
+    <message>
+        <source>No drive of the file answers.</source>
+        <translation>ファイルのドライブはどれも応答しません。</translation>
     </message>
 </context>
 <context>

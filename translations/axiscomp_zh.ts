@@ -8477,8 +8477,8 @@
         <translation>METRIC，在该轴上表示度；英寸是长度单位</translation>
     </message>
     <message>
-        <source>primary and secondary units in one table</source>
-        <translation>一个表中既有 PRIMARY 又有 SECONDARY 单位</translation>
+        <source>two kinds of units in one table</source>
+        <translation>一个表中有两种单位</translation>
     </message>
     <message>
         <source>the settings {key} and {key2}</source>
@@ -15614,6 +15614,10 @@
     <message>
         <source>All drives have what the file says.</source>
         <translation>所有驱动器均与文件一致。</translation>
+    </message>
+    <message>
+        <source>No drive of the file answers.</source>
+        <translation>文件中没有驱动器应答。</translation>
     </message>
 </context>
 <context>
