@@ -21,39 +21,20 @@ tl::unexpected<Error> refuse(Text reason)
     return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
 }
 
-Result<void> checkAdjustment(const NeutralTable& table, const Adjustment& adjustment)
+/// In the turn of a modulo axis that begins with its first knot.
+double inTurn(const SourceAxis& axis, double position)
 {
-    if (!std::isfinite(adjustment.scale) || adjustment.scale == 0.0
-        || !std::isfinite(adjustment.offset))
-        return refuse(AXISCOMP_TEXT("Error",
-            "the values are multiplied by a number that is not 0, and shifted by a number"));
-    if (adjustment.zero.empty())
-        return {};
-    if (adjustment.offset != 0.0)
-        return refuse(AXISCOMP_TEXT(
-            "Error", "an offset and a position at which the values are 0 contradict each other"));
-    if (adjustment.zero.size() != table.axes.size())
-        return refuse(AXISCOMP_TEXT("Error",
-            "the position at which the values are 0 needs a number for each of the {count} source "
-            "axes")
-                          .with("count", table.axes.size()));
-    for (std::size_t n = 0; n < table.axes.size(); ++n) {
-        const SourceAxis& axis = table.axes[n];
-        const double position = adjustment.zero[n];
-        const double turns =
-            axis.wrap ? std::floor((position - axis.knots.front()) / *axis.wrap) : 0.0;
-        const double inTurn = axis.wrap ? position - turns * *axis.wrap : position;
-        if (axis.knots.front() <= inTurn && inTurn <= axis.knots.back())
-            continue;
-        return refuse(AXISCOMP_TEXT("Error",
-            "{position} of source {number}, where the values shall be 0, is outside of the table, "
-            "which goes from {first} to {last}")
-                          .with("position", Quantity{toText(position), axis.unit})
-                          .with("number", n + 1)
-                          .with("first", Quantity{roundedText(axis.knots.front()), axis.unit})
-                          .with("last", Quantity{roundedText(axis.knots.back()), axis.unit}));
-    }
-    return {};
+    if (!axis.wrap)
+        return position;
+    const double turns = std::floor((position - axis.knots.front()) / *axis.wrap);
+    return position - turns * *axis.wrap;
+}
+
+/// position: as inTurn says. The last knot of a grid may be rounded.
+bool isWithin(const SourceAxis& axis, double position)
+{
+    const double rounding = 1e-9 * (axis.knots.back() - axis.knots.front());
+    return axis.knots.front() - rounding <= position && position <= axis.knots.back() + rounding;
 }
 
 /// The values at a position. Of the two directions of a table the mean counts, so that the reversal
@@ -76,16 +57,6 @@ double valueAt(const NeutralTable& table, std::size_t column, std::span<const do
     return sum / count;
 }
 
-/// By how much each column is shifted.
-std::vector<double> shiftsOf(const NeutralTable& table, const Adjustment& adjustment)
-{
-    std::vector<double> shifts(table.columns.size(), adjustment.offset);
-    if (!adjustment.zero.empty())
-        for (std::size_t n = 0; n < shifts.size(); ++n)
-            shifts[n] = -valueAt(table, n, adjustment.zero);
-    return shifts;
-}
-
 /// Columns that correct the same axis in the same direction are told apart by their names.
 Text namedColumn(const NeutralTable& table, const CompensationColumn& column)
 {
@@ -102,17 +73,65 @@ Text namedColumn(const NeutralTable& table, const CompensationColumn& column)
 Result<NeutralTable> adjusted(
     NeutralTable table, const Adjustment& adjustment, std::vector<Text>& remarks)
 {
-    if (adjustment == Adjustment{})
-        return table;
-    AXISCOMP_CHECK(checkAdjustment(table, adjustment));
-    if (adjustment.scale != 1.0)
+    if (!std::isfinite(adjustment.scale) || adjustment.scale == 0.0
+        || !std::isfinite(adjustment.offset))
+        return refuse(AXISCOMP_TEXT("Error",
+            "the values are multiplied by a number that is not 0, and shifted by a number"));
+    if (!adjustment.zero.empty() && adjustment.offset != 0.0)
+        return refuse(AXISCOMP_TEXT(
+            "Error", "an offset and a position at which the values are 0 contradict each other"));
+    if (adjustment.scale != 1.0) {
         remarkOnce(remarks,
             AXISCOMP_TEXT("Error", "the values are multiplied by {factor}")
                 .with("factor", Quantity{toText(adjustment.scale)}));
-    for (CompensationColumn& column : table.columns)
-        for (double& value : column.values)
-            value *= adjustment.scale;
-    const std::vector<double> shifts = shiftsOf(table, adjustment);
+        for (CompensationColumn& column : table.columns)
+            for (double& value : column.values)
+                value *= adjustment.scale;
+    }
+    shiftColumns(table, std::vector<double>(table.columns.size(), adjustment.offset), remarks);
+    return table;
+}
+
+Result<std::vector<double>> zeroWithin(const NeutralTable& table, const Adjustment& adjustment)
+{
+    std::vector<double> zero = adjustment.zero;
+    if (zero.empty())
+        return zero;
+    if (zero.size() != table.axes.size())
+        return refuse(AXISCOMP_TEXT("Error",
+            "the position at which the values are 0 needs a number for each of the {count} source "
+            "axes")
+                          .with("count", table.axes.size()));
+    for (std::size_t n = 0; n < zero.size(); ++n) {
+        const SourceAxis& axis = table.axes[n];
+        zero[n] = inTurn(axis, zero[n]);
+        if (isWithin(axis, zero[n]))
+            continue;
+        return refuse(AXISCOMP_TEXT("Error",
+            "{position} of source {number}, where the values shall be 0, is outside of the table, "
+            "which goes from {first} to {last}")
+                          .with("position", Quantity{toText(adjustment.zero[n]), axis.unit})
+                          .with("number", n + 1)
+                          .with("first", Quantity{roundedText(axis.knots.front()), axis.unit})
+                          .with("last", Quantity{roundedText(axis.knots.back()), axis.unit}));
+    }
+    return zero;
+}
+
+std::optional<std::vector<double>> shiftsToZero(
+    const NeutralTable& table, std::span<const double> position)
+{
+    for (std::size_t n = 0; n < position.size(); ++n)
+        if (!isWithin(table.axes[n], inTurn(table.axes[n], position[n])))
+            return std::nullopt;
+    std::vector<double> shifts;
+    for (std::size_t n = 0; n < table.columns.size(); ++n)
+        shifts.push_back(0.0 - valueAt(table, n, position)); // no negative zero
+    return shifts;
+}
+
+void shiftColumns(NeutralTable& table, std::span<const double> shifts, std::vector<Text>& remarks)
+{
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         const double shift = shifts[n];
         if (shift == 0.0)
@@ -125,7 +144,6 @@ Result<NeutralTable> adjusted(
                 .with("column", namedColumn(table, column))
                 .with("shift", quantityOf(shift, column.unit)));
     }
-    return table;
 }
 
 } // namespace axiscomp

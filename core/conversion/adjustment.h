@@ -4,13 +4,15 @@
 #include "core/base/result.h"
 #include "core/neutral/neutral_table.h"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace axiscomp {
 
-/// How values are changed before anything else is done with them: multiplied by scale, then offset
-/// added, or else shifted so that they are 0 at a position; of two directions the mean is, so that
-/// the reversal stays.
+/// How values are changed: multiplied by scale, then offset added, before anything else is done
+/// with them, or else shifted so that they are 0 at a position once they have their directions and
+/// grid.
 struct Adjustment {
     double scale = 1.0; ///< finite, not 0
     double offset = 0.0; ///< finite, in the unit of the values
@@ -19,10 +21,22 @@ struct Adjustment {
     friend bool operator==(const Adjustment&, const Adjustment&) = default;
 };
 
-/// Says in remarks what was done, the shift of each column included. The value at zero is
-/// interpolated linearly. Errors: InvalidArgument for numbers that cannot be, for a position that
-/// is outside of the table, and for zero together with an offset.
+/// By scale and offset; remarks say so. Errors: InvalidArgument for numbers that cannot be, and for
+/// zero together with an offset.
 [[nodiscard]] Result<NeutralTable> adjusted(
     NeutralTable table, const Adjustment& adjustment, std::vector<Text>& remarks);
+
+/// Adjustment::zero in the turn of a modulo axis that its knots are in. Errors: InvalidArgument for
+/// a position that is outside of the table, or of another number of axes.
+[[nodiscard]] Result<std::vector<double>> zeroWithin(
+    const NeutralTable& table, const Adjustment& adjustment);
+
+/// What makes each column 0 at a position, in its unit, interpolated linearly; of two directions
+/// the mean becomes 0, so that the reversal stays. Nothing: the position is outside of the table.
+[[nodiscard]] std::optional<std::vector<double>> shiftsToZero(
+    const NeutralTable& table, std::span<const double> position);
+
+/// shifts: one for each column, in its unit. Says each of them in remarks.
+void shiftColumns(NeutralTable& table, std::span<const double> shifts, std::vector<Text>& remarks);
 
 } // namespace axiscomp

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 
 namespace axiscomp {
@@ -230,12 +231,14 @@ private:
     /// What is done before the sign is converted.
     [[nodiscard]] Result<NeutralTable> beforeSign(
         NeutralTable table, SetSides sides, TableConversion& conversion) const;
-    /// The same of the columns beside the table, on its grid.
+    /// Merged, resampled, and shifted to be 0 where that is asked for, as then the source is, too.
+    [[nodiscard]] Result<NeutralTable> onGrid(
+        NeutralTable table, TableConversion& conversion) const;
+    /// What is done before the sign is converted, of the columns beside the table, on its grid.
     [[nodiscard]] Result<void> prepareBeside(const NeutralTable& table, SetSides sides);
     /// What a conversion needs to know of the units: those of numbers that are added to each other.
     [[nodiscard]] Result<NeutralTable> withUnits(NeutralTable table, SetSides sides) const;
-    [[nodiscard]] Result<NeutralTable> merged(
-        NeutralTable table, TableConversion& conversion) const;
+    [[nodiscard]] Result<MergedDirections> merged(NeutralTable table) const;
     [[nodiscard]] Result<NeutralTable> resampled(
         NeutralTable table, TableConversion& conversion) const;
     [[nodiscard]] Result<NeutralTable> signConverted(
@@ -298,15 +301,16 @@ Result<NeutralTable> Converter::withUnits(NeutralTable table, SetSides sides) co
     return isKept ? Result<NeutralTable>(std::move(table)) : withUnitsOfValues(table, m_remarks);
 }
 
-Result<NeutralTable> Converter::merged(NeutralTable table, TableConversion& conversion) const
+Result<MergedDirections> Converter::merged(NeutralTable table) const
 {
     const bool hasDirections = std::ranges::any_of(table.columns,
         [](const CompensationColumn& column) { return column.direction != Direction::Both; });
-    if (!m_request.direction || !hasDirections)
-        return table;
-    AXISCOMP_TRY(auto merge, mergeDirections(table, *m_request.direction));
-    conversion.directionLosses = std::move(merge.losses);
-    return std::move(merge.table);
+    if (m_request.direction && hasDirections)
+        return mergeDirections(table, *m_request.direction);
+    MergedDirections same{std::move(table), {}, {}};
+    same.columns.resize(same.table.columns.size());
+    std::iota(same.columns.begin(), same.columns.end(), std::size_t{0});
+    return same;
 }
 
 Result<NeutralTable> Converter::resampled(NeutralTable table, TableConversion& conversion) const
@@ -387,22 +391,48 @@ Result<NeutralTable> Converter::signConverted(
     return table;
 }
 
+Result<NeutralTable> Converter::onGrid(NeutralTable table, TableConversion& conversion) const
+{
+    AXISCOMP_TRY(const auto zero, zeroWithin(table, m_request.adjustment));
+    if (m_request.dropsWrap)
+        for (SourceAxis& axis : table.axes)
+            axis.wrap.reset();
+    AXISCOMP_TRY(auto merge, merged(std::move(table)));
+    conversion.directionLosses = std::move(merge.losses);
+    const auto ofSource = zero.empty() ? std::nullopt : shiftsToZero(merge.table, zero);
+    AXISCOMP_TRY(auto made, resampled(std::move(merge.table), conversion));
+    if (!ofSource)
+        return made;
+    // A grid may end before the position.
+    const std::vector<double> shifts = shiftsToZero(made, zero).value_or(*ofSource);
+    NeutralTable& source = conversion.source;
+    std::vector<double> shiftsOfSource;
+    for (std::size_t n = 0; n < source.columns.size(); ++n) {
+        const std::size_t own = merge.columns[n];
+        shiftsOfSource.push_back(
+            factorOf(made.columns[own].unit, source.columns[n].unit) * shifts[own]);
+    }
+    std::vector<Text> unsaid; // since those of the result are said
+    shiftColumns(source, shiftsOfSource, unsaid);
+    shiftColumns(made, shifts, m_remarks);
+    return made;
+}
+
 Result<NeutralTable> Converter::beforeSign(
     NeutralTable table, SetSides sides, TableConversion& conversion) const
 {
     AXISCOMP_TRY(table, withUnits(std::move(table), sides));
     AXISCOMP_TRY(table, adjusted(std::move(table), m_request.adjustment, m_remarks));
-    if (const auto remark = lookupRemark(table, sides, m_request))
-        remarkOnce(m_remarks, *remark);
-    if (sides.isSourceConverted())
-        table = withTurnedSigns(std::move(table), SignConvention::Command);
-    conversion.lookupAt = lookupOfResult(table, m_request);
     conversion.source = table;
-    if (m_request.dropsWrap)
-        for (SourceAxis& axis : table.axes)
-            axis.wrap.reset();
-    auto result = merged(std::move(table), conversion);
-    return result ? resampled(*std::move(result), conversion) : result;
+    AXISCOMP_TRY(table, onGrid(std::move(table), conversion));
+    if (const auto remark = lookupRemark(conversion.source, sides, m_request))
+        remarkOnce(m_remarks, *remark);
+    if (sides.isSourceConverted()) {
+        table = withTurnedSigns(std::move(table), SignConvention::Command);
+        conversion.source = withTurnedSigns(std::move(conversion.source), SignConvention::Command);
+    }
+    conversion.lookupAt = lookupOfResult(conversion.source, m_request);
+    return table;
 }
 
 Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& conversion)

@@ -72,13 +72,14 @@ struct Conversion {
 };
 
 /// In this order: take the stated units, and values without a unit in that of their positions,
-/// adjust the values, merge directions, resample, convert the sign, check that the target can hold
-/// it, write, and compare what the file says with the source under both controllers' rules. A table
-/// of the drive that is looked up at the set position x holds -c(x): there the drive moves the
-/// encoder to x + c(x), as a controller with command values does (docs/formats.md). Errors: of each
-/// of these steps; InvalidArgument for a lookupAt that the table contradicts, and between two
-/// tables of the drive where the first one does not say its own; SignNotStated before any of them
-/// where the sign of one of two formats is assumed and the request does not state it.
+/// adjust the values, merge directions, resample, shift to 0 where that is asked for, convert the
+/// sign, check that the target can hold it, write, and compare what the file says with the source
+/// under both controllers' rules. A table of the drive that is looked up at the set position x
+/// holds -c(x): there the drive moves the encoder to x + c(x), as a controller with command values
+/// does (docs/formats.md). Errors: of each of these steps; InvalidArgument for a lookupAt that the
+/// table contradicts, and between two tables of the drive where the first one does not say its own;
+/// SignNotStated before any of them where the sign of one of two formats is assumed and the request
+/// does not state it.
 [[nodiscard]] Result<Conversion> convertTables(
     std::span<const NeutralTable> tables, const ConversionRequest& request);
 

@@ -81,6 +81,7 @@ public:
     {
         m_result.table = table;
         m_result.table.columns.clear();
+        m_result.columns.resize(table.columns.size());
     }
 
     [[nodiscard]] Result<MergedDirections> run()
@@ -107,6 +108,10 @@ private:
 
 Result<void> Merger::merge(const Group& group)
 {
+    for (const CompensationColumn* column : {group.both, group.positive, group.negative})
+        if (column)
+            m_result.columns[static_cast<std::size_t>(column - m_table.columns.data())] =
+                m_result.table.columns.size();
     if (group.both) {
         m_result.table.columns.push_back(*group.both);
         return {};

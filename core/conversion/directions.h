@@ -22,6 +22,7 @@ struct DirectionLoss {
 struct MergedDirections {
     NeutralTable table; ///< with columns of Both only
     std::vector<DirectionLoss> losses; ///< one for each pair, in the order of the columns
+    std::vector<std::size_t> columns; ///< of each column that was merged: where it is in the table
 };
 
 /// One column for both directions in place of each pair of a positive and a negative one with the

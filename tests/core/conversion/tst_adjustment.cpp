@@ -21,6 +21,19 @@ NeutralTable line()
     return table;
 }
 
+/// Shifted so that it is 0 at a position.
+Result<NeutralTable> zeroed(
+    NeutralTable table, std::vector<double> zero, std::vector<Text>& remarks)
+{
+    Adjustment adjustment;
+    adjustment.zero = std::move(zero);
+    AXISCOMP_TRY(table, adjusted(std::move(table), adjustment, remarks));
+    AXISCOMP_TRY(const auto position, zeroWithin(table, adjustment));
+    if (const auto shifts = shiftsToZero(table, position))
+        shiftColumns(table, *shifts, remarks);
+    return table;
+}
+
 Values valuesOf(const Result<NeutralTable>& table)
 {
     return table ? table->columns.front().values : Values{};
@@ -48,8 +61,7 @@ private Q_SLOTS:
     void valuesBecomeZeroAtAPositionBetweenThePoints()
     {
         std::vector<Text> remarks;
-        const auto shifted =
-            adjusted(line(), {.scale = 1.0, .offset = 0.0, .zero = {12.5}}, remarks); // 7.5 um
+        const auto shifted = zeroed(line(), {12.5}, remarks); // 7.5 um
         QCOMPARE(valuesOf(shifted), (Values{-2.5, -0.5, 1.5, -3.5}));
         QVERIFY2(remarks.front().english().ends_with("are shifted by -7.5 um"),
             remarks.front().english().c_str());
@@ -62,13 +74,13 @@ private Q_SLOTS:
         table.columns[0].name = "Table 1";
         table.columns[1].name = "Table 2";
         std::vector<Text> remarks;
-        VERIFY_RESULT(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {10.0}}, remarks));
+        VERIFY_RESULT(zeroed(table, {10.0}, remarks));
         QCOMPARE(remarks.size(), std::size_t{2});
         QCOMPARE(remarks[0].english(), std::string("the values of Table 1 are shifted by -7 um"));
         QCOMPARE(remarks[1].english(), std::string("the values of Table 2 are shifted by -1 um"));
         table.columns[1].target = "Y"; // what they correct tells them apart
         remarks.clear();
-        VERIFY_RESULT(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {10.0}}, remarks));
+        VERIFY_RESULT(zeroed(table, {10.0}, remarks));
         QVERIFY2(remarks[0].english().find("Table 1") == std::string::npos,
             remarks[0].english().c_str());
     }
@@ -79,11 +91,8 @@ private Q_SLOTS:
         table.axes.front().wrap = 40.0;
         std::vector<Text> remarks;
         for (const double zero : {12.5, 52.5, -27.5})
-            QCOMPARE(
-                valuesOf(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {zero}}, remarks)),
-                (Values{-2.5, -0.5, 1.5, -3.5}));
-        VERIFY_ERROR(adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {75.0}}, remarks),
-            ErrorCode::InvalidArgument);
+            QCOMPARE(valuesOf(zeroed(table, {zero}, remarks)), (Values{-2.5, -0.5, 1.5, -3.5}));
+        VERIFY_ERROR(zeroed(table, {75.0}, remarks), ErrorCode::InvalidArgument);
     }
 
     void everyColumnHasItsOwnShift()
@@ -91,8 +100,7 @@ private Q_SLOTS:
         NeutralTable table = line();
         table.columns.push_back(test::columnOf("Y", "um", {1, 1, 2, 2}));
         std::vector<Text> remarks;
-        const auto shifted =
-            adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {30.0}}, remarks);
+        const auto shifted = zeroed(table, {30.0}, remarks);
         QCOMPARE(valuesOf(shifted), (Values{1, 3, 5, 0}));
         QCOMPARE(shifted->columns[1].values, (Values{-1, -1, 0, 0}));
         QCOMPARE(remarks.size(), std::size_t{2});
@@ -105,10 +113,25 @@ private Q_SLOTS:
         table.columns[0].direction = Direction::Positive;
         table.columns[1].direction = Direction::Negative;
         std::vector<Text> remarks;
-        const auto shifted = adjusted(table, {.scale = 1.0, .offset = 0.0, .zero = {0.0}}, remarks);
+        const auto shifted = zeroed(table, {0.0}, remarks);
         QCOMPARE(valuesOf(shifted), (Values{2, 4, 6, 1}));
         QVERIFY(test::largestDifference(shifted->columns[1].values, {-0.002, 0, 0.002, -0.003})
             < 1e-15);
+    }
+
+    /// By rounding, such as 0.1 + 0.2, the last knot may be below the position.
+    void atTheEndsOfTheTableRoundingIsAllowedFor()
+    {
+        NeutralTable table = line();
+        table.axes.front().knots.back() = 30.0 - 1e-12;
+        std::vector<Text> remarks;
+        QCOMPARE(valuesOf(zeroed(table, {30.0}, remarks)), (Values{1, 3, 5, 0}));
+    }
+
+    void aTableThatDoesNotReachThePositionSaysNoShift()
+    {
+        const std::vector<double> position{31.0};
+        QVERIFY(!shiftsToZero(line(), position));
     }
 
     void nothingIsDoneUnasked()
@@ -137,7 +160,9 @@ private Q_SLOTS:
         QFETCH(QList<double>, zero);
         QFETCH(QString, reason);
         std::vector<Text> remarks;
-        const auto result = adjusted(line(), {scale, offset, {zero.begin(), zero.end()}}, remarks);
+        const Adjustment adjustment{scale, offset, {zero.begin(), zero.end()}};
+        const auto made = adjusted(line(), adjustment, remarks);
+        const auto result = made ? zeroWithin(*made, adjustment) : fail(made.error());
         VERIFY_ERROR(result, ErrorCode::InvalidArgument);
         QVERIFY2(test::mentions(sentence(result.error()), reason.toStdString()),
             sentence(result.error()).c_str());

@@ -3,6 +3,7 @@
 #include "core/conversion/table_export.h"
 #include "core/conversion/table_import.h"
 #include "core/formats/triamec/triamec_tables.h"
+#include "core/neutral/controller_lookup.h"
 #include "core/neutral/sign_note.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
@@ -1056,6 +1057,90 @@ private Q_SLOTS:
         VERIFY_RESULT(mean);
         QVERIFY(std::abs(mean->table.columns[0].values[1] - 92.5e-5) < 1e-12);
         QVERIFY(contains(mean->remarks, "multiplied by 10"));
+    }
+
+    /// Of two directions that differ the one that is chosen is 0, and of a curve the points on it;
+    /// the source is compared with the same shift.
+    void aTableIsZeroWhereThatIsAskedForAsItIsWritten_data()
+    {
+        QTest::addColumn<int>("direction"); // -1: none
+        QTest::addColumn<int>("method"); // -1: the grid stays
+        QTest::newRow("positive") << int(DirectionChoice::Positive) << -1;
+        QTest::newRow("negative") << int(DirectionChoice::Negative) << -1;
+        QTest::newRow("mean") << int(DirectionChoice::Mean) << -1;
+        QTest::newRow("spline") << -1 << int(ResamplingMethod::NaturalSpline);
+        QTest::newRow("cubic") << -1 << int(ResamplingMethod::MonotoneCubic);
+        QTest::newRow("both") << int(DirectionChoice::Positive)
+                              << int(ResamplingMethod::NaturalSpline);
+    }
+    void aTableIsZeroWhereThatIsAskedForAsItIsWritten()
+    {
+        QFETCH(int, direction);
+        QFETCH(int, method);
+        NeutralTable table = test::commandTable({test::evenAxis("X", "mm", -15, 10, 4)},
+            {test::columnOf("X", "mm", {0.01, 0.002, 0.012, -0.02})});
+        table.sign = SignConvention::Feedback;
+        if (direction >= 0) {
+            table.columns.push_back(test::columnOf("X", "um", {14, 7, 18, -13}));
+            table.columns[0].direction = Direction::Positive;
+            table.columns[1].direction = Direction::Negative;
+        }
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.adjustment.zero = {0.0};
+        if (direction >= 0)
+            request.direction = static_cast<DirectionChoice>(direction);
+        if (method >= 0)
+            request.resampling = ResamplingRequest{
+                {AxisRequest{.points = 7}}, static_cast<ResamplingMethod>(method)};
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        const std::vector<double> home{0.0};
+        const NeutralTable& result = made->tables[0].result;
+        QCOMPARE(result.columns.size(), 1U);
+        QVERIFY(std::abs(ControllerLookup(result, 0, {}).at(home)) < 1e-12);
+        QVERIFY(contains(made->remarks, "are shifted by"));
+        if (method < 0)
+            QVERIFY(made->tables[0].difference.columns[0].largest < 1e-9);
+        if (direction < 0)
+            return;
+        // The reversal of the source is the same as before.
+        const NeutralTable& source = made->tables[0].source;
+        const double before = table.columns[1].values[2] / 1000.0 - table.columns[0].values[2];
+        const double after = source.columns[1].values[2] / 1000.0 - source.columns[0].values[2];
+        QVERIFY(std::abs(after - before) < 1e-12);
+    }
+
+    /// The grid that is asked for ends before the position: what the source has there is 0.
+    void theZeroMayBeOutsideOfTheGridThatIsWritten()
+    {
+        NeutralTable table = test::commandTable({test::evenAxis("X", "mm", 0, 10, 4)},
+            {test::columnOf("X", "mm", {0.01, 0.002, 0.012, -0.02})});
+        table.sign = SignConvention::Feedback;
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.adjustment.zero = {30.0};
+        request.resampling =
+            ResamplingRequest{{AxisRequest{.points = 3, .start = 0.0, .end = 20.0}}};
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        QVERIFY(std::abs(made->tables[0].result.columns[0].values[0] - 0.03) < 1e-12);
+    }
+
+    /// In the turn of the source, also where the table becomes a linear one.
+    void theZeroOfAModuloAxisMayBeInAnotherTurn()
+    {
+        NeutralTable table = test::commandTable({test::evenAxis("X", "mm", 0, 10, 4)},
+            {test::columnOf("X", "mm", {0.01, 0.002, 0.012, -0.02})});
+        table.sign = SignConvention::Feedback;
+        table.axes[0].wrap = 40.0;
+        ConversionRequest request =
+            requestFor(calibration_csv::format(), calibration_csv::format());
+        request.dropsWrap = true;
+        request.adjustment.zero = {50.0};
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        QVERIFY(std::abs(made->tables[0].result.columns[0].values[1]) < 1e-12);
     }
 
     void theSignThatIsStatedOfATableIsThatOfItsNumbers()

@@ -148,6 +148,7 @@ private Q_SLOTS:
         QCOMPARE(merged->table.columns[1].values, (Values{20, 20}));
         QCOMPARE(merged->losses[1].column, std::size_t(1));
         QCOMPARE(merged->losses[1].largestHalfDifference, 10.0);
+        QCOMPARE(merged->columns, (std::vector<std::size_t>{0, 1, 1, 0}));
     }
 
     void unitsOfAPairMayDiffer()
