@@ -65,7 +65,8 @@ Result<void> checkClosed(const NeutralTable& table, const Mover& mover, std::siz
         return notConvertible(table, knotPosition(table, first),
             AXISCOMP_TEXT("Error",
                 "a full turn of {axis} begins with the correction {begin} and ends with {end}; "
-                "make both the same, or treat the axis as linear (--no-wrap)")
+                "make both the same, or treat the axis as linear (--no-wrap, in a machine file "
+                "no-wrap = true)")
                 .with("axis", axisText(table, axis))
                 .with("begin", quantityOf(begin, unit))
                 .with("end", quantityOf(end, unit)));

@@ -99,7 +99,8 @@ Result<void> Holding::check(const NeutralTable& table) const
     if (wraps && !m_facts.holdsWrap)
         return refuse(AXISCOMP_TEXT("Error", "it has no modulo axes"),
             AXISCOMP_TEXT("Error",
-                "treat the axis as linear (--no-wrap) when it stays within one revolution"));
+                "treat the axis as linear (--no-wrap, in a machine file no-wrap = true) when it "
+                "stays within one revolution"));
     if (auto fits = checkKnotRule(table); !fits)
         return fits;
     return checkColumns(table);

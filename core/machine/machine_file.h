@@ -32,7 +32,7 @@ struct MachineAxis {
     std::optional<std::vector<std::string>> sources;
     std::string file; ///< of the table, as written: relative to the machine file; empty: no table
     std::string column; ///< name or number from 1; empty: the only one
-    ImportChoices choices; ///< format, settings, target, sign and direction
+    ImportChoices choices; ///< format, settings, units, target, sign, direction and wrap
     Persistency persistency = Persistency::Volatile;
     std::string slot; ///< empty: chosen
     std::optional<bool> isActive; ///< none: the activation is left as it is

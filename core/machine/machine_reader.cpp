@@ -385,6 +385,7 @@ void MachineReader::readChoices(Entries& entries, MachineAxis& axis)
         axis.choices.direction = direction == directions[0] ? DirectionChoice::Mean
             : direction == directions[1]                    ? DirectionChoice::Positive
                                                             : DirectionChoice::Negative;
+    axis.choices.dropsWrap = entries.flag("no-wrap").value_or(false);
     readSettings(entries, axis);
 }
 
@@ -415,7 +416,7 @@ void MachineReader::checkTable(Entries& entries, const toml::table& table, const
                 AXISCOMP_TEXT("Problem",
                     "an entry file, or no-table = true for an axis that shall have none"));
         for (const std::string_view key :
-            {"column", "format", "settings", "target", "sign", "direction", "value-unit",
+            {"column", "format", "settings", "target", "sign", "direction", "no-wrap", "value-unit",
                 "position-unit", "persistent", "slot", "tolerance", "accept-large"})
             if (const toml::node* node = table.get(key))
                 entries.contradiction(*node,

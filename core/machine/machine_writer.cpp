@@ -84,6 +84,8 @@ void writeChoices(Lines& lines, const ImportChoices& choices)
             *choices.direction == DirectionChoice::Mean           ? "mean"
                 : *choices.direction == DirectionChoice::Positive ? "positive"
                                                                   : "negative");
+    if (choices.dropsWrap)
+        lines.flag("no-wrap", true);
 }
 
 void writeAxis(Lines& lines, const MachineAxis& axis)

@@ -56,6 +56,7 @@ MachineFile fullMachine()
     x.choices.target = "#1";
     x.choices.sign = SignConvention::Command;
     x.choices.direction = DirectionChoice::Positive;
+    x.choices.dropsWrap = true;
     x.choices.units.values = "um";
     x.choices.units.positions = "drive";
     x.persistency = Persistency::Persistent;
@@ -174,6 +175,9 @@ private Q_SLOTS:
         QTest::newRow("persistent without a table")
             << withAxis("axis = \"X\"\nno-table = true\npersistent = true\n")
             << lines({"8:14 Contradiction persistent of an axis without a table|"});
+        QTest::newRow("no-wrap without a table")
+            << withAxis("axis = \"X\"\nno-table = true\nno-wrap = true\n")
+            << lines({"8:11 Contradiction no-wrap of an axis without a table|"});
         QTest::newRow("active without a table")
             << withAxis("axis = \"X\"\nno-table = true\nactive = true\n")
             << lines({"8:10 Contradiction active of an axis without a table|"});

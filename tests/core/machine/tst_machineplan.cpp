@@ -167,6 +167,33 @@ private Q_SLOTS:
         QVERIFY2(std::abs(atEncoder - 0.5F / 1.075F) < 1e-6F, std::to_string(atEncoder).c_str());
     }
 
+    /// A PMAC table is one of a modulo axis, which the drive's table is not.
+    void aModuloAxisBecomesALinearOneWhereTheFileSaysSo()
+    {
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "x.pmc") << "#1\nDEFINE COMP 4,#1,#1,40000\n16 -16 32 0\n";
+        const std::string head =
+            "version = 1\n[[drive]]\nendpoint = \"http://a\"\nserial = 7\n[[drive.axis]]\n"
+            "axis = \"0\"\nfile = \"x.pmc\"\nformat = \"pmac-1d\"\nsign = \"command\"\n"
+            "settings = { counts-per-unit = \"1000\", position-unit = \"mm\" }\nsources = [\""
+            + test::masterX + "\"]\n";
+        const auto read = [&folder](const std::string& text) {
+            const MachineReading reading = readMachine(text);
+            return reading.machine ? readMachineTable(reading.machine->drives[0].axes[0], folder,
+                       genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder})
+                                   : MachineTable{};
+        };
+        const MachineTable refused = read(head);
+        QVERIFY(refused.problem.has_value());
+        QCOMPARE(refused.problem->code, ErrorCode::FormatCannotHold);
+        QVERIFY2(sentence(*refused.problem).find("no-wrap = true") != std::string::npos,
+            sentence(*refused.problem).c_str());
+        const MachineTable linear = read(head + "no-wrap = true\n");
+        QVERIFY2(linear.table, linear.problem ? sentence(*linear.problem).c_str() : "");
+        QCOMPARE(linear.table->grid.axes[0].size, 5U);
+    }
+
     /// Where the sign is converted, values are added to positions: what is stated comes first.
     void statedUnitsAreThoseOfTheFileBeforeItIsConverted()
     {
