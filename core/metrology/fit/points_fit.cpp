@@ -260,9 +260,39 @@ Result<FittedTable> fitColumn(const FitInput& input, const Scatter& scatter,
     return made;
 }
 
+/// Of a track samples were left out after its turns and of other directions, so that a number would
+/// be that of no line of its file: its place is said.
+void remarkOfDoubtful(const FitInput& input, const Scatter& scatter, const Scatter::Column& column,
+    const GridFit& fit, FitReport& report)
+{
+    if (fit.doubtful.empty())
+        return;
+    const bool isAngular = input.measurement.isAngular;
+    const DoubtfulPoint& first = fit.doubtful.front();
+    Text text = input.measurement.kind == MeasurementKind::Track
+        ? AXISCOMP_COUNTED("Measurement",
+            "{count} values of {table} do not fit the others and count little; the first is at "
+            "{place}, {residual} off",
+            "1 value of {table} does not fit the others and counts little: at {place}, "
+            "{residual} off")
+              .with("place", placeOf(scatter.positions.front()[first.index], isAngular))
+        : AXISCOMP_COUNTED("Measurement",
+            "{count} values of {table} do not fit the others and count little; the first is "
+            "point {first}, {residual} off",
+            "1 value of {table} does not fit the others and counts little: point {first}, "
+            "{residual} off")
+              .with("first", first.index + 1);
+    addRemark(report, "DoubtfulPoints",
+        std::move(text)
+            .with("count", fit.doubtful.size())
+            .with("table", column.name)
+            .with("residual", fineQuantity(first.residual, isAngular)),
+        true);
+}
+
 /// What the data say of the fit.
-void remarkOfFit(
-    const FitInput& input, const Scatter::Column& column, const GridFit& fit, FitReport& report)
+void remarkOfFit(const FitInput& input, const Scatter& scatter, const Scatter::Column& column,
+    const GridFit& fit, FitReport& report)
 {
     const bool isAngular = input.measurement.isAngular;
     addRemark(report, "Explained",
@@ -287,18 +317,7 @@ void remarkOfFit(
                 "1 value lies outside the grid and was left out")
                 .with("count", fit.outside),
             true);
-    if (!fit.doubtful.empty())
-        addRemark(report, "DoubtfulPoints",
-            AXISCOMP_COUNTED("Measurement",
-                "{count} values of {table} do not fit the others and count little; the first is "
-                "point {first}, {residual} off",
-                "1 value of {table} does not fit the others and counts little: point {first}, "
-                "{residual} off")
-                .with("count", fit.doubtful.size())
-                .with("table", column.name)
-                .with("first", fit.doubtful.front().index + 1)
-                .with("residual", fineQuantity(fit.doubtful.front().residual, isAngular)),
-            true);
+    remarkOfDoubtful(input, scatter, column, fit, report);
 }
 
 void remarkOfBody(const Scatter& scatter, const RigidBody& body, FitReport& report)
@@ -488,7 +507,7 @@ Result<FitReport> fitScattered(const FitInput& input)
     AXISCOMP_TRY(report.removedBody, removeBody(input, scatter));
     AXISCOMP_TRY(auto made, fitPlaces(input, std::move(scatter)));
     for (std::size_t i = 0; i < made.tables.size(); ++i)
-        remarkOfFit(input, made.scatter.columns[i], made.fits[i], report);
+        remarkOfFit(input, made.scatter, made.scatter.columns[i], made.fits[i], report);
     report.tables = std::move(made.tables);
     if (made.onto.table)
         report.merge = mergeOnto(input, *made.onto.table, report.tables.front().table);

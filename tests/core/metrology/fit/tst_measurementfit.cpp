@@ -1449,6 +1449,33 @@ private Q_SLOTS:
         QVERIFY(std::abs(made.residualRms - 0.002) < 1e-4); // half of the reversal
     }
 
+    /// Numbers of samples are those of no file where some were left out.
+    void aSampleOfATrackThatDoesNotFitIsNamedByItsPlace()
+    {
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        track.header.axis = "X";
+        constexpr double outlier = 37.5;
+        for (const Approach direction : {Approach::Up, Approach::Down})
+            for (int i = 0; i <= 400; ++i) {
+                const double place = 0.25 * (direction == Approach::Up ? i : 400 - i);
+                const bool isOff = direction == Approach::Down && place == outlier;
+                const double noise = 1e-5 * ((i * 37) % 11 - 5);
+                track.track.push_back(
+                    {place, place + 1e-5 * place + noise + (isOff ? 0.5 : 0.0), direction});
+            }
+        FitSettings settings = keeping();
+        settings.isRobust = true;
+        settings.grid = {{.points = 11}};
+        const FoundState state{FoundState::Kind::Irrelevant, nullptr, {}, {}};
+        for (const FitDirection direction : {FitDirection::Mean, FitDirection::Negative}) {
+            settings.direction = direction;
+            const auto report = fitMeasurement(track, settings, state);
+            VERIFY_RESULT(report);
+            QVERIFY(hasRemark(*report, "DoubtfulPoints", "counts little: at 37.5 mm"));
+        }
+    }
+
     void aTrackWhoseDirectionsHaveNothingInCommonHasNoMean()
     {
         Measurement track;
