@@ -320,19 +320,30 @@ void remarkOfFit(const FitInput& input, const Scatter& scatter, const Scatter::C
     remarkOfDoubtful(input, scatter, column, fit, report);
 }
 
+/// squareness: as RigidBody has it. Above 0 the angle between the axes is below 90 degrees.
+Text squarenessText(const std::string& first, const std::string& second, double squareness)
+{
+    const double degrees = squareness * 180.0 / 3.14159265358979323846;
+    const bool isAbove = fineQuantity(degrees, true).digits.starts_with('-'); // of what is shown
+    Text text = isAbove
+        ? AXISCOMP_TEXT(
+            "Measurement", "the angle between {first} and {second} is {angle} more than 90 degrees")
+        : AXISCOMP_TEXT("Measurement",
+            "the angle between {first} and {second} is {angle} less than 90 degrees");
+    return std::move(text)
+        .with("first", first)
+        .with("second", second)
+        .with("angle", fineQuantity(std::abs(degrees), true));
+}
+
 void remarkOfBody(const Scatter& scatter, const RigidBody& body, FitReport& report)
 {
-    const auto angle = [](double radians) {
-        return fineQuantity(radians * 180.0 / 3.14159265358979323846, true);
-    };
     constexpr std::array<std::array<std::size_t, 2>, 3> pairs{{{0, 1}, {0, 2}, {1, 2}}};
     for (std::size_t i = 0; i < pairs.size(); ++i)
         if (pairs[i][1] < scatter.dimensions())
             addRemark(report, "Squareness",
-                AXISCOMP_TEXT("Measurement", "{first} and {second} are {angle} off 90 degrees")
-                    .with("first", scatter.axes[pairs[i][0]])
-                    .with("second", scatter.axes[pairs[i][1]])
-                    .with("angle", angle(body.squareness[i])));
+                squarenessText(
+                    scatter.axes[pairs[i][0]], scatter.axes[pairs[i][1]], body.squareness[i]));
     if (body.scale != 0.0)
         addRemark(report, "ScaleRemoved",
             AXISCOMP_TEXT("Measurement",

@@ -23,8 +23,8 @@ struct RigidBody {
     std::array<double, 3> translation{};
     std::array<double, 3> rotation{}; ///< about X, Y, Z; in 2D only q, about Z
     double scale = 0.0; ///< 0 unless it was asked for
-    /// By which the axes XY, XZ, YZ are off 90 degrees: slope of the first's deviation over the
-    /// second and of the second's over the first, added. Whatever the rotation.
+    /// By which the angle between the axes XY, XZ, YZ is below 90 degrees: slope of the first's
+    /// deviation over the second and of the second's over the first, added. Whatever the rotation.
     std::array<double, 3> squareness{};
 
     /// d at a position; a third number of 0 in 2D.

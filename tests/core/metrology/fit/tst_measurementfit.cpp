@@ -1613,6 +1613,26 @@ private Q_SLOTS:
         VERIFY_RESULT(fitMeasurement(runs, settings, measuredOff()));
     }
 
+    /// The axis Y leans towards X where X deviates by more the further Y has moved.
+    void theSquarenessSaysWhetherTheAngleIsAboveOrBelow90Degrees()
+    {
+        FitSettings settings;
+        settings.lookupAt = LookupAt::Encoder;
+        settings.remove = BodyRemoval::Rigid;
+        settings.smoothness = 0.0;
+        for (const double slope : {1e-4, -1e-4}) {
+            Measurement plane = shiftedPlane();
+            MeasuredPoints& points = plane.points;
+            for (std::size_t i = 0; i < points.values[0].size(); ++i)
+                points.values[0][i] += slope * points.positions[1][i];
+            const auto report = fitMeasurement(plane, settings, measuredOff());
+            VERIFY_RESULT(report);
+            QVERIFY(hasRemark(*report, "Squareness",
+                slope > 0.0 ? "the angle between X and Y is 20.626 arcsec less than 90 degrees"
+                            : "the angle between X and Y is 20.626 arcsec more than 90 degrees"));
+        }
+    }
+
     /// Of an artefact that lies turned and shifted nothing is left.
     void howAnArtefactLayIsTakenOut()
     {
@@ -1630,7 +1650,8 @@ private Q_SLOTS:
             for (const float value : made.table.values)
                 QVERIFY(std::abs(value) < 1e-9F);
         QVERIFY(std::abs(report->removedBody->rotation[2] - 1e-4) < 1e-12);
-        QVERIFY(hasRemark(*report, "Squareness", "X and Y are 0.000 arcsec off 90 degrees"));
+        QVERIFY(hasRemark(*report, "Squareness",
+            "the angle between X and Y is 0.000 arcsec less than 90 degrees"));
         settings.method = FitMethod::Spline;
         QVERIFY(isRefused(fitMeasurement(plane, settings, measuredOff()), "leave out --method"));
     }
