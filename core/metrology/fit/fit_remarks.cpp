@@ -224,8 +224,10 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
     const auto repeatability = (*report.before)[Iso230Figure::R].value;
     const auto predicted = (*report.predicted)[Iso230Figure::M].value;
     const bool isAboveHalf = before && unknown > 0.5 * *before;
-    const bool isAbovePrediction =
-        repeatability && predicted && unknown > 0.5 * *repeatability && unknown > 2.0 * *predicted;
+    constexpr double least = 0.01; // of M: without any repeatability rounding is above its half
+    const bool isRounding = before && unknown <= least * *before;
+    const bool isAbovePrediction = !isRounding && repeatability && predicted
+        && unknown > 0.5 * *repeatability && unknown > 2.0 * *predicted;
     if (!isAboveHalf && !isAbovePrediction)
         return;
     Text text = AXISCOMP_TEXT("Measurement",

@@ -1049,6 +1049,26 @@ private Q_SLOTS:
         QVERIFY(!hasRemark(*whole, "TargetsOutside"));
     }
 
+    /// With R = 0 the rounding of numbers alone is above half of it.
+    void whatIsForetoldToARoundingIsKnownBetweenTheTargets()
+    {
+        const auto warns = [](double wave) {
+            Measurement runs = runsOver(
+                0.0, 0.1, 12, [wave](double x) { return 1e-3 * x + wave * std::sin(40.0 * x); });
+            const std::vector<RunValue> first = runs.values;
+            for (RunValue value : first) {
+                value.run = 2;
+                runs.values.push_back(value);
+            }
+            sortValues(runs.values);
+            const auto report = fitMeasurement(runs, keeping(), measuredOff());
+            return report ? std::optional(hasRemark(*report, "BetweenTargets")) : std::nullopt;
+        };
+        QCOMPARE(warns(0.0), std::optional(false));
+        QCOMPARE(warns(1e-6), std::optional(false)); // 3.3 nm of 1.1 um
+        QCOMPARE(warns(2e-5), std::optional(true));
+    }
+
     /// What was taken out of the table stays in the machine, and more targets do not change that.
     void aSlopeThatWasTakenOutIsForetoldHeldOutToo()
     {
