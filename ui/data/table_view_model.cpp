@@ -24,6 +24,12 @@ double largestOf(const CompensationTable& table)
 
 } // namespace
 
+double differenceNoise(const CompensationTable& one, const CompensationTable& other)
+{
+    constexpr double rounding = 2e-7; // of a float32
+    return rounding * std::max(largestOf(one), largestOf(other));
+}
+
 struct TableViewModel::Private {
     Table selected;
     Table onDrive;
@@ -104,9 +110,8 @@ void TableViewModel::computeDifference()
             auto computed = tableDifference(*selected, *onDrive);
             if (!computed)
                 return {};
-            constexpr double rounding = 2e-7; // of a float32
             return {std::make_shared<const CompensationTable>(std::move(*computed)),
-                rounding * std::max(largestOf(*selected), largestOf(*onDrive))};
+                differenceNoise(*selected, *onDrive)};
         });
     whenDone(difference, this, [this, request = ++d->request](const Difference& computed) {
         if (request != d->request || !computed.first)

@@ -26,6 +26,9 @@ struct GridPoint {
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// Up to this, values of the difference of two tables are not different: what float32 rounds.
+[[nodiscard]] double differenceNoise(const CompensationTable& one, const CompensationTable& other);
+
 /// What picture and values show together: which table, which slice of it, and the point that is
 /// looked at.
 class TableViewModel : public QObject {
