@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/data/table_view_model.h"
 
-#include "core/table/table_math.h"
 #include "ui/async/background_job.h"
 #include "ui/text/value_text.h"
 
@@ -33,6 +32,7 @@ double differenceNoise(const CompensationTable& one, const CompensationTable& ot
 struct TableViewModel::Private {
     Table selected;
     Table onDrive;
+    TableSources sources = TableSources::Same;
     Table difference; ///< of these two, once it was wanted
     double noise = 0.0; ///< what values of the difference are without being different
     Table table;
@@ -52,12 +52,13 @@ TableViewModel::TableViewModel(QObject* parent)
 
 TableViewModel::~TableViewModel() = default;
 
-void TableViewModel::setTables(Table selected, Table onDrive)
+void TableViewModel::setTables(Table selected, Table onDrive, TableSources sources)
 {
-    if (selected == d->selected && onDrive == d->onDrive)
+    if (selected == d->selected && onDrive == d->onDrive && sources == d->sources)
         return;
     d->selected = std::move(selected);
     d->onDrive = std::move(onDrive);
+    d->sources = sources;
     d->difference.reset();
     ++d->request;
     if (!canShow(d->content))
@@ -73,10 +74,17 @@ bool TableViewModel::canShow(TableContent content) const
     case TableContent::Drive:
         return d->onDrive != nullptr;
     case TableContent::Difference:
-        return d->selected && d->onDrive && d->selected != d->onDrive
-            && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
+        return isComparable();
     }
     return false;
+}
+
+/// Whether each place in the one table is a place in the other.
+bool TableViewModel::isComparable() const
+{
+    return d->selected && d->onDrive && d->selected != d->onDrive
+        && d->sources == TableSources::Same
+        && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
 }
 
 void TableViewModel::setContent(TableContent content)
@@ -169,9 +177,8 @@ bool TableViewModel::isAtSlice(const std::array<double, 3>& place) const
 
 TableViewModel::Table TableViewModel::second() const
 {
-    const bool isBeside = d->content == TableContent::Selected && d->selected && d->onDrive
-        && d->onDrive != d->selected && d->selected->grid.dimensions() == 1
-        && d->onDrive->grid.dimensions() == 1;
+    const bool isBeside = d->content == TableContent::Selected && isComparable()
+        && d->selected->grid.dimensions() == 1;
     return isBeside ? d->onDrive : nullptr;
 }
 

@@ -150,6 +150,26 @@ private Q_SLOTS:
         QCOMPARE(row(1).join(u' '), QStringLiteral("+2 +1.5 +0.5"));
     }
 
+    void aCurveOverAnotherSourceStandsAlone()
+    {
+        TableViewModel shown;
+        const auto table = sharedTable({5});
+        const auto onDrive = sharedTable({5}, 1.0);
+        shown.setTables(table, onDrive);
+        const ValuesModel model(shown);
+        QCOMPARE(model.columnCount(), 4);
+        QSignalSpy changes(&shown, &TableViewModel::changed);
+        shown.setContent(TableContent::Difference);
+        QTRY_COMPARE(changes.count(), 1);
+        shown.setTables(table, onDrive, TableSources::Other);
+        QCOMPARE(shown.content(), TableContent::Selected);
+        QCOMPARE(model.columnCount(), 2);
+        QVERIFY(!shown.canShow(TableContent::Difference));
+        QVERIFY(shown.canShow(TableContent::Drive));
+        shown.setTables(table, onDrive, TableSources::Same);
+        QCOMPARE(model.columnCount(), 4);
+    }
+
     void cellsHaveTheColourOfTheMap()
     {
         Fixture bench(sharedTable({4, 3}));
