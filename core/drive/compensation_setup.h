@@ -37,6 +37,10 @@ struct CompensationSetup {
     friend bool operator==(const CompensationSetup&, const CompensationSetup&) = default;
 };
 
+/// Whether both look their tables up at the same places: the same sources, in the same order, of as
+/// many dimensions. Sources above the dimensionality do not count.
+[[nodiscard]] bool haveSameSources(const CompensationSetup& a, const CompensationSetup& b);
+
 /// Of a source that is set: its path, or its address where the register is not known: "0x0000abcd".
 [[nodiscard]] std::string sourceName(const DimSource& source);
 

@@ -50,6 +50,16 @@ private:
     std::size_t m_dimensions;
 };
 
+/// Each place of the one table may be met at any place of the other.
+LargestChange changeBound(const CompensationTable& newTable, const CompensationTable& oldTable)
+{
+    const TableStatistics now = statistics(newTable);
+    const TableStatistics before = statistics(oldTable);
+    const double highest = now.maximum - before.minimum;
+    const double lowest = now.minimum - before.maximum;
+    return {std::abs(lowest) > std::abs(highest) ? lowest : highest, {}, true};
+}
+
 } // namespace
 
 std::optional<CompensationTable> tableDifference(
@@ -114,11 +124,12 @@ std::size_t nearestIndex(const GridAxis& axis, double position)
     return static_cast<std::size_t>(std::clamp(index, 0.0, static_cast<double>(axis.size - 1)));
 }
 
-LargestChange largestChange(const CompensationTable& newTable, const CompensationTable* oldTable)
+LargestChange largestChange(
+    const CompensationTable& newTable, const CompensationTable* oldTable, TableSources sources)
 {
     const std::size_t dimensions = newTable.grid.axes.size();
-    if (oldTable && oldTable->grid.axes.size() != dimensions)
-        oldTable = nullptr;
+    if (oldTable && (sources == TableSources::Other || oldTable->grid.axes.size() != dimensions))
+        return changeBound(newTable, *oldTable);
     const Lookup now(newTable);
     const std::optional<Lookup> before = oldTable ? std::optional<Lookup>(*oldTable) : std::nullopt;
     // Between the points of both tables the difference is linear along each dimension, and beyond
@@ -142,7 +153,7 @@ LargestChange largestChange(const CompensationTable& newTable, const Compensatio
             for (std::size_t i = 0; i < changes.size(); ++i) {
                 const double change = changes[i] - old[i];
                 if (isFirst || std::abs(change) > std::abs(largest.change))
-                    largest = {change, {places[0][i], y, z}};
+                    largest = {change, {places[0][i], y, z}, false};
                 isFirst = false;
             }
         }

@@ -21,16 +21,26 @@ namespace axiscomp {
 /// The index of the grid point nearest to a position, held at the ends.
 [[nodiscard]] std::size_t nearestIndex(const GridAxis& axis, double position);
 
+/// Whether a table and the one that it replaces are looked up at the same places.
+enum class TableSources {
+    Same,
+    Other, ///< other sources, or the same ones in another order
+};
+
 /// The position at which a new table differs most from the table that it replaces.
 struct LargestChange {
     double change = 0.0; ///< new - old, in the tables' unit; old is 0 without a table
     std::array<double, 3> position{}; ///< of the point, one per dimension
+    /// No place changes by more, and which one changes by that much is not known: position has no
+    /// meaning.
+    bool isBound = false;
 };
 
 /// Over the whole travel, both tables as the drive looks them up: also where only one of them has
-/// points, and the other holds its end value. A table of other dimensions counts as none. Takes a
-/// while for the largest tables: not for the window's thread.
-[[nodiscard]] LargestChange largestChange(
-    const CompensationTable& newTable, const CompensationTable* oldTable);
+/// points, and the other holds its end value. oldTable: null where the axis had none. With other
+/// sources, or other dimensions, any value of the one may follow any value of the other: then it is
+/// a bound. Takes a while for the largest tables: not for the window's thread.
+[[nodiscard]] LargestChange largestChange(const CompensationTable& newTable,
+    const CompensationTable* oldTable, TableSources sources = TableSources::Same);
 
 } // namespace axiscomp

@@ -102,6 +102,11 @@ void SetupHistory::note()
         [&](Field field) { return !sameValue(field, m_last.edited, state.edited); });
     const bool isOfFile = m_last.file.file.path != state.file.file.path;
     State before = std::exchange(m_last, std::move(state));
+    DataFile& file = before.file.file;
+    if (isOfFile && file.readingPath == m_last.file.file.path) {
+        file.isReading = false; // undone, it is not read again
+        file.readingPath.clear();
+    }
     if (m_setup.hasBaseline() && (!changed.empty() || isOfFile))
         m_steps.push(new Step(*this, std::move(before), std::move(changed), isOfFile));
 }

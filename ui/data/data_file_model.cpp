@@ -66,6 +66,8 @@ void DataFileModel::setDimensions(int dimensions)
     if (dimensions == m_dimensions)
         return;
     m_dimensions = dimensions;
+    if (!m_file.isReading && !m_file.refusedPath.isEmpty())
+        return open(m_file.refusedPath, dimensions, choicesFor(m_file.refusedPath));
     const QString path = m_file.isReading ? m_file.readingPath : m_file.path;
     const bool knowsItsOwn = !m_file.isReading
         && (m_file.isMade || (m_file.format && m_file.format != &calibration_csv::format()));
@@ -150,6 +152,9 @@ void DataFileModel::take(const LoadedFile& loaded)
     } else if (isSameFile) {
         m_stamp = loaded.stamp; // the offer to read it again has been taken
     }
+    const bool isCalibration = loaded.format == &calibration_csv::format();
+    m_file.refusedPath =
+        !loaded.data && isCalibration && loaded.path != m_file.path ? loaded.path : QString();
     m_file.hasChangedOnDisk = false;
     watch();
     lookAtDisk();

@@ -37,8 +37,8 @@ public:
     void open(const QString& path, int dimensions, const ImportChoices& choices = {});
     /// In place of the open file.
     void show(const MadeTables& made);
-    /// The open CSV file again, when its columns mean something else now; other files know their
-    /// own dimensions.
+    /// The CSV file that was refused last, else the open one, again, when its columns mean
+    /// something else now; other files know their own dimensions.
     void setDimensions(int dimensions);
     /// What the user has said about the file so far, also where it could not be read in that way.
     [[nodiscard]] ImportChoices choicesFor(const QString& path) const;

@@ -27,6 +27,9 @@ struct DataFile {
     std::size_t suppressedProblems = 0;
     std::optional<FullGrid> fullGrid; ///< what the file with the problems is instead
     QString problemsPath; ///< the file that has the problems: after a bad one, not that of data
+    /// A calibration file that was tried beside the open one and cannot be used: in another
+    /// dimensionality it may. Empty: there is none.
+    QString refusedPath;
     bool isReading = false;
     QString readingPath; ///< the file that is being read
     double progress = 0.0;

@@ -75,13 +75,19 @@ double TableChange::scale() const
     return std::max(std::abs(before.largest.change), std::abs(after.largest.change));
 }
 
-TableChange tableChange(const SharedTable& newTable, const SharedTable& oldTable)
+TableChange tableChange(
+    const SharedTable& newTable, const SharedTable& oldTable, TableSources sources)
 {
     TableChange change;
     change.after = pictureOf(newTable, std::nullopt);
     change.before = pictureOf(oldTable, change.after.cutAt);
-    if (newTable && oldTable && newTable->grid.dimensions() == oldTable->grid.dimensions())
-        change.difference = differenceOf(*newTable, *oldTable, change.after.cutAt);
+    if (!newTable || !oldTable)
+        return change;
+    const bool isAtSamePlaces =
+        sources == TableSources::Same && newTable->grid.dimensions() == oldTable->grid.dimensions();
+    change.difference = isAtSamePlaces ? differenceOf(*newTable, *oldTable, change.after.cutAt)
+                                       : TablePicture{nullptr, std::nullopt, newTable->grid,
+                                           largestChange(*newTable, oldTable.get(), sources)};
     return change;
 }
 

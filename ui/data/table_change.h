@@ -21,12 +21,16 @@ struct TablePicture {
 struct TableChange {
     TablePicture before;
     TablePicture after;
-    TablePicture difference; ///< over both grids; nothing where the dimensions differ
+    /// Over both grids. Nothing is drawn where sources or dimensions differ: its largest value is a
+    /// bound then.
+    TablePicture difference;
     [[nodiscard]] double scale() const;
 };
 
-/// Either may be null. Takes a while for the largest tables: not for the window's thread.
+/// Either may be null. sources: of the one beside those of the other. Takes a while for the largest
+/// tables: not for the window's thread.
 [[nodiscard]] TableChange tableChange(const std::shared_ptr<const CompensationTable>& newTable,
-    const std::shared_ptr<const CompensationTable>& oldTable);
+    const std::shared_ptr<const CompensationTable>& oldTable,
+    TableSources sources = TableSources::Same);
 
 } // namespace axiscomp::ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/data/table_view_model.h"
 
-#include "core/table/table_math.h"
 #include "ui/async/background_job.h"
 #include "ui/text/value_text.h"
 
@@ -24,9 +23,16 @@ double largestOf(const CompensationTable& table)
 
 } // namespace
 
+double differenceNoise(const CompensationTable& one, const CompensationTable& other)
+{
+    constexpr double rounding = 2e-7; // of a float32
+    return rounding * std::max(largestOf(one), largestOf(other));
+}
+
 struct TableViewModel::Private {
     Table selected;
     Table onDrive;
+    TableSources sources = TableSources::Same;
     Table difference; ///< of these two, once it was wanted
     double noise = 0.0; ///< what values of the difference are without being different
     Table table;
@@ -46,12 +52,13 @@ TableViewModel::TableViewModel(QObject* parent)
 
 TableViewModel::~TableViewModel() = default;
 
-void TableViewModel::setTables(Table selected, Table onDrive)
+void TableViewModel::setTables(Table selected, Table onDrive, TableSources sources)
 {
-    if (selected == d->selected && onDrive == d->onDrive)
+    if (selected == d->selected && onDrive == d->onDrive && sources == d->sources)
         return;
     d->selected = std::move(selected);
     d->onDrive = std::move(onDrive);
+    d->sources = sources;
     d->difference.reset();
     ++d->request;
     if (!canShow(d->content))
@@ -67,10 +74,17 @@ bool TableViewModel::canShow(TableContent content) const
     case TableContent::Drive:
         return d->onDrive != nullptr;
     case TableContent::Difference:
-        return d->selected && d->onDrive && d->selected != d->onDrive
-            && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
+        return isComparable();
     }
     return false;
+}
+
+/// Whether each place in the one table is a place in the other.
+bool TableViewModel::isComparable() const
+{
+    return d->selected && d->onDrive && d->selected != d->onDrive
+        && d->sources == TableSources::Same
+        && d->selected->grid.dimensions() == d->onDrive->grid.dimensions();
 }
 
 void TableViewModel::setContent(TableContent content)
@@ -104,9 +118,8 @@ void TableViewModel::computeDifference()
             auto computed = tableDifference(*selected, *onDrive);
             if (!computed)
                 return {};
-            constexpr double rounding = 2e-7; // of a float32
             return {std::make_shared<const CompensationTable>(std::move(*computed)),
-                rounding * std::max(largestOf(*selected), largestOf(*onDrive))};
+                differenceNoise(*selected, *onDrive)};
         });
     whenDone(difference, this, [this, request = ++d->request](const Difference& computed) {
         if (request != d->request || !computed.first)
@@ -164,9 +177,8 @@ bool TableViewModel::isAtSlice(const std::array<double, 3>& place) const
 
 TableViewModel::Table TableViewModel::second() const
 {
-    const bool isBeside = d->content == TableContent::Selected && d->selected && d->onDrive
-        && d->onDrive != d->selected && d->selected->grid.dimensions() == 1
-        && d->onDrive->grid.dimensions() == 1;
+    const bool isBeside = d->content == TableContent::Selected && isComparable()
+        && d->selected->grid.dimensions() == 1;
     return isBeside ? d->onDrive : nullptr;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/table/compensation_table.h"
+#include "core/table/table_math.h"
 #include "ui/text/value_scale.h"
 
 #include <QObject>
@@ -26,6 +27,9 @@ struct GridPoint {
     friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
+/// Up to this, values of the difference of two tables are not different: what float32 rounds.
+[[nodiscard]] double differenceNoise(const CompensationTable& one, const CompensationTable& other);
+
 /// What picture and values show together: which table, which slice of it, and the point that is
 /// looked at.
 class TableViewModel : public QObject {
@@ -37,8 +41,9 @@ public:
     explicit TableViewModel(QObject* parent = nullptr);
     ~TableViewModel() override;
 
-    /// Null: none. The tables are kept as long as they are shown.
-    void setTables(Table selected, Table onDrive);
+    /// Null: none. The tables are kept as long as they are shown. sources: of the selected table
+    /// beside those of the drive's; with other ones there is no place at which the two differ.
+    void setTables(Table selected, Table onDrive, TableSources sources = TableSources::Same);
     /// The difference is computed on a thread of its own; changed() follows when it is there.
     void setContent(TableContent content);
     [[nodiscard]] TableContent content() const;
@@ -52,7 +57,7 @@ public:
     [[nodiscard]] bool showsDriveTable() const;
     /// Whether a slice is the border of, or within, the cell around a place.
     [[nodiscard]] bool isAtSlice(const std::array<double, 3>& place) const;
-    /// 1D: the drive's table beside another one; otherwise null.
+    /// 1D: the drive's table beside another one over the same source; otherwise null.
     [[nodiscard]] Table second() const;
     /// The largest |value| of table(): half of a scale that is symmetric about zero.
     [[nodiscard]] double scale() const;
@@ -85,6 +90,7 @@ Q_SIGNALS:
     void currentChanged();
 
 private:
+    [[nodiscard]] bool isComparable() const;
     void update();
     void computeDifference();
     void show(Table table);

@@ -5,6 +5,8 @@
 #include "ui/text/value_text.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -14,6 +16,7 @@ ValuesModel::ValuesModel(const TableViewModel& shown, QObject* parent)
     , m_table(shown.drawn())
     , m_second(shown.second())
 {
+    chooseScales();
     connect(&shown, &TableViewModel::changed, this, &ValuesModel::follow);
 }
 
@@ -42,7 +45,7 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return !isMap() && index.column() == Position
             ? alignedPositionText(m_table->grid.axes[0], point.i)
-            : m_shown.valueScale().text(static_cast<double>(valueAt(index)));
+            : scaleOf(index).text(static_cast<double>(valueAt(index)));
     case ShareRole:
         return !isMap() && index.column() == Position
             ? QVariant()
@@ -66,6 +69,32 @@ float ValuesModel::valueAt(const QModelIndex& index) const
     const auto onDrive =
         static_cast<float>(Lookup(*m_second).at(m_table->grid.axes[0].position(point.i)));
     return index.column() == OnDrive ? onDrive : value - onDrive;
+}
+
+const ValueScale& ValuesModel::scaleOf(const QModelIndex& index) const
+{
+    if (isMap() || index.column() == Value)
+        return m_shown.valueScale();
+    return index.column() == OnDrive ? m_scaleOnDrive : m_scaleOfChange;
+}
+
+/// The selected table may have fewer decimals than the drive's, or than their difference.
+void ValuesModel::chooseScales()
+{
+    if (!m_second)
+        return;
+    const GridAxis& axis = m_table->grid.axes[0];
+    std::vector<double> places(axis.size);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        places[i] = axis.position(i);
+    std::vector<double> values(places.size());
+    Lookup(*m_second).atEach(places, values);
+    std::vector<float> onDrive(values.begin(), values.end());
+    m_scaleOnDrive = m_shown.valueScale().beside(onDrive);
+    const double noise = differenceNoise(*m_table, *m_second);
+    for (std::size_t i = 0; i < onDrive.size(); ++i)
+        onDrive[i] = m_table->values[i] - onDrive[i];
+    m_scaleOfChange = m_shown.valueScale().beside(onDrive, noise);
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -124,12 +153,14 @@ void ValuesModel::follow()
         beginResetModel();
         m_table = now;
         m_second = second;
+        chooseScales();
         endResetModel();
         return;
     }
     // On the same grid selection and scrolling stay where they are.
     m_table = now;
     m_second = second;
+    chooseScales();
     retranslate();
     Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
 }

@@ -37,12 +37,16 @@ public:
 
 private:
     void follow();
+    void chooseScales();
     [[nodiscard]] float valueAt(const QModelIndex& index) const;
+    [[nodiscard]] const ValueScale& scaleOf(const QModelIndex& index) const;
     [[nodiscard]] bool isMap() const { return m_table && m_table->grid.dimensions() == 2; }
 
     const TableViewModel& m_shown;
     TableViewModel::Table m_table; ///< what the views know
     TableViewModel::Table m_second; ///< likewise
+    ValueScale m_scaleOnDrive; ///< of m_second at the places of m_table
+    ValueScale m_scaleOfChange; ///< of the difference of the two
 };
 
 } // namespace axiscomp::ui

@@ -192,6 +192,7 @@ void PreviewPanel::connectController()
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
             showExample();
+        showCompared();
         showMarker();
         showTravel();
     });
@@ -252,11 +253,22 @@ void PreviewPanel::showTables()
 
 void PreviewPanel::showApplied()
 {
-    m_shown->setTables(m_applied->table(), m_controller.driveTable());
+    showCompared();
     showOrigin();
     showTravel();
     showMarker();
     showFacts();
+}
+
+/// A table that will be looked up over other sources has no difference to the drive's.
+void PreviewPanel::showCompared()
+{
+    const SetupModel& setup = m_controller.setup();
+    CompensationSetup chosen;
+    chosen.dimensionality = setup.edited().dimensionality;
+    chosen.sources = setup.edited().sources;
+    m_shown->setTables(m_applied->table(), m_controller.driveTable(),
+        haveSameSources(chosen, setup.baseline()) ? TableSources::Same : TableSources::Other);
 }
 
 QString PreviewPanel::titleOf(const QWidget& page) const

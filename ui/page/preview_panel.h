@@ -57,6 +57,7 @@ private:
     void connectProblems();
     void showTables();
     void showApplied();
+    void showCompared();
     void showTabs();
     void showTab(QWidget& page, bool isWanted);
     [[nodiscard]] QString titleOf(const QWidget& page) const;

@@ -234,8 +234,11 @@ void SetupPanel::showData()
     else
         m_data->showFile(file.path, file.isMade);
     const std::size_t errors = file.isReading ? 0 : errorCount(file);
-    m_dataRow->setProblem(
-        errors == 0 ? QString() : tr("problems: %1; the file is not used").arg(countText(errors)));
+    // The field names the file that stays in use.
+    m_dataRow->setProblem(errors == 0
+            ? QString()
+            : tr("%1 is not used, problems: %2")
+                  .arg(QFileInfo(file.problemsPath).fileName(), countText(errors)));
     QString information = tr("CSV; needed only for a new table");
     if (file.isReading)
         information = tr("reading %1").arg(QFileInfo(file.readingPath).fileName());

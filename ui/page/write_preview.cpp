@@ -247,7 +247,8 @@ void WritePreview::fillRows(const WritePlan& plan)
         addRow(tr("Table"), tableText(before.slot, m_controller.driveTable().get()),
             tableText(after.slot, m_planned.get()));
         addRow(tr("Largest change"), {}, tr("computing …"));
-        askForChange(m_planned, m_controller.driveTable());
+        askForChange(m_planned, m_controller.driveTable(),
+            haveSameSources(before, after) ? TableSources::Same : TableSources::Other);
     }
     if (before.dimensionality != after.dimensionality)
         addRow(tr("Dimensionality"), tr("%1D").arg(before.dimensionality),
@@ -271,7 +272,7 @@ void WritePreview::fillDeletion(const WritePlan& plan)
         tableText({}, nullptr));
     addRow(QString::fromStdString(plan.deletedSlot), persistencyText(plan.before.persistency),
         tr("empty", "slot"));
-    askForChange(nullptr, m_controller.driveTable());
+    askForChange(nullptr, m_controller.driveTable(), TableSources::Same);
 }
 
 void WritePreview::addRow(const QString& field, const QString& before, const QString& after)
@@ -287,19 +288,22 @@ void WritePreview::addRow(const QString& field, const QString& before, const QSt
     }
 }
 
-void WritePreview::askForChange(const SharedTable& newTable, const SharedTable& oldTable)
+void WritePreview::askForChange(
+    const SharedTable& newTable, const SharedTable& oldTable, TableSources sources)
 {
     if (!newTable && !oldTable)
         return;
-    if (m_change && newTable == m_newTable && oldTable == m_oldTable) {
+    if (m_change && newTable == m_newTable && oldTable == m_oldTable && sources == m_sources) {
         showChange(*m_change);
         return;
     }
     m_newTable = newTable;
     m_oldTable = oldTable;
+    m_sources = sources;
     m_change.reset();
-    const auto change = inBackground<Change>([newTable, oldTable] {
-        return Change{tableChange(newTable, oldTable), newTable ? loaded(newTable) : LoadedTable{}};
+    const auto change = inBackground<Change>([newTable, oldTable, sources] {
+        return Change{
+            tableChange(newTable, oldTable, sources), newTable ? loaded(newTable) : LoadedTable{}};
     });
     whenDone(change, this, [this, request = m_request](const Change& computed) {
         if (request != m_request)
@@ -326,9 +330,9 @@ void WritePreview::showChange(const Change& change)
     QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);
     if (!item)
         return;
-    // Without an old table, or with one of other dimensions, the whole new one is the change.
+    // Without an old table the whole new one is the change.
     const TablePicture& largest =
-        change.tables.difference.drawn ? change.tables.difference : change.tables.after;
+        change.tables.before.drawn ? change.tables.difference : change.tables.after;
     item->setText(changeText(largest.largest, largest.grid, status->axis.unit));
     item->setToolTip(item->text());
 }

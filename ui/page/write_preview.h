@@ -53,7 +53,8 @@ private:
     void fillRows(const WritePlan& plan);
     void fillDeletion(const WritePlan& plan);
     void addRow(const QString& field, const QString& before, const QString& after);
-    void askForChange(const SharedTable& newTable, const SharedTable& oldTable);
+    void askForChange(
+        const SharedTable& newTable, const SharedTable& oldTable, TableSources sources);
     void showChange(const Change& change);
     void showAcceptance();
     [[nodiscard]] QString costText(const WritePlan& plan) const;
@@ -80,6 +81,7 @@ private:
     SharedTable m_planned; ///< the table of the plan, as the drive takes it
     SharedTable m_newTable; ///< that m_change is about; null: it is taken away
     SharedTable m_oldTable;
+    TableSources m_sources = TableSources::Same; ///< likewise
     std::optional<Change> m_change;
 };
 

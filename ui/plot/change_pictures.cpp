@@ -67,12 +67,14 @@ QString pictureText(const TablePicture& picture, const std::string& unit)
 
 QString changeText(const LargestChange& change, const Grid& grid, const std::string& unit)
 {
+    const QString value = smallValueText(change.change, unit);
+    if (change.isBound)
+        return ChangePictures::tr("up to %1").arg(value);
     QStringList places;
     for (std::size_t n = 0; n < grid.axes.size(); ++n)
         places +=
             QStringLiteral("%1 %2").arg(dimensionName(grid, n), numberText(change.position.at(n)));
-    return ChangePictures::tr("%1 at %2", "value at position")
-        .arg(smallValueText(change.change, unit), listText(places));
+    return ChangePictures::tr("%1 at %2", "value at position").arg(value, listText(places));
 }
 
 } // namespace axiscomp::ui

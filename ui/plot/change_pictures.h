@@ -33,7 +33,7 @@ private:
 /// "largest +4.1 µm at X 40, Y 0", and which slice is drawn
 [[nodiscard]] QString pictureText(const TablePicture& picture, const std::string& unit);
 
-/// "+4.1 µm at X 40, Y 0"
+/// "+4.1 µm at X 40, Y 0", "up to +4.1 µm" where it is a bound
 [[nodiscard]] QString changeText(
     const LargestChange& change, const Grid& grid, const std::string& unit);
 

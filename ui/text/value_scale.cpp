@@ -72,6 +72,19 @@ ValueScale::ValueScale(
     : m_unit(unit)
 {
     chooseUnit(largest);
+    chooseDecimals(largest, values, noise);
+}
+
+ValueScale ValueScale::beside(std::span<const float> values, double noise) const
+{
+    ValueScale scale = *this;
+    scale.chooseDecimals(largestOf(values), values, noise);
+    return scale;
+}
+
+void ValueScale::chooseDecimals(double largest, std::span<const float> values, double noise)
+{
+    m_decimals = 0;
     if (!(largest > noise))
         return;
     constexpr int mostDigits = 5;

@@ -23,6 +23,9 @@ public:
     ValueScale(
         const std::string& unit, double largest, std::span<const float> values, double noise);
 
+    /// The same unit, with the decimals that other values need: of a column beside this one.
+    [[nodiscard]] ValueScale beside(std::span<const float> values, double noise = 0.0) const;
+
     [[nodiscard]] const std::string& unit() const { return m_unit; } ///< as shown; may be empty
     [[nodiscard]] double factor() const { return m_factor; } ///< shown value per value
     [[nodiscard]] int decimals() const { return m_decimals; }
@@ -37,6 +40,7 @@ public:
 
 private:
     void chooseUnit(double largest);
+    void chooseDecimals(double largest, std::span<const float> values, double noise);
     [[nodiscard]] QString digits(double value) const;
 
     std::string m_unit;

@@ -51,6 +51,26 @@ private Q_SLOTS:
         QCOMPARE(sourceName({0xABCD, {}}), "0x0000abcd");
     }
 
+    void theSameSourcesAreThoseOfTheUsedDimensionsInTheirOrder()
+    {
+        const auto haveSame = [](const CompensationSetup& a, const CompensationSetup& b) {
+            return haveSameSources(a, b) && haveSameSources(b, a);
+        };
+        CompensationSetup one;
+        one.dimensionality = 2;
+        one.sources = {DimSource{1, "X"}, DimSource{2, "Y"}, DimSource{3, "Z"}};
+        CompensationSetup other = one;
+        other.sources[2] = {4, "T"}; // is not used
+        QVERIFY(haveSame(one, other));
+        std::swap(other.sources[0], other.sources[1]);
+        QVERIFY(!haveSame(one, other));
+        other = one;
+        other.dimensionality = 1;
+        QVERIFY(!haveSame(one, other));
+        other.dimensionality = 3;
+        QVERIFY(!haveSame(one, other));
+    }
+
     void theTableAndEverySourceOfAnAxisAreItsRegisters()
     {
         DriveProfile profile;

@@ -102,10 +102,27 @@ private Q_SLOTS:
         QCOMPARE(largest.position[1], 5.0);
     }
 
-    void anOldTableOfOtherDimensionsCountsAsNone()
+    /// Any value of the new table may follow any of the old one.
+    void withOtherSourcesTheLargestChangeIsABound()
     {
-        const CompensationTable old = block();
-        QCOMPARE(largestChange(line(0, 1, {1.0F, 2.0F}), &old).change, 2.0);
+        const CompensationTable table = line(0, 5, {1.0F, 3.0F, -1.0F});
+        const CompensationTable old = line(0, 5, {1.0F, 2.0F, -2.0F});
+        const LargestChange largest = largestChange(table, &old, TableSources::Other);
+        QCOMPARE(largest.change, 5.0);
+        QVERIFY(largest.isBound);
+        QCOMPARE(largestChange(old, &table, TableSources::Other).change, -5.0);
+        const LargestChange same = largestChange(table, &old);
+        QCOMPARE(same.change, 1.0);
+        QVERIFY(!same.isBound);
+        QVERIFY(!largestChange(table, nullptr, TableSources::Other).isBound);
+    }
+
+    void withOtherDimensionsTheLargestChangeIsABound()
+    {
+        const CompensationTable old = block(); // 0 to 211
+        const LargestChange largest = largestChange(line(0, 1, {1.0F, 2.0F}), &old);
+        QCOMPARE(largest.change, 1.0 - 211.0);
+        QVERIFY(largest.isBound);
     }
 
     void theDifferenceHoldsTheOldTablesEndValues()

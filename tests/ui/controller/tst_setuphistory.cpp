@@ -117,6 +117,36 @@ private Q_SLOTS:
         QCOMPARE(name(), third);
     }
 
+    /// It was being read when the dimensionality was noted.
+    void aRefusedFileThatADimensionalityHasOpenedIsTakenBack()
+    {
+        using test::ControllerFixture;
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        const QString line =
+            bench.file(QStringLiteral("line.csv"), "X [mm],E [mm]\n0,0.001\n10,0.002\n20,0.001\n");
+        const QString plane =
+            bench.file(QStringLiteral("2d.csv"), ControllerFixture::calibration2D(1));
+        for (const QString& path : {line, plane}) {
+            bench->openData(path);
+            QVERIFY(bench.fileRead());
+        }
+        bench->setup().setDimensionality(2);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().path, plane);
+        bench->history().undo();
+        QCOMPARE(bench->dataFile().path, line);
+        QVERIFY(!bench->dataFile().isReading);
+        bench->history().undo();
+        QCOMPARE(bench->dataFile().path, line);
+        QVERIFY(!bench->dataFile().isReading);
+        QCOMPARE(bench->setup().edited().dimensionality, 1);
+        bench->history().redo();
+        bench->history().redo();
+        QCOMPARE(bench->dataFile().path, plane);
+        QCOMPARE(bench->setup().edited().dimensionality, 2);
+    }
+
     void afterAWriteAndWithAnotherAxisThereIsNothingToUndo()
     {
         PageFixture bench;

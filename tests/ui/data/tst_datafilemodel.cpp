@@ -136,6 +136,48 @@ private Q_SLOTS:
         QCOMPARE(bench->selectedTable()->name, "table 101"); // the one that was chosen
     }
 
+    void aFileThatWasRefusedIsReadInTheDimensionalityThatIsChosenThen()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        const QString line = bench.file(QStringLiteral("line.csv"), oneDimension);
+        const QString plane = bench.file(QStringLiteral("2d.csv"),
+            "X [mm],Y [mm],E [mm]\n0,0,0.001\n10,0,0.002\n0,10,0.001\n10,10,0.003\n");
+        bench->openData(line);
+        QVERIFY(bench.fileRead());
+        bench->openData(plane);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().path, line);
+        QCOMPARE(bench->dataFile().refusedPath, plane);
+        bench->setup().setDimensionality(3); // is not its own either
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().path, line);
+        QCOMPARE(bench->dataFile().problemsPath, plane);
+        bench->setup().setDimensionality(2);
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().path, plane);
+        QVERIFY(bench->dataFile().problems.empty());
+        QVERIFY(bench->dataFile().refusedPath.isEmpty());
+        QCOMPARE(bench->selectedTable()->grid.dimensions(), 2);
+    }
+
+    void aTamTableThatWasRefusedIsNotReadAgainForItsDimensions()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        const QString line = bench.file(QStringLiteral("line.csv"), oneDimension);
+        bench->openData(line);
+        QVERIFY(bench.fileRead());
+        QByteArray bytes = tamTable(2);
+        bytes[0] = '?';
+        bench->openData(bench.file(QStringLiteral("broken.TAMtbl"), bytes));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->dataFile().refusedPath.isEmpty());
+        bench->setup().setDimensionality(2);
+        QCOMPARE(bench->dataFile().readingPath, line);
+        QVERIFY(bench.fileRead());
+    }
+
     void aTamTableKeepsItsOwnDimensions()
     {
         ControllerFixture bench;

@@ -132,6 +132,22 @@ private Q_SLOTS:
         QVERIFY(deleted.before.drawn && !deleted.after.drawn && !deleted.difference.drawn);
         const TableChange other = tableChange(line, map);
         QVERIFY(other.before.drawn && other.after.drawn && !other.difference.drawn);
+        QVERIFY(other.difference.largest.isBound);
+        QCOMPARE(other.difference.largest.change, 2.0); // 0 after -2
+    }
+
+    void overOtherSourcesThereIsNoDifferenceToDraw()
+    {
+        const std::vector<GridAxis> grid{axis("X", 0.0, 1.0, 3)};
+        const auto now = tableOf(grid, [](double x, double, double) { return x; });
+        const auto old = tableOf(grid, [](double x, double, double) { return x - 1.0; });
+        const TableChange change = tableChange(now, old, TableSources::Other);
+        QCOMPARE(change.before.drawn, old);
+        QCOMPARE(change.after.drawn, now);
+        QVERIFY(!change.difference.drawn);
+        QVERIFY(change.difference.largest.isBound);
+        QCOMPARE(change.difference.largest.change, 3.0); // 2 after -1
+        QVERIFY(tableChange(now, old).difference.drawn);
     }
 };
 

@@ -122,6 +122,54 @@ private Q_SLOTS:
         QVERIFY(std::abs(cells[1].toDouble() - 1000.0 * double(table->values[1])) < 1e-6);
     }
 
+    void theDrivesValuesAndTheDifferenceHaveTheDecimalsThatTheyNeed()
+    {
+        const auto curve = [](double distance, const std::vector<float>& values) {
+            CompensationTable table;
+            table.unit = "mm";
+            table.grid.axes = {{.name = "Y",
+                .unit = "mm",
+                .start = 0.0,
+                .distance = distance,
+                .size = static_cast<std::uint32_t>(values.size())}};
+            table.values = values;
+            return std::make_shared<const CompensationTable>(std::move(table));
+        };
+        TableViewModel shown;
+        const auto selected = curve(5.0, {0.001F, 0.002F, 0.009F});
+        shown.setTables(selected, curve(5.0, {0.0014F, 0.0024F, 0.0094F}));
+        const ValuesModel model(shown);
+        const auto row = [&](int index) {
+            return QStringList{
+                textAt(model, index, 1), textAt(model, index, 2), textAt(model, index, 3)};
+        };
+        QCOMPARE(row(0).join(u' '), QStringLiteral("+1 +1.4 -0.4"));
+        QCOMPARE(row(2).join(u' '), QStringLiteral("+9 +9.4 -0.4"));
+        // Between the points of the drive's table, too: 1.5 at 5.
+        shown.setTables(selected, curve(10.0, {0.001F, 0.002F}));
+        QCOMPARE(row(1).join(u' '), QStringLiteral("+2 +1.5 +0.5"));
+    }
+
+    void aCurveOverAnotherSourceStandsAlone()
+    {
+        TableViewModel shown;
+        const auto table = sharedTable({5});
+        const auto onDrive = sharedTable({5}, 1.0);
+        shown.setTables(table, onDrive);
+        const ValuesModel model(shown);
+        QCOMPARE(model.columnCount(), 4);
+        QSignalSpy changes(&shown, &TableViewModel::changed);
+        shown.setContent(TableContent::Difference);
+        QTRY_COMPARE(changes.count(), 1);
+        shown.setTables(table, onDrive, TableSources::Other);
+        QCOMPARE(shown.content(), TableContent::Selected);
+        QCOMPARE(model.columnCount(), 2);
+        QVERIFY(!shown.canShow(TableContent::Difference));
+        QVERIFY(shown.canShow(TableContent::Drive));
+        shown.setTables(table, onDrive, TableSources::Same);
+        QCOMPARE(model.columnCount(), 4);
+    }
+
     void cellsHaveTheColourOfTheMap()
     {
         Fixture bench(sharedTable({4, 3}));

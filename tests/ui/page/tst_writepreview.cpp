@@ -5,6 +5,8 @@
 #include "ui/style/contrast.h"
 
 #include <QCheckBox>
+#include <QTableView>
+#include <QTableWidget>
 #include <QTest>
 
 #include <cmath>
@@ -131,6 +133,37 @@ private Q_SLOTS:
         QVERIFY(!user.sees("tableFacts"));
         user.press(Qt::Key_Escape);
         QTRY_VERIFY(user.sees("signSentence"));
+    }
+
+    /// Any of its values may follow any of the old ones.
+    void aTableOverAnotherSourceHasNoDifferenceToTheOldOne()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        const auto mayWrite = [&] {
+            return test::PageUser::waitFor(
+                [&] { return bench.controller().action(Action::Write).isEnabled; });
+        };
+        bench.picked =
+            bench.file(QStringLiteral("x.csv"), "X [mm],E [mm]\n0,0.001\n10,0.003\n20,-0.001\n");
+        QVERIFY(user.click("openButton"));
+        QVERIFY(user.enter("source1Field", QString::fromStdString(test::masterX)));
+        QVERIFY(mayWrite());
+        QVERIFY(bench.write());
+        bench.picked =
+            bench.file(QStringLiteral("y.csv"), "Y [mm],E [mm]\n0,0.001\n10,0.0031\n20,-0.001\n");
+        QVERIFY(user.click("openButton"));
+        const QAbstractItemModel& values = *user.the<QTableView>("values").model();
+        QTRY_COMPARE(values.columnCount(), 4);
+        QVERIFY(user.enter("source1Field", QString::fromStdString(test::masterY)));
+        QTRY_COMPARE(values.columnCount(), 2);
+        QVERIFY(mayWrite());
+        QVERIFY(plan(bench));
+        QVERIFY(user.sees("pictureBefore"));
+        QVERIFY(!user.sees("pictureDifference"));
+        const auto& rows = user.the<QTableWidget>("previewRows");
+        QTRY_COMPARE(rows.item(1, 2)->text(), QStringLiteral("up to +4.100 µm"));
     }
 
     void whatIsDeletedIsShown()
