@@ -2106,8 +2106,8 @@
         <translation>es hat keine Moduloachsen</translation>
     </message>
     <message>
-        <source>treat the axis as linear (--no-wrap) when it stays within one revolution</source>
-        <translation>die Achse als lineare behandeln (--no-wrap), wenn sie innerhalb einer Umdrehung bleibt</translation>
+        <source>treat the axis as linear (--no-wrap, in a machine file no-wrap = true) when it stays within one revolution</source>
+        <translation>die Achse als lineare behandeln (--no-wrap, in einer Maschinendatei no-wrap = true), wenn sie innerhalb einer Umdrehung bleibt</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -2530,8 +2530,8 @@
         <translation>{target} hat nur Werte für die negative Richtung, also keine für die positive; die negative Richtung wählen</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>eine volle Umdrehung von {axis} beginnt mit der Korrektur {begin} und endet mit {end}; beide gleich machen oder die Achse als lineare behandeln (--no-wrap)</translation>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap, in a machine file no-wrap = true)</source>
+        <translation>eine volle Umdrehung von {axis} beginnt mit der Korrektur {begin} und endet mit {end}; beide gleich machen oder die Achse als lineare behandeln (--no-wrap, in einer Maschinendatei no-wrap = true)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -10077,8 +10077,8 @@
         </translation>
     </message>
     <message>
-        <source>{first} and {second} are {angle} off 90 degrees</source>
-        <translation>{first} und {second} weichen um {angle} von 90 Grad ab</translation>
+        <source>the angle between {first} and {second} is {angle} less than 90 degrees</source>
+        <translation>der Winkel zwischen {first} und {second} ist um {angle} kleiner als 90 Grad</translation>
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
@@ -10331,6 +10331,18 @@
     <message>
         <source>the first measurement has the serial number {before}, the second {after}</source>
         <translation>die erste Messung nennt die Seriennummer {before}, die zweite {after}</translation>
+    </message>
+    <message>
+        <source>the angle between {first} and {second} is {angle} more than 90 degrees</source>
+        <translation>der Winkel zwischen {first} und {second} ist um {angle} größer als 90 Grad</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is at {place}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: at {place}, {residual} off</comment>
+        <translation>
+            <numerusform>1 Wert von {table} passt nicht zu den anderen und zählt wenig: bei {place}, um {residual} daneben</numerusform>
+            <numerusform>{count} Werte von {table} passen nicht zu den anderen und zählen wenig; der erste liegt bei {place}, um {residual} daneben</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12843,6 +12855,10 @@
         <source>%1 at %2</source>
         <comment>value at position</comment>
         <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis zu %1</translation>
     </message>
 </context>
 <context>
@@ -18108,8 +18124,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>für eine Tabelle eine Datei öffnen</translation>
     </message>
     <message>
-        <source>problems: %1; the file is not used</source>
-        <translation>Probleme: %1; die Datei wird nicht verwendet</translation>
+        <source>%1 is not used, problems: %2</source>
+        <translation>%1 wird nicht verwendet, Probleme: %2</translation>
     </message>
     <message>
         <source>CSV; needed only for a new table</source>

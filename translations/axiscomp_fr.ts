@@ -2106,8 +2106,8 @@
         <translation>il ne connaît pas d&apos;axes modulo</translation>
     </message>
     <message>
-        <source>treat the axis as linear (--no-wrap) when it stays within one revolution</source>
-        <translation>traiter l&apos;axe comme linéaire (--no-wrap) s&apos;il reste dans un seul tour</translation>
+        <source>treat the axis as linear (--no-wrap, in a machine file no-wrap = true) when it stays within one revolution</source>
+        <translation>traiter l&apos;axe comme linéaire (--no-wrap, dans un fichier machine no-wrap = true) s&apos;il reste dans un seul tour</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -2530,8 +2530,8 @@
         <translation>{target} n&apos;a de valeurs que pour le sens négatif, donc aucune pour le sens positif&#xa0;; choisir le sens négatif</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>un tour complet de {axis} commence par la correction {begin} et finit par {end}&#xa0;; rendre les deux égales ou traiter l&apos;axe comme linéaire (--no-wrap)</translation>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap, in a machine file no-wrap = true)</source>
+        <translation>un tour complet de {axis} commence par la correction {begin} et finit par {end}&#xa0;; rendre les deux égales ou traiter l&apos;axe comme linéaire (--no-wrap, dans un fichier machine no-wrap = true)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -10077,8 +10077,8 @@
         </translation>
     </message>
     <message>
-        <source>{first} and {second} are {angle} off 90 degrees</source>
-        <translation>{first} et {second} s&apos;écartent de {angle} par rapport à 90 degrés</translation>
+        <source>the angle between {first} and {second} is {angle} less than 90 degrees</source>
+        <translation>l&apos;angle entre {first} et {second} est inférieur de {angle} à 90 degrés</translation>
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
@@ -10331,6 +10331,18 @@
     <message>
         <source>the first measurement has the serial number {before}, the second {after}</source>
         <translation>la première mesure indique le numéro de série {before}, la deuxième {after}</translation>
+    </message>
+    <message>
+        <source>the angle between {first} and {second} is {angle} more than 90 degrees</source>
+        <translation>l&apos;angle entre {first} et {second} est supérieur de {angle} à 90 degrés</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is at {place}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: at {place}, {residual} off</comment>
+        <translation>
+            <numerusform>{count} valeur de {table} ne concorde pas avec les autres et compte peu&#xa0;: à {place}, écart de {residual}</numerusform>
+            <numerusform>{count} valeurs de {table} ne concordent pas avec les autres et comptent peu&#xa0;; la première est à {place}, écart de {residual}</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12843,6 +12855,10 @@
         <source>%1 at %2</source>
         <comment>value at position</comment>
         <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>jusqu&apos;à %1</translation>
     </message>
 </context>
 <context>
@@ -18108,8 +18124,8 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>ouvrir un fichier pour obtenir une table</translation>
     </message>
     <message>
-        <source>problems: %1; the file is not used</source>
-        <translation>problèmes&#xa0;: %1&#xa0;; le fichier n&apos;est pas utilisé</translation>
+        <source>%1 is not used, problems: %2</source>
+        <translation>%1 n&apos;est pas utilisé, problèmes&#xa0;: %2</translation>
     </message>
     <message>
         <source>CSV; needed only for a new table</source>

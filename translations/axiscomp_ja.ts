@@ -2106,8 +2106,8 @@
         <translation>モジュロ軸に対応していません</translation>
     </message>
     <message>
-        <source>treat the axis as linear (--no-wrap) when it stays within one revolution</source>
-        <translation>軸が 1 回転以内で動く場合は、直進軸として扱ってください (--no-wrap)</translation>
+        <source>treat the axis as linear (--no-wrap, in a machine file no-wrap = true) when it stays within one revolution</source>
+        <translation>軸が 1 回転以内で動く場合は、直進軸として扱ってください (--no-wrap、機械ファイルでは no-wrap = true)</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -2530,8 +2530,8 @@
         <translation>{target} には負方向の値しかなく、正方向の値がありません。負方向を選んでください</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>{axis} の 1 回転の補正量が {begin} で始まり {end} で終わっています。両者を同じにするか、直進軸として扱ってください (--no-wrap)</translation>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap, in a machine file no-wrap = true)</source>
+        <translation>{axis} の 1 回転の補正量が {begin} で始まり {end} で終わっています。両者を同じにするか、直進軸として扱ってください (--no-wrap、機械ファイルでは no-wrap = true)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -10032,8 +10032,8 @@
         </translation>
     </message>
     <message>
-        <source>{first} and {second} are {angle} off 90 degrees</source>
-        <translation>{first} と {second} のなす角は 90 度から {angle} ずれています</translation>
+        <source>the angle between {first} and {second} is {angle} less than 90 degrees</source>
+        <translation>{first} と {second} のなす角は 90 度より {angle} 小さくなっています</translation>
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
@@ -10282,6 +10282,17 @@
     <message>
         <source>the first measurement has the serial number {before}, the second {after}</source>
         <translation>1 回目の測定のシリアル番号は {before}、2 回目は {after} です</translation>
+    </message>
+    <message>
+        <source>the angle between {first} and {second} is {angle} more than 90 degrees</source>
+        <translation>{first} と {second} のなす角は 90 度より {angle} 大きくなっています</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is at {place}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: at {place}, {residual} off</comment>
+        <translation>
+            <numerusform>{table} の {count} 個の値がほかの値と合わないため、重みを下げました。最初は {place} で、ずれは {residual} です</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12792,6 +12803,10 @@
         <source>%1 at %2</source>
         <comment>value at position</comment>
         <translation>%2 で %1</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>最大 %1</translation>
     </message>
 </context>
 <context>
@@ -18057,8 +18072,8 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <translation>テーブルを得るにはファイルを開く</translation>
     </message>
     <message>
-        <source>problems: %1; the file is not used</source>
-        <translation>問題: %1。ファイルは使いません</translation>
+        <source>%1 is not used, problems: %2</source>
+        <translation>%1 は使いません。問題: %2</translation>
     </message>
     <message>
         <source>CSV; needed only for a new table</source>

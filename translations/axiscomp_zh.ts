@@ -2106,8 +2106,8 @@
         <translation>它不支持模数轴</translation>
     </message>
     <message>
-        <source>treat the axis as linear (--no-wrap) when it stays within one revolution</source>
-        <translation>若该轴始终在一转之内，按直线轴处理 (--no-wrap)</translation>
+        <source>treat the axis as linear (--no-wrap, in a machine file no-wrap = true) when it stays within one revolution</source>
+        <translation>若该轴始终在一转之内，按直线轴处理 (--no-wrap，在机床文件中为 no-wrap = true)</translation>
     </message>
     <message>
         <source>its values are offsets of the command</source>
@@ -2530,8 +2530,8 @@
         <translation>{target} 只有负方向的值，没有正方向的值；请选择负方向</translation>
     </message>
     <message>
-        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap)</source>
-        <translation>{axis} 的一整转以修正量 {begin} 开始，以 {end} 结束；使两者相同，或按直线轴处理 (--no-wrap)</translation>
+        <source>a full turn of {axis} begins with the correction {begin} and ends with {end}; make both the same, or treat the axis as linear (--no-wrap, in a machine file no-wrap = true)</source>
+        <translation>{axis} 的一整转以修正量 {begin} 开始，以 {end} 结束；使两者相同，或按直线轴处理 (--no-wrap，在机床文件中为 no-wrap = true)</translation>
     </message>
     <message>
         <source>the numbers are too large to be added to each other</source>
@@ -10032,8 +10032,8 @@
         </translation>
     </message>
     <message>
-        <source>{first} and {second} are {angle} off 90 degrees</source>
-        <translation>{first} 和 {second} 与 90 度相差 {angle}</translation>
+        <source>the angle between {first} and {second} is {angle} less than 90 degrees</source>
+        <translation>{first} 和 {second} 之间的夹角比 90 度小 {angle}</translation>
     </message>
     <message>
         <source>a scale of {scale} for each {length} was taken out; the mean scale error of the axes is in it, and stays in the machine</source>
@@ -10282,6 +10282,17 @@
     <message>
         <source>the first measurement has the serial number {before}, the second {after}</source>
         <translation>第一次测量的序列号为 {before}，第二次为 {after}</translation>
+    </message>
+    <message>
+        <source>the angle between {first} and {second} is {angle} more than 90 degrees</source>
+        <translation>{first} 和 {second} 之间的夹角比 90 度大 {angle}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} values of {table} do not fit the others and count little; the first is at {place}, {residual} off</source>
+        <comment>1 value of {table} does not fit the others and counts little: at {place}, {residual} off</comment>
+        <translation>
+            <numerusform>{table} 中有 {count} 个值与其余的值不符，权重降低；第一个在 {place}，相差 {residual}</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -12792,6 +12803,10 @@
         <source>%1 at %2</source>
         <comment>value at position</comment>
         <translation>%1，在 %2</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>最大 %1</translation>
     </message>
 </context>
 <context>
@@ -18057,8 +18072,8 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <translation>打开文件以取得表</translation>
     </message>
     <message>
-        <source>problems: %1; the file is not used</source>
-        <translation>问题：%1；不采用该文件</translation>
+        <source>%1 is not used, problems: %2</source>
+        <translation>不采用 %1，问题：%2</translation>
     </message>
     <message>
         <source>CSV; needed only for a new table</source>
