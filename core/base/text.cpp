@@ -89,6 +89,12 @@ bool operator==(const Arguments& a, const Arguments& b)
     return std::ranges::is_permutation(a.m_arguments, b.m_arguments);
 }
 
+bool endsInQuestion(const Argument& argument, std::string_view said)
+{
+    return std::holds_alternative<Text>(argument.value())
+        && (said.ends_with('?') || said.ends_with("\uff1f"));
+}
+
 Text TextPattern::with(std::string_view name, Argument value) const
 {
     return Text(*this).with(name, std::move(value));
@@ -144,6 +150,11 @@ std::string Text::in(const Wording& wording) const
         const Argument* const value = m_arguments.find(words.substr(open + 1, close - open - 1));
         text.append(words.substr(0, open)).append(value ? value->in(wording) : "?");
         words.remove_prefix(close + 1);
+        if (!value || !endsInQuestion(*value, text))
+            continue;
+        for (const std::string_view stop : {".", "\u3002"})
+            if (words.starts_with(stop))
+                words.remove_prefix(stop.size());
     }
 }
 

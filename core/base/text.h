@@ -160,6 +160,10 @@ private:
     Value m_value;
 };
 
+/// Whether a text in place of a placeholder asks something: the full stop of the sentence around it
+/// is left out then. said: the text, in any language.
+[[nodiscard]] bool endsInQuestion(const Argument& argument, std::string_view said);
+
 struct NamedArgument {
     std::string name;
     Argument value;

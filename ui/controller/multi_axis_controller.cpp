@@ -186,6 +186,9 @@ void MultiAxisController::take(
     if (isShownAxisWritten && m_task == Task::RestoreDrive)
         m_setup.revert(); // going back means the changes too
     drop();
+    for (std::size_t n = 0; end.outcome && n < end.outcome->writes.size(); ++n)
+        if (const auto& write = end.outcome->writes[n])
+            Q_EMIT tableWritten(write->now);
 }
 
 } // namespace axiscomp::ui

@@ -52,6 +52,8 @@ public:
 
 Q_SIGNALS:
     void planned();
+    /// One of the axes has its new state. now: as read back.
+    void tableWritten(const axiscomp::AxisStatus& now);
 
 private:
     void ask(Task task, DriveSession::Operation<PlannedTables> operation);

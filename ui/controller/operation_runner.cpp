@@ -268,6 +268,8 @@ void OperationRunner::write(bool acceptsLarge)
                 m_setup.setTable({}); // the drive has it now
             m_requestTable = {};
             m_fileTable.reset();
+            if (end.outcome && !deletes)
+                Q_EMIT tableWritten(end.outcome->now);
         },
         writeOutcome);
 }
@@ -305,6 +307,8 @@ void OperationRunner::restore()
             if (end.outcome)
                 m_setup.revert(); // going back means the changes too
             m_axis.take(end.now);
+            if (end.outcome && end.now)
+                Q_EMIT tableWritten(end.now->status);
         },
         restorationOutcome);
 }
@@ -317,7 +321,11 @@ void OperationRunner::recover(bool finishes)
             auto& compensator, const auto& store, const auto& options) {
             return recoverAxis(compensator, store, entry, finishes, options);
         },
-        [this](const OperationEnd<WriteReport>& end) { m_axis.take(end.now); },
+        [this, finishes](const OperationEnd<WriteReport>& end) {
+            m_axis.take(end.now);
+            if (end.outcome && finishes) // undone: the axis has what it had
+                Q_EMIT tableWritten(end.outcome->now);
+        },
         [finishes](
             const Result<WriteReport>& result) { return recoveryOutcome(finishes, result); });
 }

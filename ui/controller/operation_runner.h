@@ -88,6 +88,9 @@ public:
 Q_SIGNALS:
     void busyChanged();
     void planReady();
+    /// The axis has the new state of a write, a restoration or a write that was finished. now: as
+    /// read back.
+    void tableWritten(const axiscomp::AxisStatus& now);
     void ended(axiscomp::ui::Task task);
 
 private:

@@ -188,11 +188,12 @@ void WizardController::wireOperations()
             m_parts->history.clear();
         if (isMultiAxis(task))
             Q_EMIT multiAxisWritten();
-        if (task == Task::Write && !isOutcomeAnError())
-            Q_EMIT tableWritten();
         if (task == Task::Activate && !isOutcomeAnError())
             Q_EMIT tableActivated();
     });
+    connect(runner, &OperationRunner::tableWritten, this, &WizardController::tableWritten);
+    connect(&m_parts->multiAxis, &MultiAxisController::tableWritten, this,
+        &WizardController::tableWritten);
     connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
         &WizardController::multiAxisPlanned);
     connect(&m_parts->parameterExport, &ParameterExport::parametersRead, this,

@@ -231,8 +231,10 @@ Q_SIGNALS:
     void planReady();
     void multiAxisPlanned();
     void multiAxisWritten();
-    void tableWritten(); ///< of the current axis, read back and verified; status() is the new one
-    void tableActivated(); ///< likewise; proof() may be there
+    /// An axis of the current drive has the new state of a write, whichever operation that was.
+    /// now: as read back and verified.
+    void tableWritten(const axiscomp::AxisStatus& now);
+    void tableActivated(); ///< of the current axis; status() is the new one, proof() may be there
     void parametersRead();
     void outcomeChanged();
 

@@ -7,7 +7,7 @@
 #include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
-#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/local_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +61,7 @@ void paintCross(QCPPainter& painter, const QPointF& at)
 } // namespace
 
 struct DeviationCanvas::Private {
-    explicit Private(QWidget* parent) : plot(new QCustomPlot(parent)), inks(parent->palette()) { }
+    explicit Private(QWidget* parent) : plot(new LocalPlot(parent)), inks(parent->palette()) { }
 
     QCustomPlot* plot;
     MeasurementInks inks;

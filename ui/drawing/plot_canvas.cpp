@@ -5,8 +5,8 @@
 #include "ui/style/contrast.h"
 
 #include "ui/drawing/cross_sections.h"
-#include "ui/drawing/custom_plot.h"
 #include "ui/drawing/filled_hatch.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/drawing/map_contours.h"
 #include "ui/drawing/map_points.h"
 #include "ui/drawing/plot_style.h"
@@ -63,7 +63,7 @@ struct Cross {
 } // namespace
 
 struct PlotCanvas::Private {
-    explicit Private(QWidget* parent) : plot(new QCustomPlot(parent)) { }
+    explicit Private(QWidget* parent) : plot(new LocalPlot(parent)) { }
 
     QCustomPlot* plot;
     QCPGraph* curve = nullptr;

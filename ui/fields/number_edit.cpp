@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/fields/number_edit.h"
 
-#include "ui/style/contrast.h"
-#include "ui/style/symbols.h"
+#include "ui/fields/wrong_mark.h"
 #include "ui/text/typed_number.h"
 
-#include <QAction>
 #include <QLocale>
 #include <QStringList>
 
@@ -69,12 +67,7 @@ void NumberEdit::setWrong(bool isWrong)
     if (isWrong == m_isWrong && !isWrong)
         return;
     m_isWrong = isWrong;
-    if (!m_mark)
-        m_mark = addAction(QIcon(), TrailingPosition);
-    constexpr int markSize = 16;
-    m_mark->setIcon(QIcon(symbolPixmap(
-        Symbol::Warning, frameColor(Tone::Error, palette()), markSize, devicePixelRatioF())));
-    m_mark->setVisible(isWrong);
+    markWrong(*this, isWrong);
     Q_EMIT problemChanged();
 }
 

@@ -45,7 +45,6 @@ private:
     Rule m_rule;
     std::vector<double> m_numbers;
     bool m_isWrong = false;
-    QAction* m_mark = nullptr;
 };
 
 } // namespace axiscomp::ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/judging/limit_fields.h"
 
+#include "ui/fields/wrong_mark.h"
 #include "ui/record/record_model.h"
 #include "ui/style/plain_label.h"
 #include "ui/style/tone_label.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -41,7 +43,7 @@ LimitFields::LimitFields(RecordModel& record, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     for (const auto& figure : limitedFigures) {
         const int number = static_cast<int>(m_fields.size());
-        Field field{figure, new PlainLabel, new QLineEdit};
+        Field field{figure, new PlainLabel, new QLineEdit, {}};
         field.label->setBuddy(field.edit);
         field.edit->setObjectName(figure
                 ? QStringLiteral("tolerance%1").arg(QLatin1StringView(figureName(*figure).data()))
@@ -53,8 +55,10 @@ LimitFields::LimitFields(RecordModel& record, QWidget* parent)
         layout->addWidget(field.label, row, column);
         layout->addWidget(field.edit, row, column + 1);
         layout->setColumnStretch(column + 1, 1);
-        connect(field.edit, &QLineEdit::editingFinished, this, [this, field] { take(field); });
-        m_fields.push_back(field);
+        const auto index = m_fields.size();
+        connect(field.edit, &QLineEdit::editingFinished, this,
+            [this, index] { take(m_fields[index]); });
+        m_fields.push_back(std::move(field));
     }
     m_problem->setObjectName(QStringLiteral("limitProblem"));
     m_problem->setTone(Tone::Error);
@@ -102,28 +106,31 @@ void LimitFields::follow()
 
 void LimitFields::forgetTyped()
 {
-    for (const Field& field : m_fields)
+    for (Field& field : m_fields) {
         field.edit->setModified(false);
-    say({});
+        field.problem.reset();
+    }
+    showProblems();
 }
 
-void LimitFields::take(const Field& field)
+void LimitFields::take(Field& field)
 {
     if (!field.edit->isModified() || !m_record.isMeasurementShown())
         return;
     const QString text = field.edit->text().trimmed();
     std::optional<double> value;
+    field.problem.reset();
     if (!text.isEmpty()) {
         const auto amount = amountOf(text, isAngular());
-        if (!amount)
-            return say(errorText(amount.error()));
-        value = *amount;
+        if (amount)
+            value = *amount;
+        else
+            field.problem = amount.error();
     }
+    showProblems();
+    if (field.problem)
+        return;
     field.edit->setModified(false);
-    const bool isLeft =
-        std::ranges::any_of(m_fields, [](const Field& other) { return other.edit->isModified(); });
-    if (!isLeft)
-        say({});
     if (field.figure)
         m_record.setTolerance(*field.figure, value);
     else
@@ -131,22 +138,29 @@ void LimitFields::take(const Field& field)
     follow();
 }
 
-void LimitFields::say(const QString& problem)
+/// One sentence has room: the first field that was not taken. The others are marked, and say theirs
+/// themselves.
+void LimitFields::showProblems()
 {
-    m_problem->setText(problem);
-    m_problem->setVisible(!problem.isEmpty());
-    for (const Field& field : m_fields)
+    const auto first = std::ranges::find_if(
+        m_fields, [](const Field& field) { return field.problem.has_value(); });
+    const bool isOpen = first != m_fields.end();
+    m_problem->setText(isOpen ? errorText(*first->problem) : QString());
+    m_problem->setVisible(isOpen);
+    for (const Field& field : m_fields) {
+        markWrong(*field.edit, field.problem.has_value());
         describe(field);
+    }
 }
 
 void LimitFields::describe(const Field& field)
 {
-    const bool isWrong = field.edit->isModified() && !m_problem->text().isEmpty();
     const QString purpose = field.figure
         ? tr("The largest value that is allowed, such as 10 µm; empty: no tolerance")
         : tr("Uncertainty of the measurement with k = 2, such as 2.1 µm; empty: not stated");
-    field.edit->setToolTip(purpose);
-    field.edit->setAccessibleDescription(isWrong ? m_problem->text() : purpose);
+    const QString said = field.problem ? errorText(*field.problem) : purpose;
+    field.edit->setToolTip(said);
+    field.edit->setAccessibleDescription(said);
 }
 
 void LimitFields::retranslate()
@@ -157,8 +171,8 @@ void LimitFields::retranslate()
         field.edit->setAccessibleName(field.figure
                 ? tr("Tolerance: %1").arg(translated(figureText(*field.figure)))
                 : tr("Uncertainty U, k = 2"));
-        describe(field);
     }
+    showProblems();
     follow();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/metrology/judge/iso230.h"
 
 #include <QWidget>
@@ -32,11 +33,12 @@ private:
         std::optional<Iso230Figure> figure; ///< nothing: the uncertainty
         QLabel* label;
         QLineEdit* edit;
+        std::optional<Error> problem; ///< why its text was not taken
     };
     void follow();
     void forgetTyped();
-    void take(const Field& field);
-    void say(const QString& problem);
+    void take(Field& field);
+    void showProblems();
     [[nodiscard]] bool isAngular() const;
     [[nodiscard]] std::optional<double> valueOf(const Field& field) const;
     void describe(const Field& field);

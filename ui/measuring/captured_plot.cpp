@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/measuring/captured_plot.h"
 
-#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
 #include "ui/text/fine_scale.h"
@@ -16,7 +16,7 @@ namespace axiscomp::ui {
 
 CapturedPlot::CapturedPlot(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot)
+    , m_plot(new LocalPlot)
     , m_up(m_plot->addGraph())
     , m_down(m_plot->addGraph())
     , m_ticker(new ValueTicker)
@@ -94,7 +94,6 @@ void CapturedPlot::retranslate()
     m_down->setName(tr("down"));
     setAccessibleName(tr("Deviations that were taken"));
     setAccessibleDescription(tr("The same values are in the list of steps"));
-    m_plot->setLocale(QLocale());
     nameAxes();
     m_plot->replot(QCustomPlot::rpQueuedReplot);
 }

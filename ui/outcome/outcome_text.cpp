@@ -82,7 +82,7 @@ QString Outcomes::proved(const Proof& proof, const AxisInfo& axis)
     QString difference = smallValueText(proof.largestDifference, axis.unit);
     if (difference.startsWith(u'+'))
         difference.remove(0, 1); // a size
-    return tr("Proved over %1 of the table: largest difference %2. Move the axis to prove more.")
+    return tr("Proved over %1 of the table: largest difference %2.")
         .arg(percentageText(proof.provedShare), difference);
 }
 

@@ -7,6 +7,7 @@
 #include "ui/fields/field_binder.h"
 #include "ui/fields/field_row.h"
 #include "ui/fields/source_combo.h"
+#include "ui/text/state_text.h"
 #include "ui/text/value_text.h"
 
 #include <QCheckBox>
@@ -119,7 +120,9 @@ void SetupPanel::bind()
             model.setPersistency(isPersistent ? Persistency::Persistent : Persistency::Volatile);
         },
         [](const CompensationSetup& drive) {
-            return drive.persistency == Persistency::Persistent ? tr("persistent") : tr("volatile");
+            return drive.slot.empty()                          ? noTableText()
+                : drive.persistency == Persistency::Persistent ? tr("persistent")
+                                                               : tr("volatile");
         });
 }
 

@@ -107,6 +107,7 @@ WizardPage::WizardPage(WizardController& controller, const DriveProfile& profile
     for (const auto changed : {&WizardController::selectedTableChanged,
              &WizardController::dataFileChanged, &WizardController::outcomeChanged})
         connect(&controller, changed, this, &WizardPage::showMarkOfWrite);
+    connect(&controller.setup(), &SetupModel::fieldChanged, this, &WizardPage::showMarkOfWrite);
     showMarkOfWrite();
 }
 
@@ -130,11 +131,14 @@ void WizardPage::showMarkOfWrite()
     const auto& problems = m_controller.dataFile().problems;
     const bool hasErrors =
         std::ranges::find(problems, Severity::Error, &Diagnostic::severity) != problems.end();
-    const bool isReady = m_controller.selectedTable() != nullptr;
+    const auto table = m_controller.selectedTable();
+    const bool isOfOtherDimensions =
+        table && table->grid.dimensions() != m_controller.setup().edited().dimensionality;
     tabs->setMark(PageTabs::Write,
-        hasErrors || m_controller.isOutcomeAnError() ? PageTabs::Mark::Warning
-            : isReady                                ? PageTabs::Mark::Ready
-                                                     : PageTabs::Mark::Empty);
+        hasErrors || isOfOtherDimensions || m_controller.isOutcomeAnError()
+            ? PageTabs::Mark::Warning
+            : table ? PageTabs::Mark::Ready
+                    : PageTabs::Mark::Empty);
 }
 
 /// Of a fixed height: a message that comes or goes moves nothing that somebody is about to press.

@@ -15,7 +15,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 
-#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/local_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ void fill(QCPGraph& graph, const DirectionDrift& drift)
 
 DriftPlot::DriftPlot(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot(this))
+    , m_plot(new LocalPlot(this))
     , m_readout(new PlainLabel)
 {
     setObjectName(QStringLiteral("driftPlot"));

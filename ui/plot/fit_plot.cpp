@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/fit_plot.h"
 
-#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/drawing/plot_style.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
@@ -75,7 +75,7 @@ FitPlot::~FitPlot() = default;
 
 void FitPlot::build()
 {
-    d->plot = new QCustomPlot(this);
+    d->plot = new LocalPlot(this);
     d->plot->setObjectName(QStringLiteral("fitPlot"));
     d->plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     d->plot->setNoAntialiasingOnDrag(true);

@@ -7,6 +7,7 @@
 #include "ui/data/table_view_model.h"
 #include "ui/data/vector_columns.h"
 #include "ui/drawing/deformed_grid.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/drawing/painted_item.h"
 #include "ui/drawing/plot_export.h"
 #include "ui/plot/exaggeration_combo.h"
@@ -304,7 +305,7 @@ void VectorView::build()
     };
     d->reset = tool("vectorReset");
     d->save = tool("vectorExport");
-    d->plot = new QCustomPlot(this);
+    d->plot = new LocalPlot(this);
     d->plot->setObjectName(QStringLiteral("vectorCanvas"));
     d->plot->setMinimumSize(260, 160);
     d->plot->setFocusPolicy(Qt::StrongFocus);

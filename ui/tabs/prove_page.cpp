@@ -160,7 +160,6 @@ QWidget* ProvePage::buildComparison()
         label->setWordWrap(true);
         label->setTone(Tone::Warning);
     }
-    m_figures->horizontalHeader()->setStretchLastSection(true);
     // All of it is seen; the rest of the height is the plot's.
     const int rows = static_cast<int>(iso230FigureCount);
     const int height = m_figures->verticalHeader()->defaultSectionSize();

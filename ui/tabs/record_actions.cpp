@@ -434,17 +434,16 @@ bool RecordActions::mayWrite()
     return fits.has_value();
 }
 
-void RecordActions::noteWrite()
+void RecordActions::noteWrite(const AxisStatus& now)
 {
-    const auto& status = m_controller.status();
-    if (!status || !status->table)
+    if (!now.table)
         return;
-    const auto has = [found = identityOf(*status->table), &layout = m_profile.layout](
+    const auto has = [found = identityOf(*now.table), &layout = m_profile.layout](
                          const CalibrationRecord& record) {
         return hasTable(record, found, layout);
     };
     noteInRecords({has,
-        [now = *status, profile = m_profile.name, time = std::chrono::system_clock::now()](
+        [now, profile = m_profile.name, time = std::chrono::system_clock::now()](
             CalibrationRecord& record) { return recordWrite(record, now, profile, time); }});
 }
 

@@ -16,8 +16,9 @@
 #include <vector>
 
 namespace axiscomp {
+struct AxisStatus;
 struct DriveProfile;
-}
+} // namespace axiscomp
 
 namespace axiscomp::ui {
 
@@ -93,7 +94,7 @@ private:
     void tellChanged(const QString& names);
     void offerUnsaved();
     void writeReport(const QString& path);
-    void noteWrite();
+    void noteWrite(const AxisStatus& now);
     void noteProof();
     /// What is noted in the records of a table.
     struct Note {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tabs/residual_plot.h"
 
-#include "ui/drawing/custom_plot.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
 #include "ui/text/fine_scale.h"
@@ -40,7 +40,7 @@ void widen(QCPAxis& axis)
 
 ResidualPlot::ResidualPlot(QWidget* parent)
     : QWidget(parent)
-    , m_plot(new QCustomPlot)
+    , m_plot(new LocalPlot)
     , m_ticker(new ValueTicker)
 {
     setObjectName(QStringLiteral("residualPlot"));
@@ -149,9 +149,6 @@ void ResidualPlot::show(const ComparisonState& state)
 
 void ResidualPlot::nameAxes()
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    m_plot->setLocale(locale);
     m_before.mean->setName(tr("before"));
     m_after.mean->setName(tr("after, with its standard error"));
     m_plot->xAxis->setLabel(QStringLiteral("%1 [%2]").arg(

@@ -80,8 +80,14 @@ QString translated(const Text& text)
         result += QStringView(words).mid(position, open - position);
         const std::string name = words.mid(open + 1, close - open - 1).toStdString();
         const Argument* const value = text.arguments().find(name);
-        result += value ? std::visit(ArgumentText(), value->value()) : QStringLiteral("?");
+        const QString said =
+            value ? std::visit(ArgumentText(), value->value()) : QStringLiteral("?");
+        result += said;
         position = close + 1;
+        const bool isStopNext = position < words.size()
+            && (words[position] == u'.' || words[position] == QChar(0x3002));
+        if (value && isStopNext && endsInQuestion(*value, said.toStdString()))
+            ++position;
     }
 }
 

@@ -50,6 +50,25 @@ private Q_SLOTS:
         QCOMPARE(Argument(std::vector<Text>{}).english(), "");
     }
 
+    void aQuestionWithinASentenceHasNoFullStopBehindIt()
+    {
+        const TextPattern sentence{"Error", "{a}. Look {a}; {a}", nullptr};
+        const TextPattern question{"Error", "is it on?", nullptr};
+        QCOMPARE(sentence.with("a", question).english(),
+            std::string("is it on? Look is it on?; is it on?"));
+        QCOMPARE(sentence.with("a", TextPattern{"Error", "off", nullptr}).english(),
+            std::string("off. Look off; off"));
+        // What is called so is no question.
+        QCOMPARE(sentence.with("a", Verbatim{"a?"}).english(), std::string("a?. Look a?; a?"));
+        QCOMPARE(Text(sentence).english(), std::string("?. Look ?; ?"));
+        Wording japanese;
+        japanese.words = [](const TextPattern& pattern, std::optional<std::int64_t>) {
+            const bool isInner = std::string_view(pattern.words).ends_with('?');
+            return std::string(isInner ? "\u304b\uff1f" : "{a}\u3002");
+        };
+        QCOMPARE(sentence.with("a", question).in(japanese), std::string("\u304b\uff1f"));
+    }
+
     void aCountOfOneHasWordsOfItsOwn()
     {
         const TextPattern pattern{"Error", "{count} lines", "one line"};

@@ -14,6 +14,26 @@ using test::ControllerFixture;
 using test::DriveGate;
 using test::written;
 
+namespace {
+
+/// The CRCs of the tables of which the controller says that an axis has them now, as long as it is
+/// there.
+class WrittenTables {
+public:
+    explicit WrittenTables(WizardController& controller)
+    {
+        QObject::connect(&controller, &WizardController::tableWritten, &m_context,
+            [this](const AxisStatus& now) { crcs.push_back(now.setup.tableCrc); });
+    }
+
+    std::vector<std::uint32_t> crcs;
+
+private:
+    QObject m_context;
+};
+
+} // namespace
+
 class TestWizardRestore : public QObject {
     Q_OBJECT
 
@@ -34,6 +54,7 @@ private Q_SLOTS:
         QVERIFY(first != second);
         QVERIFY(bench->action(Action::RestorePrevious).isEnabled);
         bench->setup().setPersistency(Persistency::Persistent);
+        WrittenTables restored(bench.controller());
         QVERIFY(bench.restorePrevious());
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("Restored")), qPrintable(bench->outcome()));
@@ -41,6 +62,7 @@ private Q_SLOTS:
         QVERIFY(!bench->setup().isDirty());
         QVERIFY(bench.restorePrevious());
         QCOMPARE(bench->setup().baseline().tableCrc, second);
+        QVERIFY((restored.crcs == std::vector{first, second}));
     }
 
     void restorePreviousPassesOverTheBackupOfAWriteThatFailed()
@@ -209,6 +231,7 @@ private Q_SLOTS:
         bench->setup().setDimensionality(2);
         bench->openData(bench.path(QStringLiteral("2d-1.csv")));
         QVERIFY(bench.fileRead());
+        WrittenTables now(bench.controller());
         if (finishes)
             bench->finishWrite();
         else
@@ -221,6 +244,7 @@ private Q_SLOTS:
         QVERIFY(!bench->action(Action::UndoWrite).isEnabled);
         QVERIFY(!isUnfinished(bench));
         QCOMPARE(bench->setup().baseline().slot.empty(), !finishes);
+        QCOMPARE(now.crcs.size(), std::size_t{finishes ? 1U : 0U});
         // The file's table is what the drive has now: nothing is left to write.
         if (finishes) {
             QCOMPARE(bench->setup().edited().table.fileTable, std::optional<int>(0));

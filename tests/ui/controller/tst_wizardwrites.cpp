@@ -61,7 +61,8 @@ private Q_SLOTS:
         QVERIFY2(
             bench->outcome().startsWith(QStringLiteral("The compensation is active. Proved over ")),
             qPrintable(bench->outcome()));
-        QVERIFY(bench->outcome().endsWith(QStringLiteral("Move the axis to prove more.")));
+        // How much is proved by now stands beside the state.
+        QVERIFY(!bench->outcome().contains(QStringLiteral("Move the axis")));
         QCOMPARE(bench->action(Action::Activate).reason,
             QStringLiteral("The compensation is already active."));
 

@@ -226,9 +226,18 @@ void TestMultiAxis::eachAxisGetsItsOwnColumn()
     QVERIFY(stage.open());
     stage.bench->setup().setPersistency(Persistency::Volatile);
     QVERIFY(stage.mayWrite());
+    std::vector<std::pair<int, std::uint32_t>> said;
+    QObject context;
+    QObject::connect(&stage.bench.controller(), &WizardController::tableWritten, &context,
+        [&](const AxisStatus& now) { said.emplace_back(now.axis.index, now.setup.tableCrc); });
     stage.write().click();
     QVERIFY(stage.ended());
     QVERIFY2(!stage.bench->isOutcomeAnError(), qPrintable(stage.reason()));
+    // For each axis, also the one that the page does not show.
+    QCOMPARE(said.size(), std::size_t{2});
+    QCOMPARE(said[0], std::pair(0, stage.bench->setup().baseline().tableCrc));
+    QCOMPARE(said[1].first, 1);
+    QVERIFY(said[1].second != said[0].second);
     QVERIFY2(stage.reason().contains(QStringLiteral("Written and verified: X, Y.")),
         qPrintable(stage.reason()));
     QVERIFY(stage.state(0).table != stage.state(1).table);

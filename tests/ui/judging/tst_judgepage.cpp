@@ -3,6 +3,7 @@
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/fields/wrong_mark.h"
 #include "ui/page/page_tabs.h"
 #include "ui/plot/deviation_plot.h"
 
@@ -178,6 +179,32 @@ private Q_SLOTS:
         QVERIFY(bench.user.enter("toleranceA", QStringLiteral("10um")));
         QTRY_VERIFY(!bench.user.sees("limitProblem"));
         QTRY_COMPARE(cell(bench, "figures", 0, 3), QStringLiteral("10.00"));
+    }
+
+    /// The tolerance that was not taken would be missing in silence.
+    void eachFieldThatIsNotTakenSaysSoUntilItIs()
+    {
+        PageFixture bench;
+        QVERIFY(judge(bench, "bifrost"));
+        const auto& problem = bench.user.the<QLabel>("limitProblem");
+        const auto& systematic = bench.user.the<QLineEdit>("toleranceE");
+        const auto& repeatability = bench.user.the<QLineEdit>("toleranceR");
+        QVERIFY(bench.user.enter("toleranceE", QStringLiteral("six")));
+        QTRY_VERIFY(bench.user.sees("limitProblem"));
+        QVERIFY(bench.user.enter("toleranceR", QStringLiteral("one")));
+        QTRY_VERIFY(isMarkedWrong(repeatability));
+        QVERIFY(isMarkedWrong(systematic));
+        QVERIFY2(problem.text().contains(QStringLiteral("\"six\"")), qPrintable(problem.text()));
+        QVERIFY(repeatability.toolTip().contains(QStringLiteral("\"one\"")));
+        QVERIFY(bench.user.enter("toleranceR", QStringLiteral("2")));
+        QTRY_VERIFY(!isMarkedWrong(repeatability));
+        QVERIFY(isMarkedWrong(systematic));
+        QVERIFY2(problem.text().contains(QStringLiteral("\"six\"")), qPrintable(problem.text()));
+        QCOMPARE(systematic.accessibleDescription(), problem.text());
+        QVERIFY(!repeatability.toolTip().contains(QStringLiteral("\"one\"")));
+        QVERIFY(bench.user.enter("toleranceE", QStringLiteral("6")));
+        QTRY_VERIFY(!bench.user.sees("limitProblem"));
+        QVERIFY(!isMarkedWrong(systematic));
     }
 
     void everythingProposedIsExcludedInOneStepAndComesBack()

@@ -89,6 +89,8 @@ private Q_SLOTS:
         QCOMPARE(bench.controller().setup().edited().persistency, Persistency::Persistent);
         QVERIFY(bench.window.isWindowModified());
         QVERIFY(user.note("tableField").contains(QStringLiteral("on the drive: none")));
+        // The preview says the same: what is not there is not volatile either.
+        QCOMPARE(user.note("persistencyField"), QStringLiteral("changed, on the drive: no table"));
         QVERIFY(
             user.the<QLabel>("signSentence").text().contains(QStringLiteral("the drive will add")));
 

@@ -147,6 +147,19 @@ private Q_SLOTS:
         QTRY_COMPARE(tabs.tabText(PageTabs::Measure), QStringLiteral("Measure · warning"));
     }
 
+    void theTabWriteIsNotReadyWhileTheTableIsOfOtherDimensions()
+    {
+        PageFixture bench;
+        QVERIFY(bench.openWritten());
+        QVERIFY(bench.user.pickFromMenu("recentButton", "recentMenu", Qt::Key_C)); // Close File
+        const auto& tabs = bench.user.the<PageTabs>("pageTabs");
+        QTRY_COMPARE(tabs.tabText(PageTabs::Write), QStringLiteral("Write · ready"));
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("1D")));
+        QTRY_COMPARE(tabs.tabText(PageTabs::Write), QStringLiteral("Write · warning"));
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
+        QTRY_COMPARE(tabs.tabText(PageTabs::Write), QStringLiteral("Write · ready"));
+    }
+
     void aFileSaysWhatItHolds()
     {
         PageFixture bench;

@@ -9,6 +9,7 @@
 
 #include <QAccessible>
 #include <QCheckBox>
+#include <QHeaderView>
 #include <QTableView>
 #include <QTest>
 
@@ -136,6 +137,21 @@ private Q_SLOTS:
                     .startsWith(QStringLiteral("As predicted: M is 1.00 µm after, and up to "
                                                "90.75 µm is as predicted")));
         QVERIFY(!bench.user.sees("proveHints"));
+    }
+
+    /// A column that takes what the others leave is as narrow as that.
+    void theVerdictIsReadWholeHoweverNarrowTheWindow()
+    {
+        PageFixture bench;
+        bench.window.resize(900, 700);
+        const CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QVERIFY(addAfter(bench, test::goodAfterMeasurement(test::stateOf(record))));
+        QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
+        const auto& figures = bench.user.the<QTableView>("proveFigures");
+        QTRY_VERIFY(figures.columnWidth(Column::Verdict)
+            > figures.fontMetrics().horizontalAdvance(QStringLiteral("passed")));
+        QVERIFY(!figures.horizontalHeader()->stretchLastSection());
     }
 
     void aRowIsReadAsASentence()

@@ -84,6 +84,36 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
         QStringLiteral("table.csv"), QByteArray::fromStdString(writeCalibrationCsv(data)));
 }
 
+/// As if the program had been killed when the volatile table of the axis X was being written again,
+/// as a persistent one.
+[[nodiscard]] bool leavePersistentWrite(PageFixture& bench)
+{
+    const CompensationSetup setup = bench.controller().setup().baseline();
+    DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
+    const TableSlot* slot = drivecomm::genericProfile().slotNamed(setup.slot);
+    const auto file = bench.served.drive.download(slot ? slot->file : std::string());
+    const auto kept = file ? store.keepTable(1559, 0, *file) : fail(file.error());
+    if (!kept)
+        return false;
+    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
+    JournalEntry entry;
+    entry.serialNumber = 1559;
+    entry.time = std::chrono::system_clock::now();
+    entry.step = "switch";
+    entry.backup = store.backups(1559, 0).front();
+    entry.newRegisters = {{base + "Table", setup.slot},
+        {base + "Dim1Source", setup.sources[0].address}, {base + "Dim2Source", std::uint32_t{0}},
+        {base + "Dim3Source", std::uint32_t{0}}};
+    entry.newSlot = setup.slot;
+    entry.newCrc = setup.tableCrc;
+    entry.persistent = true;
+    entry.newTable = *kept;
+    if (!store.openJournal(entry))
+        return false;
+    bench.controller().refresh();
+    return QTest::qWaitFor([&] { return bench.user.sees("finishWriteButton"); }, test::patienceMs);
+}
+
 /// The table of the record is on the axis X of the drive, written by the window.
 [[nodiscard]] bool writeTable(PageFixture& bench, const CalibrationRecord& record)
 {
@@ -321,6 +351,26 @@ private Q_SLOTS:
         QVERIFY(proved.write->proof && proved.write->proof->isProved);
         QCOMPARE(proved.write->proof->samples,
             static_cast<int>(bench.controller().proof()->samples.size()));
+    }
+
+    void theRecordNotesThatTheWriteOfItsTableWasFinished()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = test::recordOfFit();
+        QVERIFY(bench.open() && openRecord(bench, record));
+        QVERIFY(writeTable(bench, record));
+        QVERIFY(isNamed(bench, "x.axcal*"));
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "x.axcal"));
+        QVERIFY(!savedRecord(bench).write->isPersistent);
+        QVERIFY(leavePersistentWrite(bench));
+        QVERIFY(bench.user.click("finishWriteButton"));
+        QVERIFY2(bench.saysOutcome(QStringLiteral("Finished and verified")),
+            qPrintable(bench.outcome()));
+        QVERIFY(isNamed(bench, "x.axcal*"));
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "x.axcal"));
+        QVERIFY(savedRecord(bench).write->isPersistent);
     }
 
     /// Its numbers on the drive are others than those of the record.

@@ -40,6 +40,22 @@ private Q_SLOTS:
                 "sondern wiederherstellen aus /tmp/b.json."));
     }
 
+    void aQuestionWithinASentenceHasNoFullStopBehindIt()
+    {
+        const Text inner = AXISCOMP_TEXT(
+            "Error", "nothing listens there; is the drive switched on, and is the address right?");
+        Language language(QStringLiteral("en"));
+        for (const char* name : {"en", "de", "fr", "ja", "zh"}) {
+            language.select(QLatin1StringView(name));
+            const QString said = errorText({ErrorCode::OutcomeUnknown,
+                {{"reason", inner}, {"backup", Verbatim{"/tmp/b.json"}}}, {}});
+            QVERIFY2(said.contains(u'?') || said.contains(QChar(0xff1f)), qPrintable(said));
+            for (const QChar mark : {QChar(u'?'), QChar(0xff1f)})
+                for (const QChar stop : {QChar(u'.'), QChar(0x3002)})
+                    QVERIFY2(!said.contains(QString(mark) + stop), qPrintable(said));
+        }
+    }
+
     void numbersHaveTheDecimalSignOfTheLanguageAndNamesKeepTheirs()
     {
         const Text text = AXISCOMP_TEXT("Error", "{axis} = {position}")

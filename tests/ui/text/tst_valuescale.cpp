@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/window_test.h"
+#include "ui/drawing/local_plot.h"
 #include "ui/text/value_scale.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QLocale>
 #include <QTest>
 
@@ -99,6 +102,25 @@ private Q_SLOTS:
         // Other programs get a decimal point, and every digit.
         QCOMPARE(ValueScale("mm", values).plain(0.0012345678F), QByteArray("1.2345678"));
         QCOMPARE(ValueScale("mm", values).plain(-0.0021F), QByteArray("-2.1"));
+    }
+
+    void aPlotFollowsTheLanguage()
+    {
+        LocalPlot plot;
+        const auto labels = [&plot] {
+            plot.xAxis->setRange(0.1, 0.9);
+            plot.replot(QCustomPlot::rpImmediateRefresh);
+            return QStringList(plot.xAxis->tickVectorLabels()).join(u' ');
+        };
+        plot.resize(400, 300);
+        QVERIFY2(labels().contains(QStringLiteral("0.4")), qPrintable(labels()));
+        QLocale::setDefault(QLocale(QLocale::German));
+        QEvent change(QEvent::LanguageChange);
+        QCoreApplication::sendEvent(&plot, &change);
+        QVERIFY2(labels().contains(QStringLiteral("0,4")), qPrintable(labels()));
+        QVERIFY(!labels().contains(u'.'));
+        LocalPlot later;
+        QCOMPARE(later.locale().language(), QLocale::German);
     }
 };
 
