@@ -16353,8 +16353,8 @@
         <translation>Gelöscht und geprüft: %1 ist leer, und die Achse verwendet keine Tabelle.</translation>
     </message>
     <message>
-        <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
-        <translation>Nachgewiesen über %1 der Tabelle: größte Abweichung %2. Bewegen Sie die Achse, um mehr nachzuweisen.</translation>
+        <source>Proved over %1 of the table: largest difference %2.</source>
+        <translation>Nachgewiesen über %1 der Tabelle: größte Abweichung %2.</translation>
     </message>
     <message>
         <source>Its table indices are right.</source>

@@ -16353,8 +16353,8 @@
         <translation>Supprimé et vérifié&#xa0;: %1 est vide, et l&apos;axe n&apos;utilise aucune table.</translation>
     </message>
     <message>
-        <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
-        <translation>Validé sur %1 de la table&#xa0;: plus grande différence %2. Déplacer l&apos;axe pour valider davantage.</translation>
+        <source>Proved over %1 of the table: largest difference %2.</source>
+        <translation>Validé sur %1 de la table&#xa0;: plus grande différence %2.</translation>
     </message>
     <message>
         <source>Its table indices are right.</source>

@@ -16301,8 +16301,8 @@
         <translation>削除・照合済み: %1 は空で、軸はテーブルを使用していません。</translation>
     </message>
     <message>
-        <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
-        <translation>テーブルの %1 で検証済み: 最大差 %2。検証範囲を広げるには軸を動かしてください。</translation>
+        <source>Proved over %1 of the table: largest difference %2.</source>
+        <translation>テーブルの %1 で検証済み: 最大差 %2。</translation>
     </message>
     <message>
         <source>Its table indices are right.</source>

@@ -16301,8 +16301,8 @@
         <translation>已删除并校验：%1 为空，该轴不使用表。</translation>
     </message>
     <message>
-        <source>Proved over %1 of the table: largest difference %2. Move the axis to prove more.</source>
-        <translation>已在表的 %1 上验证：最大差值 %2。移动轴可验证更多部分。</translation>
+        <source>Proved over %1 of the table: largest difference %2.</source>
+        <translation>已在表的 %1 上验证：最大差值 %2。</translation>
     </message>
     <message>
         <source>Its table indices are right.</source>
