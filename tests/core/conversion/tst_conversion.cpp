@@ -259,6 +259,23 @@ private Q_SLOTS:
         QCOMPARE(valuesOf(imported(QStringLiteral("c.csv"), round, turn)), std::vector<float>(3));
     }
 
+    /// The corrections of softMC are in the user unit of the axis that they are added to.
+    void anAxisOfSoftMCHasOneUnit()
+    {
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "um"}};
+        const std::string file = "1 2\n0 0.5\n10 0.25\n";
+        for (const char* target : {"#1", "1"}) {
+            choices.target = target;
+            const auto refused = imported(QStringLiteral("x.txt"), file, choices);
+            QVERIFY(refused.refusal && refused.refusal->code == ErrorCode::InvalidArgument);
+            QVERIFY(contains({textOf(*refused.refusal)}, "positions in mm and values in um"));
+        }
+        choices.target = "other";
+        QVERIFY(imported(QStringLiteral("x.txt"), file, choices).data);
+    }
+
     void whatAPersonSaysOfTheUnitsOfADrivesFileCounts()
     {
         CompensationTable table;
