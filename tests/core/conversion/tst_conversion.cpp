@@ -464,10 +464,49 @@ private Q_SLOTS:
         QVERIFY(refused.refusal);
         QVERIFY(contains({textOf(*refused.refusal)}, "the file says sign: command"));
 
-        // The statement of a measurement is none of these.
-        QVERIFY(!signOfTable(std::vector<std::string>{"sign: correction"}, std::nullopt).value());
-        QVERIFY(signOfTable(std::vector<std::string>{" Sign:  COMMAND ,,"}, std::nullopt).value()
+        QVERIFY(signOfTable(std::vector<std::string>{" Sign :  COMMAND ,,"}, std::nullopt).value()
             == SignConvention::Command);
+        QVERIFY(!signOfTable(std::vector<std::string>{"sign: deviation"}, std::nullopt).value());
+    }
+
+    /// Any other word was taken as feedback, so that the drive got the opposite.
+    void aSignThatIsNotUnderstoodIsRefused_data()
+    {
+        QTest::addColumn<std::vector<std::string>>("notes");
+        QTest::addColumn<std::string>("said");
+        const auto row = [](const char* name, std::vector<std::string> notes, std::string said) {
+            QTest::newRow(name) << std::move(notes) << std::move(said);
+        };
+        row("more words", {"sign: command values"}, "says \"sign: command values\", where one");
+        row("a full stop", {"sign: command."}, "says \"sign: command.\"");
+        row("another word", {"Sign : cmd"}, "says \"Sign : cmd\"");
+        row("no word", {"sign:"}, "says \"sign:\"");
+        row("both", {"sign: feedback", "sign: command"}, "says \"sign: command\", where one");
+        row("both, as deviation", {"sign: command", "sign: deviation"}, "\"sign: deviation\"");
+        row("of measurements", {"sign: Correction"}, "turn them with --scale -1");
+    }
+    void aSignThatIsNotUnderstoodIsRefused()
+    {
+        QFETCH(const std::vector<std::string>, notes);
+        QFETCH(const std::string, said);
+        const auto sign = signOfTable(notes, std::nullopt);
+        VERIFY_ERROR(sign, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(sign.error()), said), sentence(sign.error()).c_str());
+        std::string file;
+        for (const std::string& note : notes)
+            file += "// " + note + '\n';
+        file += "X [mm],Error [mm]\n0,0\n10,-0.5\n";
+        QVERIFY(imported(QStringLiteral("x.csv"), file, {}).refusal);
+    }
+
+    void aSignThatIsStatedAndThatOfTheFileAreTheSame()
+    {
+        const std::vector<std::string> notes{"sign: feedback"};
+        QVERIFY(signOfTable(notes, SignConvention::Feedback).value() == SignConvention::Feedback);
+        QVERIFY(!signOfTable(notes, std::nullopt).value());
+        VERIFY_ERROR(signOfTable(notes, SignConvention::Command), ErrorCode::InvalidArgument);
+        QCOMPARE(withSignNote({"sign: deviation", "a note"}, SignConvention::Command),
+            (std::vector<std::string>{"a note", "sign: command"}));
     }
 
     /// The drive knows the target of the file, but not whether its columns are those of the axis.
