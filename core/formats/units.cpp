@@ -128,6 +128,16 @@ Argument unitWords(const std::string& unit)
     return unit;
 }
 
+/// Of all sources, each once.
+Argument statedUnitsOf(const NeutralTable& table)
+{
+    std::vector<std::string> units;
+    for (const SourceAxis& axis : table.axes)
+        if (!axis.unit.empty())
+            addUnit(units, axis.unit);
+    return units.empty() ? unitWords({}) : Argument(units);
+}
+
 } // namespace
 
 Result<void> checkCounts(const FormatFacts& facts, const FormatSettings& settings)
@@ -317,9 +327,14 @@ Result<void> checkUnitOfAxis(const NeutralTable& table)
                 {{"reason",
                     AXISCOMP_TEXT("Error",
                         "a .TAMtbl has no units, and a drive takes its values in the unit of the "
-                        "axis that they correct. These are in {unit}, which the positions are "
-                        "not: convert to a .csv file first, and that one with --value-unit {unit}")
-                        .with("unit", column.unit)}});
+                        "axis that they correct. These are in {unit} and the positions in "
+                        "{positions}, none of which is that of the axis for certain: convert to a "
+                        ".csv file first, and that one with --value-unit and the unit of the axis, "
+                        "such as --value-unit {example}")
+                        .with("unit", column.unit)
+                        .with("positions", statedUnitsOf(table))
+                        .with("example",
+                            std::string(unitFactor(column.unit, "deg") ? "deg" : "mm"))}});
         if (!isUnitOfAxisCertain(positions, targetOf(table, column)))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",

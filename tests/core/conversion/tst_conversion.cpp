@@ -849,7 +849,13 @@ private Q_SLOTS:
         table.axes[0].unit = "mm";
         VERIFY_RESULT(convertTables(std::span(&table, 1), request));
         table.axes[0].unit = "deg"; // values of another axis may be angles, too
-        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
+        table.columns[0].unit = "um";
+        const auto angles = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(angles, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(angles.error()), "in um and the positions in deg, mm,"),
+            sentence(angles.error()).c_str());
+        // The unit of the values may be another one than that of the axis.
+        QVERIFY(sentence(angles.error()).ends_with("such as --value-unit mm"));
     }
 
     /// A temperature that comes first is nothing that a correction could be in.
