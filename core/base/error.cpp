@@ -375,6 +375,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "{doubt} Choose another source or column, or, if it is right all the same, name the "
             "column after axis {axis} in the file")},
+    Variant{ErrorCode::TargetNotKnown, "stated",
+        AXISCOMP_TEXT("Error",
+            "{stated}, stated as the axis that the values of {column} correct, may be one of the "
+            "sources or not, since their names do not tell it, and the numbers depend on it; state "
+            "the target: {sources}")},
     Variant{ErrorCode::TargetMismatch, "restored",
         AXISCOMP_TEXT("Error",
             "axis {axis} was {target} when the backup was made, and is {name} on the drive "
