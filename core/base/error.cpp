@@ -310,6 +310,25 @@ Text removingText(const Error& error)
         error.context};
 }
 
+/// A change that has no volatile form: a deletion, or a table that is to be stored in flash.
+Text waitingText(const Error& error)
+{
+    if (error.context.contains("record"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the record of this drive's flash operations was damaged, so all of them count as "
+                "used up; reset the count with 'axiscomp status --reset-flash-count'"),
+            error.context};
+    if (error.context.contains("reserve"))
+        return {
+            AXISCOMP_TEXT("Error",
+                "the flash operations that are left would do for the change, but not for putting "
+                "everything back if it fails; wait {seconds} s"),
+            error.context};
+    return {AXISCOMP_TEXT("Error", "too many flash operations in a short time; wait {seconds} s"),
+        error.context};
+}
+
 /// Several changes, each of which would be possible alone.
 Text togetherText(const Error& error)
 {
@@ -356,6 +375,11 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "{doubt} Choose another source or column, or, if it is right all the same, name the "
             "column after axis {axis} in the file")},
+    Variant{ErrorCode::TargetNotKnown, "stated",
+        AXISCOMP_TEXT("Error",
+            "{stated}, stated as the axis that the values of {column} correct, may be one of the "
+            "sources or not, since their names do not tell it, and the numbers depend on it; state "
+            "the target: {sources}")},
     Variant{ErrorCode::TargetMismatch, "restored",
         AXISCOMP_TEXT("Error",
             "axis {axis} was {target} when the backup was made, and is {name} on the drive "
@@ -467,6 +491,8 @@ Text textOf(const Error& error)
         return togetherText(error);
     if (error.code == ErrorCode::FlashWear && error.context.contains("removing"))
         return removingText(error);
+    if (error.code == ErrorCode::FlashWear && error.context.contains("waiting"))
+        return waitingText(error);
     const auto* const variant = std::ranges::find_if(variants, [&](const Variant& row) {
         return row.code == error.code && error.context.contains(row.argument);
     });

@@ -87,15 +87,15 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
     data.notes.erase(note);
 }
 
-/// A statement that files of measurements know: here it changes nothing.
+/// A statement that files of measurements know; what uses the values refuses it.
 void warnOfSign(const CalibrationData& data, DiagnosticList& diagnostics)
 {
     for (const std::string& note : data.notes)
         if (const auto sign = statedIn(note, signKey); sign && sameLetters(*sign, "correction"))
             diagnostics.warning(DiagnosticCode::Assumption, 0, 0, Verbatim{note},
                 AXISCOMP_TEXT("Error",
-                    "nothing: the values of a calibration file are reference minus encoder, "
-                    "whatever its comments say; turn them with --scale -1 if they are not"));
+                    "sign: feedback or sign: command; where the values are encoder minus "
+                    "reference, leave the line out, and turn them with --scale -1"));
 }
 
 std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& options,

@@ -103,11 +103,39 @@ std::vector<std::string> unitsForOther(const NeutralTable& table)
     return units;
 }
 
+/// Of values that cannot be in the unit of the positions that they are added to.
+Text otherKind(const NeutralTable& table, const CompensationColumn& column, const std::string& unit)
+{
+    const bool hasCounts = column.unit == countsUnit || unit == countsUnit;
+    const TextPattern sentence = hasCounts
+        ? AXISCOMP_TEXT("Error",
+            "the values for {column} are in {unit}, and the positions that they are added to in "
+            "{other}; state how many counts are one unit, with the setting {key} of the file that "
+            "is read")
+        : AXISCOMP_TEXT("Error",
+            "the values for {column} are in {unit}, which cannot be given in {other}, the unit of "
+            "the positions that they are added to; correct the units");
+    return sentence.with("column", columnText(table, column))
+        .with("unit", column.unit)
+        .with("other", unit)
+        .with("key", Verbatim{"counts-per-unit"});
+}
+
 Argument unitWords(const std::string& unit)
 {
     if (unit.empty())
         return AXISCOMP_TEXT("Error", "a unit that is not said");
     return unit;
+}
+
+/// Of all sources, each once.
+Argument statedUnitsOf(const NeutralTable& table)
+{
+    std::vector<std::string> units;
+    for (const SourceAxis& axis : table.axes)
+        if (!axis.unit.empty())
+            addUnit(units, axis.unit);
+    return units.empty() ? unitWords({}) : Argument(units);
 }
 
 } // namespace
@@ -128,20 +156,62 @@ void remarkOnce(std::vector<Text>& remarks, Text remark)
 
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
 {
+    takePositionUnit(table, settings, diagnostics);
+    takeValueUnit(table, settings, diagnostics);
+}
+
+void takePositionUnit(
+    NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
+{
     for (SourceAxis& axis : table.axes)
         axis.unit = settings.text("position-unit");
-    for (CompensationColumn& column : table.columns)
-        column.unit = settings.text("value-unit");
     if (!settings.has("position-unit"))
         diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
             AXISCOMP_TEXT("Error", "positions without a unit"),
             AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
                 .with("key", Verbatim{"position-unit"}));
+}
+
+void takeValueUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
+{
+    for (CompensationColumn& column : table.columns)
+        column.unit = settings.text("value-unit");
+    // No smaller unit as an example: most values have that of the positions they are added to.
     if (!settings.has("value-unit"))
         diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
             AXISCOMP_TEXT("Error", "values without a unit"),
-            AXISCOMP_TEXT("Error", "the setting {key}, such as um, where a unit matters")
+            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
                 .with("key", Verbatim{"value-unit"}));
+}
+
+std::optional<Diagnostic> unitContradiction(const NeutralTable& table)
+{
+    for (const CompensationColumn& column : table.columns) {
+        const auto own = ownAxis(table, column);
+        if (!own || column.unit.empty() || table.axes[*own].unit.empty()
+            || isSameUnit(column.unit, table.axes[*own].unit))
+            continue;
+        return Diagnostic{Severity::Error, DiagnosticCode::Contradiction, 0, 0,
+            AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
+                .with("unit", table.axes[*own].unit)
+                .with("other", column.unit),
+            AXISCOMP_TEXT(
+                "Error", "one unit, since the controller adds the values to the positions"),
+            {}};
+    }
+    return std::nullopt;
+}
+
+Result<void> checkOneUnit(const FormatFacts& facts, const NeutralTable& table)
+{
+    const auto contradiction = unitContradiction(table);
+    if (!contradiction)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error", "{units}: the format {format} has one unit for both")
+                .with("units", contradiction->found)
+                .with("format", facts.name)}});
 }
 
 Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Text>& remarks)
@@ -180,14 +250,7 @@ Result<NeutralTable> withUnitsOfValues(const NeutralTable& table, std::vector<Te
                         .with("key", Verbatim{"position-unit"})}});
         } else if (ownAxis(known, column) && !isSameUnit(column.unit, unit)
             && !unitFactor(column.unit, unit)) {
-            return fail(ErrorCode::InvalidArgument,
-                {{"reason",
-                    AXISCOMP_TEXT("Error",
-                        "the values for {column} are in {unit}, which cannot be given in {other}, "
-                        "the unit of the positions that they are added to; correct the units")
-                        .with("column", columnText(known, column))
-                        .with("unit", column.unit)
-                        .with("other", unit)}});
+            return fail(ErrorCode::InvalidArgument, {{"reason", otherKind(known, column, unit)}});
         }
     }
     return known;
@@ -264,9 +327,14 @@ Result<void> checkUnitOfAxis(const NeutralTable& table)
                 {{"reason",
                     AXISCOMP_TEXT("Error",
                         "a .TAMtbl has no units, and a drive takes its values in the unit of the "
-                        "axis that they correct. These are in {unit}, which the positions are "
-                        "not: convert to a .csv file first, and that one with --value-unit {unit}")
-                        .with("unit", column.unit)}});
+                        "axis that they correct. These are in {unit} and the positions in "
+                        "{positions}, none of which is that of the axis for certain: convert to a "
+                        ".csv file first, and that one with --value-unit and the unit of the axis, "
+                        "such as --value-unit {example}")
+                        .with("unit", column.unit)
+                        .with("positions", statedUnitsOf(table))
+                        .with("example",
+                            std::string(unitFactor(column.unit, "deg") ? "deg" : "mm"))}});
         if (!isUnitOfAxisCertain(positions, targetOf(table, column)))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",

@@ -17,6 +17,16 @@ void remarkOnce(std::vector<Text>& remarks, Text remark);
 /// Reading a format that says no units: what the settings position-unit and value-unit say, or a
 /// warning that nobody says it.
 void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+/// The same for the positions, or the values, alone.
+void takePositionUnit(
+    NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+void takeValueUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+
+/// What is wrong with values for one of the sources in another unit than its positions, where the
+/// controller adds the numbers as they stand. Nothing: there are none.
+[[nodiscard]] std::optional<Diagnostic> unitContradiction(const NeutralTable& table);
+/// Writing such a format. Errors: InvalidArgument for a unitContradiction.
+[[nodiscard]] Result<void> checkOneUnit(const FormatFacts& facts, const NeutralTable& table);
 
 /// Before numbers are converted: values without a unit get that of the positions that they correct,
 /// which is added to remarks; those of another axis over angles stay without. Errors:

@@ -135,8 +135,12 @@ Result<NeutralTable> withTargets(
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         const std::string& statement = statements[statements.size() == 1 ? 0 : n];
         table.columns[n].target = areHeaders ? targetAmong(statement, names) : statement;
-        if (!targetAxis(table.columns[n].target, names))
-            return fail(targetNotKnown(table, table.columns[n]));
+        if (targetAxis(table.columns[n].target, names))
+            continue;
+        Error error = targetNotKnown(table, table.columns[n]);
+        if (!statement.empty())
+            error.context.set("stated", Verbatim{statement});
+        return fail(std::move(error));
     }
     return table;
 }

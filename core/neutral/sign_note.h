@@ -15,13 +15,14 @@ namespace axiscomp {
 // the file tells them from what the drive adds.
 
 inline constexpr std::string_view signKey = "sign:";
-/// The notes with what they have to say of values of this sign, and nothing that contradicts it.
+/// The notes with what they have to say of values of this sign, and nothing that contradicts it: of
+/// command values one note, of feedback values what is there of these.
 [[nodiscard]] std::vector<std::string> withSignNote(
     std::vector<std::string> notes, SignConvention sign);
 
 /// What a person states of the sign, or else Command where the notes say it; nothing: as the format
-/// says. notes: comments without their slashes. Errors: InvalidArgument where they contradict each
-/// other.
+/// says. notes: comments without their slashes. Errors: InvalidArgument for a note that says
+/// neither feedback (or deviation) nor command, and where they contradict each other.
 [[nodiscard]] Result<std::optional<SignConvention>> signOfTable(
     std::span<const std::string> notes, std::optional<SignConvention> stated);
 

@@ -284,10 +284,8 @@ std::string portableTarget(std::string_view statement, std::span<const std::stri
 
 std::optional<std::string_view> targetInComment(std::string_view comment)
 {
-    constexpr std::string_view key = "target:";
-    if (comment.size() <= key.size() || !sameLetters(comment.substr(0, key.size()), key))
-        return std::nullopt;
-    return comment.substr(key.size());
+    const auto statement = behindKey(comment, "target:");
+    return statement && !statement->empty() ? statement : std::nullopt;
 }
 
 std::vector<std::string> targetList(std::string_view text)

@@ -54,7 +54,9 @@ constexpr std::array diagnosticRows{
         AXISCOMP_TEXT("Problem", "the grid is incomplete"), TextPattern{}},
     DiagnosticRow{DiagnosticCode::UnevenSpacing, "UnevenSpacing",
         AXISCOMP_TEXT("Problem", "the positions are not evenly spaced"),
-        AXISCOMP_TEXT("Problem", "resample the data onto an even grid")},
+        AXISCOMP_TEXT("Problem",
+            "resample the data onto an even grid, which can be done here for a calibration file "
+            "only")},
     DiagnosticRow{DiagnosticCode::OtherDimensionality, "OtherDimensionality",
         AXISCOMP_TEXT("Problem", "the file has another dimensionality than the one chosen"),
         AXISCOMP_TEXT("Problem", "choose the dimensionality that the file has (--dims)")},

@@ -225,13 +225,22 @@ bool sameLetters(std::string_view a, std::string_view b)
     return std::ranges::equal(a, b, {}, lower, lower);
 }
 
+std::optional<std::string_view> behindKey(std::string_view text, std::string_view key)
+{
+    const std::string_view word = key.substr(0, key.size() - 1);
+    const std::size_t colon = text.find_first_not_of(" \t", std::min(word.size(), text.size()));
+    if (!sameLetters(text.substr(0, word.size()), word) || colon == std::string_view::npos
+        || text[colon] != key.back())
+        return std::nullopt;
+    return text.substr(colon + 1);
+}
+
 std::optional<std::string_view> statedIn(std::string_view comment, std::string_view key)
 {
-    const std::string_view text = trimmed(comment);
-    if (!sameLetters(text.substr(0, key.size()), key))
+    const auto value = behindKey(trimmed(comment), key);
+    if (!value)
         return std::nullopt;
-    const std::string_view value = text.substr(key.size());
-    return trimmed(value.substr(0, value.find_last_not_of(",; \t") + 1));
+    return trimmed(value->substr(0, value->find_last_not_of(",; \t") + 1));
 }
 
 bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics)

@@ -94,8 +94,12 @@ void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
 
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
-/// What a comment states behind a key such as "sign:", without the separators that a spreadsheet
-/// gives each line; nothing: it states something else.
+/// What stands behind a key such as "sign:" at the beginning of a text, in letters of either case
+/// and with blanks before the colon or without; nothing: it begins otherwise.
+[[nodiscard]] std::optional<std::string_view> behindKey(
+    std::string_view text, std::string_view key);
+/// What a comment states behind such a key, without the separators that a spreadsheet gives each
+/// line; nothing: it states something else.
 [[nodiscard]] std::optional<std::string_view> statedIn(
     std::string_view comment, std::string_view key);
 /// In upper case (ASCII).

@@ -117,9 +117,13 @@ Result<FileReplacement::Cost> FileReplacement::check(ByteView bytes, Users users
     if (users == Users::Refused)
         AXISCOMP_CHECK(checkSavedUse(bytes));
     AXISCOMP_TRY(const auto history, m_store.flashHistory(m_drive.serialNumber));
-    AXISCOMP_CHECK(checkFlashBudget(wearGuard(m_access.profile().flashWear, history), m_clock(),
-        cost.operations, cost.reserve));
-    return cost;
+    auto possible = checkFlashBudget(
+        wearGuard(m_access.profile().flashWear, history), m_clock(), cost.operations, cost.reserve);
+    if (possible)
+        return cost;
+    if (bytes.empty()) // a deletion cannot be volatile
+        possible.error().context.set("waiting", Verbatim{m_slot.name});
+    return fail(std::move(possible.error()));
 }
 
 /// A volatile file leaves what flash holds under it.

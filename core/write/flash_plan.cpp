@@ -17,7 +17,10 @@ Result<void> WritePlanner::decideFlash()
         const bool isStored = m_write.slotBefore.persistent;
         plan.flashOperations = (isStored || isCovering ? 1 : 0) + m_write.uncovered;
         plan.flashReserve = isStored ? 1 : 0; // flash gets it back
-        return checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
+        auto possible = checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
+        if (!possible)
+            possible.error().context.set("waiting", Verbatim{plan.deletedSlot});
+        return possible;
     }
     if (plan.after.slot.empty())
         return {};
@@ -28,8 +31,10 @@ Result<void> WritePlanner::decideFlash()
     plan.flashOperations = (changes ? 1 : 0) + m_write.uncovered;
     plan.flashReserve = flashReserve(changes);
     auto possible = checkFlashBudget(guard, m_now, plan.flashOperations, plan.flashReserve);
-    if (!possible && removesFromFlash(plan))
-        possible.error().context.set("removing", Verbatim{plan.after.slot});
+    // To write volatile is the way out of neither of these.
+    if (!possible && plan.slotReason == SlotReason::KeepTable)
+        possible.error().context.set(
+            removesFromFlash(plan) ? "removing" : "waiting", Verbatim{plan.after.slot});
     return possible;
 }
 

@@ -248,6 +248,19 @@ Result<void> refuseValueUnit(const ConvertOptions& options, const std::string& w
         options.input.command);
 }
 
+/// In two steps the first one has the options that are in the way, and the second one none of them.
+std::string wayOutOfConversion(const ConvertOptions& options, const TableFormat& to)
+{
+    if (&to != &tam_table::format())
+        return "--set-in value-unit=UNIT says in which unit the values of the input are";
+    std::string others;
+    for (const std::string& name : options.conversion.given())
+        others += (others.empty() ? "" : ", ") + name;
+    const std::string first = "convert to a .csv file first";
+    return others.empty() ? first + ", and that one with --value-unit"
+                          : first + ", with " + others + ", and that one with --value-unit alone";
+}
+
 /// In a file of the product's own formats each column is a table.
 std::size_t tablesIn(const TableFormat& to, const Conversion& conversion)
 {
@@ -264,7 +277,7 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     const TableFormat& to, const TableInput& input)
 {
     const Output output{options.output, options.input.command};
-    AXISCOMP_CHECK(refuseValueUnit(options, "convert in two steps"));
+    AXISCOMP_CHECK(refuseValueUnit(options, wayOutOfConversion(options, to)));
     AXISCOMP_TRY(auto chosen, chosenColumns(input, options, to.facts));
     const std::vector<NeutralTable>& tables = chosen.tables;
     AXISCOMP_TRY(auto request,

@@ -10,6 +10,9 @@
 #include "core/neutral/sign_note.h"
 #include "core/text/token_scanner.h"
 
+#include <array>
+#include <utility>
+
 namespace axiscomp::app {
 
 namespace {
@@ -265,6 +268,23 @@ std::optional<LookupAt> lookupNamed(const std::string& name)
     if (name.empty())
         return std::nullopt;
     return name == lookupAtName(LookupAt::Set) ? LookupAt::Set : LookupAt::Encoder;
+}
+
+std::vector<std::string> ConversionOptions::given() const
+{
+    const std::array<std::pair<bool, const char*>, 14> all{
+        {{!targets.empty(), "--target"}, {!sign.empty(), "--sign"}, {!toSign.empty(), "--to-sign"},
+            {lookupAt.has_value(), "--lookup-at"}, {!direction.empty(), "--direction"},
+            {adjustment.scale != 1.0, "--scale"}, {adjustment.offset != 0.0, "--offset"},
+            {!adjustment.zero.empty(), "--zero"}, {dropsWrap, "--no-wrap"},
+            {!points.empty(), "--points"}, {!distances.empty(), "--distance"},
+            {within.has_value(), "--within"}, {method != "linear" || speed, "--method or --speed"},
+            {!settings.empty(), "--set-out"}}};
+    std::vector<std::string> names;
+    for (const auto& [isGiven, name] : all)
+        if (isGiven)
+            names.emplace_back(name);
+    return names;
 }
 
 Result<ConversionOptions> withSignOfFile(const TableInput& input, ConversionOptions options)

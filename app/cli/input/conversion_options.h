@@ -37,13 +37,10 @@ struct ConversionOptions {
     {
         return !points.empty() || !distances.empty() || within.has_value();
     }
-    /// A conversion was asked for that not even files of the same format go without.
-    [[nodiscard]] bool isAnything() const
-    {
-        return resamples() || adjustment != Adjustment{} || !sign.empty() || !toSign.empty()
-            || !targets.empty() || lookupAt || !direction.empty() || dropsWrap || !settings.empty()
-            || method != "linear" || speed.has_value();
-    }
+    /// The options that were given and that not even files of the same format go without, such as
+    /// --target; in place of --sign it may be the file that says it.
+    [[nodiscard]] std::vector<std::string> given() const;
+    [[nodiscard]] bool isAnything() const { return !given().empty(); }
 };
 
 void addTargetOption(CLI::App& command, ConversionOptions& options);

@@ -66,21 +66,6 @@ constexpr std::array<std::string_view, 4> assumptions{
 constexpr TextPattern connectWords = AXISCOMP_TEXT("Error",
     "CONNECT RPOS(t) = APOS(t) + MAP2(APOS(a), APOS(b), array, base1, step1, base2, step2)");
 
-/// An axis has one unit, for its positions and for what is added to them.
-bool isOneUnit(const NeutralTable& table, std::size_t own)
-{
-    const std::string& position = table.axes[own].unit;
-    const std::string& value = table.columns.front().unit;
-    return position.empty() || value.empty() || isSameUnit(position, value);
-}
-
-Text unitsText(const NeutralTable& table, std::size_t own)
-{
-    return AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
-        .with("unit", table.axes[own].unit)
-        .with("other", table.columns.front().unit);
-}
-
 /// One axis of a map.
 struct Side {
     std::int64_t axis = 0;
@@ -223,11 +208,8 @@ std::vector<NeutralTable> MapReader::tables()
         DiagnosticList ignored(0); // once for all tables
         const bool isFirst = &table == &tables.front();
         takeUnits(table, m_source.settings, isFirst ? m_diagnostics : ignored);
-        const auto own = ownAxis(table, table.columns.front());
-        if (own && !isOneUnit(table, *own))
-            m_diagnostics.error(DiagnosticCode::Contradiction, 0, 0, unitsText(table, *own),
-                AXISCOMP_TEXT(
-                    "Error", "one unit, since the controller adds the values to the positions"));
+        if (auto contradiction = unitContradiction(table))
+            m_diagnostics.error(*std::move(contradiction));
     }
     if (!tables.empty())
         tables.front().notes = std::move(notes);
@@ -300,12 +282,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(named, given, written.remarks));
     const auto own = ownAxis(table, table.columns.front());
-    if (own && !isOneUnit(table, *own))
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error", "{units}: the format {format} has one unit for both")
-                    .with("units", unitsText(table, *own))
-                    .with("format", format.facts.name)}});
+    AXISCOMP_CHECK(checkOneUnit(format.facts, table));
     const bool isDeclared = given.yes(acs::declaresArray.key);
     const std::string& target = table.columns.front().target;
     const std::array axes{table.axes[0].name, table.axes[1].name};

@@ -35,13 +35,19 @@ struct Keys {
 [[nodiscard]] std::optional<double> countsPerUnit(
     const SettingValues& settings, std::string_view key);
 /// The units of a table of one column: those of the settings, but counts where no counts per unit
-/// are given, which is said with `inCounts`. sourceKeys: of countsPerUnit, for each source.
+/// are given, which is said with `inCounts`; an error for a unit that is stated of such counts, and
+/// for two units of one motor. sourceKeys: of countsPerUnit, for each source.
 void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourceKeys,
     const TextReading& reading, std::size_t line, const TextPattern& inCounts);
 
-/// Writing: numbers that are in counts already are not multiplied once more. sourceKeys: of
-/// countsPerUnit, for each source. Errors: InvalidArgument.
-[[nodiscard]] Result<void> checkNotCounted(const FormatFacts& facts, const NeutralTable& table,
+/// What is wrong with two units for one motor, whose counts per unit are the same for both.
+/// sourceKeys: of countsPerUnit, for each source. Nothing: there are none.
+[[nodiscard]] std::optional<Diagnostic> motorContradiction(const NeutralTable& table,
+    std::span<const std::string_view> sourceKeys, const SettingValues& settings);
+
+/// Writing: numbers that are in counts already are not multiplied once more, and a motor has one
+/// unit. sourceKeys: of countsPerUnit, for each source. Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkCounted(const FormatFacts& facts, const NeutralTable& table,
     std::span<const std::string_view> sourceKeys, const SettingValues& settings);
 
 inline constexpr std::array<std::string_view, 4> assumptions{

@@ -418,25 +418,62 @@ std::optional<double> countsPerUnit(const SettingValues& settings, std::string_v
     return std::nullopt;
 }
 
+std::optional<Diagnostic> motorContradiction(const NeutralTable& table,
+    std::span<const std::string_view> sourceKeys, const SettingValues& settings)
+{
+    const auto own = ownAxis(table, table.columns.front());
+    const bool isSameCount = own
+        && countsPerUnit(settings, sourceKeys[*own]) == countsPerUnit(settings, targetCountsKey);
+    return isSameCount ? unitContradiction(table) : std::nullopt;
+}
+
+namespace {
+
+/// A unit of numbers that stay in counts would be ignored.
+void refuseUnitOfCounts(
+    std::string_view unitKey, std::string_view countsKey, const TextReading& reading)
+{
+    if (reading.settings.has(unitKey))
+        reading.diagnostics.error(DiagnosticCode::Contradiction, 0, 0,
+            AXISCOMP_TEXT("Error", "the setting {key} for numbers in counts").with("key", unitKey),
+            AXISCOMP_TEXT("Error", "the setting {key}, which says how many of them are one unit")
+                .with("key", countsKey));
+}
+
+} // namespace
+
 void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourceKeys,
     const TextReading& reading, std::size_t line, const TextPattern& inCounts)
 {
-    std::vector<std::string*> unstated;
-    const auto look = [&](std::string_view key, std::string& unit) {
-        if (!countsPerUnit(reading.settings, key))
-            unstated.push_back(&unit);
-    };
+    const SettingValues& settings = reading.settings;
+    std::vector<std::string_view> missing;
+    for (const std::string_view key : sourceKeys)
+        if (!countsPerUnit(settings, key))
+            missing.push_back(key);
+    const bool areSourcesInCounts = missing.size() == sourceKeys.size();
+    const bool isTargetInCounts = !countsPerUnit(settings, targetCountsKey);
+    if (isTargetInCounts)
+        missing.push_back(targetCountsKey);
+    const std::string_view expected = missing.size() == 1 ? missing.front() : countsForReading.key;
+    if (areSourcesInCounts)
+        refuseUnitOfCounts("position-unit", expected, reading);
+    else
+        takePositionUnit(table, settings, reading.diagnostics);
+    if (isTargetInCounts)
+        refuseUnitOfCounts("value-unit", expected, reading);
+    else
+        takeValueUnit(table, settings, reading.diagnostics);
     for (std::size_t n = 0; n < table.axes.size(); ++n)
-        look(sourceKeys[n], table.axes[n].unit);
-    look(targetCountsKey, table.columns.front().unit);
-    if (unstated.size() <= table.axes.size())
-        takeUnits(table, reading.settings, reading.diagnostics);
-    for (std::string* const unit : unstated)
-        *unit = countsUnit;
-    if (!unstated.empty())
+        if (!countsPerUnit(settings, sourceKeys[n]))
+            table.axes[n].unit = countsUnit;
+    if (isTargetInCounts)
+        table.columns.front().unit = countsUnit;
+    if (!missing.empty())
         reading.diagnostics.warning(DiagnosticCode::UnitNotGiven, line, 0, inCounts,
             AXISCOMP_TEXT("Error", "the setting {key}, where a unit matters")
-                .with("key", Verbatim{"counts-per-unit"}));
+                .with("key", expected));
+    if (auto contradiction = motorContradiction(table, sourceKeys, settings))
+        reading.diagnostics.error(*std::move(contradiction));
 }
 
 } // namespace axiscomp::pmac

@@ -150,7 +150,7 @@ std::string header(const std::vector<std::string>& motors, const std::vector<Cir
 
 } // namespace
 
-Result<void> checkNotCounted(const FormatFacts& facts, const NeutralTable& table,
+Result<void> checkCounted(const FormatFacts& facts, const NeutralTable& table,
     std::span<const std::string_view> sourceKeys, const SettingValues& settings)
 {
     const auto isCountedTwice = [&](std::string_view key, const std::string& unit) {
@@ -160,7 +160,8 @@ Result<void> checkNotCounted(const FormatFacts& facts, const NeutralTable& table
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         isTwice = isTwice || isCountedTwice(sourceKeys[n], table.axes[n].unit);
     if (!isTwice)
-        return {};
+        return motorContradiction(table, sourceKeys, settings) ? checkOneUnit(facts, table)
+                                                               : Result<void>();
     return fail(ErrorCode::InvalidArgument,
         {{"reason",
             AXISCOMP_TEXT("Error",
@@ -177,7 +178,7 @@ Result<WrittenTables> writeTable(const TableFormat& format, const Keys& keys,
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, settings, true));
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(source, given, written.remarks));
-    AXISCOMP_CHECK(checkNotCounted(facts, table, keys.counts, given));
+    AXISCOMP_CHECK(checkCounted(facts, table, keys.counts, given));
     AXISCOMP_TRY(const auto motors, motorsOf(facts, keys, table, given));
     const FileNumbers numbers{entriesPerCount * countsFor(given, "target-counts-per-unit"), false};
     std::vector<Circle> circles;

@@ -544,7 +544,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(const auto given, SettingValues::of(facts, options.settings, true));
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(tables.front(), given, written.remarks));
-    AXISCOMP_CHECK(pmac::checkNotCounted(facts, table, std::span(&sourceCountsKey, 1), given));
+    AXISCOMP_CHECK(pmac::checkCounted(facts, table, std::span(&sourceCountsKey, 1), given));
     AXISCOMP_CHECK(checkTargets(table));
     AXISCOMP_TRY(const auto numbers, numbersOf(facts, table, given));
     const auto counts = [&given](std::string_view key) {

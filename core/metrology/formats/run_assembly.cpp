@@ -81,8 +81,11 @@ std::optional<double> wrongSlope(std::span<const double> x, std::span<const doub
     return slope && std::abs(*slope - 1.0) > scaleTolerance ? slope : std::nullopt;
 }
 
-Text scaleExplanation(double slope)
+Text scaleExplanation(double slope, bool isInverted)
 {
+    if (std::abs(slope + 1.0) < scaleTolerance && isInverted)
+        return AXISCOMP_TEXT("Error",
+            "1; as it stands in the file it follows the axis: leave --invert-reference out");
     if (std::abs(slope + 1.0) < scaleTolerance)
         return AXISCOMP_TEXT(
             "Error", "the instrument counts the other way; if so, say it with --invert-reference");
@@ -158,7 +161,7 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
     if (!values.empty())
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (checkEncoder(values) && !reference.empty())
-        checkInstrumentScale(encoder, reference, m_diagnostics);
+        checkInstrumentScale(encoder, reference, m_options, m_diagnostics);
 }
 
 /// Raw positions of another unit or sign would go into the table whole. A reference is not compared
@@ -328,8 +331,8 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
         Assembly(options, measurement, diagnostics).run(std::move(values));
 }
 
-void checkInstrumentScale(
-    std::span<const double> encoder, std::span<const double> reference, DiagnosticList& diagnostics)
+void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
+    const MeasurementReadOptions& options, DiagnosticList& diagnostics)
 {
     const auto slope = wrongSlope(encoder, reference);
     if (!slope)
@@ -337,7 +340,7 @@ void checkInstrumentScale(
     diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
             .with("slope", Quantity{shortNumber(*slope)}),
-        scaleExplanation(*slope));
+        scaleExplanation(*slope, options.invertsReference));
 }
 
 std::optional<MeasurementUnit> unitOfFormat(std::string_view what, const std::string& stated,

@@ -22,9 +22,10 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
     Measurement& measurement, DiagnosticList& diagnostics);
 
 /// The reference must follow the encoder one to one, within 1 % (least squares); anything else is
-/// InstrumentScale, with what would explain it. Positions in the same unit.
+/// InstrumentScale, with what would explain it. Positions in the same unit; reference: inverted
+/// already where the options say it.
 void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
-    DiagnosticList& diagnostics);
+    const MeasurementReadOptions& options, DiagnosticList& diagnostics);
 
 /// Values at positions along one or more axes, all in one unit.
 struct SizedValues {

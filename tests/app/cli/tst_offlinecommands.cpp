@@ -238,6 +238,12 @@ private Q_SLOTS:
             box.run({"convert", "open.csv", "other.csv", "--dims", "2", "--target", "other"}), 0);
         const QStringList fromCsv{"convert", "other.csv", "other.TAMtbl", "--dims", "2"};
         VERIFY_CODE(box.run(fromCsv), 2);
+        const ProgramRun twice =
+            box.run(fromCsv + QStringList{"--value-unit", "mm", "--target", "other"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(twice.err.contains("convert to a .csv file first, with --target, and that one "
+                                    "with --value-unit alone"),
+            twice.err.constData());
         VERIFY_CODE(box.run(fromCsv + QStringList{"--value-unit", "mm"}), 0);
         QCOMPARE(box.content("other.TAMtbl").last(16).toHex(), inMillimetres.toHex());
 

@@ -260,6 +260,23 @@ private Q_SLOTS:
         QCOMPARE(valuesOf(imported(QStringLiteral("c.csv"), round, turn)), std::vector<float>(3));
     }
 
+    /// The corrections of softMC are in the user unit of the axis that they are added to.
+    void anAxisOfSoftMCHasOneUnit()
+    {
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "um"}};
+        const std::string file = "1 2\n0 0.5\n10 0.25\n";
+        for (const char* target : {"#1", "1"}) {
+            choices.target = target;
+            const auto refused = imported(QStringLiteral("x.txt"), file, choices);
+            QVERIFY(refused.refusal && refused.refusal->code == ErrorCode::InvalidArgument);
+            QVERIFY(contains({textOf(*refused.refusal)}, "positions in mm and values in um"));
+        }
+        choices.target = "other";
+        QVERIFY(imported(QStringLiteral("x.txt"), file, choices).data);
+    }
+
     void whatAPersonSaysOfTheUnitsOfADrivesFileCounts()
     {
         CompensationTable table;
@@ -448,10 +465,49 @@ private Q_SLOTS:
         QVERIFY(refused.refusal);
         QVERIFY(contains({textOf(*refused.refusal)}, "the file says sign: command"));
 
-        // The statement of a measurement is none of these.
-        QVERIFY(!signOfTable(std::vector<std::string>{"sign: correction"}, std::nullopt).value());
-        QVERIFY(signOfTable(std::vector<std::string>{" Sign:  COMMAND ,,"}, std::nullopt).value()
+        QVERIFY(signOfTable(std::vector<std::string>{" Sign :  COMMAND ,,"}, std::nullopt).value()
             == SignConvention::Command);
+        QVERIFY(!signOfTable(std::vector<std::string>{"sign: deviation"}, std::nullopt).value());
+    }
+
+    /// Any other word was taken as feedback, so that the drive got the opposite.
+    void aSignThatIsNotUnderstoodIsRefused_data()
+    {
+        QTest::addColumn<std::vector<std::string>>("notes");
+        QTest::addColumn<std::string>("said");
+        const auto row = [](const char* name, std::vector<std::string> notes, std::string said) {
+            QTest::newRow(name) << std::move(notes) << std::move(said);
+        };
+        row("more words", {"sign: command values"}, "says \"sign: command values\", where one");
+        row("a full stop", {"sign: command."}, "says \"sign: command.\"");
+        row("another word", {"Sign : cmd"}, "says \"Sign : cmd\"");
+        row("no word", {"sign:"}, "says \"sign:\"");
+        row("both", {"sign: feedback", "sign: command"}, "says \"sign: command\", where one");
+        row("both, as deviation", {"sign: command", "sign: deviation"}, "\"sign: deviation\"");
+        row("of measurements", {"sign: Correction"}, "turn them with --scale -1");
+    }
+    void aSignThatIsNotUnderstoodIsRefused()
+    {
+        QFETCH(const std::vector<std::string>, notes);
+        QFETCH(const std::string, said);
+        const auto sign = signOfTable(notes, std::nullopt);
+        VERIFY_ERROR(sign, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(sign.error()), said), sentence(sign.error()).c_str());
+        std::string file;
+        for (const std::string& note : notes)
+            file += "// " + note + '\n';
+        file += "X [mm],Error [mm]\n0,0\n10,-0.5\n";
+        QVERIFY(imported(QStringLiteral("x.csv"), file, {}).refusal);
+    }
+
+    void aSignThatIsStatedAndThatOfTheFileAreTheSame()
+    {
+        const std::vector<std::string> notes{"sign: feedback"};
+        QVERIFY(signOfTable(notes, SignConvention::Feedback).value() == SignConvention::Feedback);
+        QVERIFY(!signOfTable(notes, std::nullopt).value());
+        VERIFY_ERROR(signOfTable(notes, SignConvention::Command), ErrorCode::InvalidArgument);
+        QCOMPARE(withSignNote({"sign: deviation", "a note"}, SignConvention::Command),
+            (std::vector<std::string>{"a note", "sign: command"}));
     }
 
     /// The drive knows the target of the file, but not whether its columns are those of the axis.
@@ -794,7 +850,13 @@ private Q_SLOTS:
         table.axes[0].unit = "mm";
         VERIFY_RESULT(convertTables(std::span(&table, 1), request));
         table.axes[0].unit = "deg"; // values of another axis may be angles, too
-        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
+        table.columns[0].unit = "um";
+        const auto angles = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(angles, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(angles.error()), "in um and the positions in deg, mm,"),
+            sentence(angles.error()).c_str());
+        // The unit of the values may be another one than that of the axis.
+        QVERIFY(sentence(angles.error()).ends_with("such as --value-unit mm"));
     }
 
     /// A temperature that comes first is nothing that a correction could be in.

@@ -130,7 +130,7 @@ private Q_SLOTS:
         QCOMPARE(found, expected);
     }
 
-    void aStatementOfTheSignChangesNothingAndIsSaid()
+    void aStatementOfCorrectionsChangesNothingInTheFileAndIsSaid()
     {
         const auto doubts = [](const char* comment) {
             const CsvReading reading = parse(QByteArray(comment) + "X,E\n0,0\n1,0.002\n", 1);

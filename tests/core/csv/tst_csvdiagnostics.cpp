@@ -376,7 +376,10 @@ private Q_SLOTS:
     {
         QTest::addColumn<DiagnosticCode>("code");
         QTest::addColumn<QByteArray>("wayOut");
-        QTest::newRow("uneven") << DiagnosticCode::UnevenSpacing << QByteArray("resample the data");
+        QTest::newRow("uneven")
+            << DiagnosticCode::UnevenSpacing
+            << QByteArray("resample the data onto an even grid, which can be done here for a "
+                          "calibration file only");
         QTest::newRow("no text") << DiagnosticCode::NotText << QByteArray("save it as UTF-8 text");
         QTest::newRow("encoding") << DiagnosticCode::Encoding
                                   << QByteArray("save it as UTF-8 text");

@@ -204,14 +204,53 @@ private Q_SLOTS:
 
     void countsThatAreStatedForTheTargetAloneLeaveThePositionsInCounts()
     {
-        TableReadOptions options = test::readingWith(
-            {{"target-counts-per-unit", "1000"}, {"position-unit", "mm"}, {"value-unit", "mm"}});
+        TableReadOptions options =
+            test::readingWith({{"target-counts-per-unit", "1000"}, {"value-unit", "mm"}});
         READ_TABLE(table, format, file, options);
         QCOMPARE(table.axes[0].knots[1], 1000.0);
         QCOMPARE(table.axes[0].unit, std::string("counts"));
         QCOMPARE(table.columns[0].values[1], 0.01);
         QCOMPARE(table.columns[0].unit, std::string("mm"));
-        QVERIFY(test::hasProblem(*reading_table, DiagnosticCode::UnitNotGiven, 5));
+        QCOMPARE(problemLines(*reading_table),
+            std::string("warning 5:0 UnitNotGiven a table in counts|the setting "
+                        "source-counts-per-unit, where a unit matters\n"));
+        options.settings["position-unit"] = "mm";
+        const auto refused = format.read(file, options);
+        VERIFY_RESULT(refused);
+        QVERIFY(test::mentions(problemLines(*refused),
+            "0:0 Contradiction the setting position-unit for numbers in counts|the setting "
+            "source-counts-per-unit, which says"));
+    }
+
+    /// Values in um with the counts of a mm were 1000 times too small, without a word.
+    void aMotorHasOneUnitForItsOneNumberOfCounts()
+    {
+        const std::string own = with("#1D,#2,", "#1D,#1,");
+        TableReadOptions options = inMillimetres();
+        options.settings["value-unit"] = "um";
+        const auto refused = format.read(own, options);
+        VERIFY_RESULT(refused);
+        QVERIFY(refused->tables.empty());
+        QCOMPARE(problemLines(*refused),
+            std::string("0:0 Contradiction positions in mm and values in um|one unit, since the "
+                        "controller adds the values to the positions\n"));
+        READ_TABLE(another, format, file, options);
+        QCOMPARE(another.columns[0].unit, std::string("um"));
+        options.settings["target-counts-per-unit"] = "1";
+        READ_TABLE(table, format, own, options);
+        QCOMPARE(table.columns[0].values[1], 10.0);
+        QCOMPARE(table.columns[0].unit, std::string("um"));
+    }
+
+    void aMotorIsWrittenInOneUnit()
+    {
+        NeutralTable own = closedTable();
+        own.columns[0].target = own.axes[0].name;
+        const auto refused = format.write(std::array{own},
+            test::writingWith({{"counts-per-unit", "1000"}, {"value-unit", "um"}}));
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(test::mentions(sentence(refused.error()), "has one unit for both"),
+            sentence(refused.error()).c_str());
     }
 
     void motorsThatAreNotNamedAreTheAddressedOne()

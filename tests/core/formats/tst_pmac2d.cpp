@@ -118,6 +118,22 @@ private Q_SLOTS:
         QCOMPARE(applied(format, table, {1, 0}), 0.01);
     }
 
+    void aMotorHasOneUnitForItsOneNumberOfCounts()
+    {
+        TableReadOptions options = inMillimetres;
+        options.settings["value-unit"] = "um";
+        READ_TABLE(another, format, file, options);
+        QCOMPARE(another.columns[0].unit, std::string("um"));
+        const auto refused = format.read(with("#2D,#3", "#2D,#2"), options);
+        VERIFY_RESULT(refused);
+        QVERIFY(test::mentions(test::problemLines(*refused),
+            "0:0 Contradiction positions in mm and values in um|one unit"));
+        options.settings["column-counts-per-unit"] = "1000000";
+        VERIFY_RESULT(format.read(with("#2D,#3", "#2D,#2"), options));
+        READ_TABLE(counted, format, with("#2D,#3", "#2D,#2"), options);
+        QCOMPARE(counted.columns[0].target, std::string("2"));
+    }
+
     void whatIsWrittenCorrectsTheSame()
     {
         const NeutralTable table = plane();

@@ -164,15 +164,37 @@ private Q_SLOTS:
     void countsThatAreStatedForTheSourceAloneLeaveTheValuesInCounts()
     {
         READ_TABLE(table, format, file,
-            test::readingWith({{"source-counts-per-unit", "1000"}, {"position-unit", "mm"},
-                {"value-unit", "mm"}}));
+            test::readingWith({{"source-counts-per-unit", "1000"}, {"position-unit", "mm"}}));
         QCOMPARE(table.axes[0].knots, (std::vector<double>{-100, -50, 0, 50, 100}));
         QCOMPARE(table.axes[0].unit, std::string("mm"));
         QCOMPARE(table.columns[0].values, (std::vector<double>{0, 12.5, -3, 4, 8}));
         QCOMPARE(table.columns[0].unit, std::string("counts"));
         QCOMPARE(problemLines(*reading_table),
             std::string("warning 2:0 UnitNotGiven a table in motor units|the setting "
-                        "counts-per-unit, where a unit matters\n"));
+                        "target-counts-per-unit, where a unit matters\n"));
+    }
+
+    void aUnitOfNumbersThatStayInCountsIsRefused()
+    {
+        const auto refused = format.read(file,
+            test::readingWith({{"source-counts-per-unit", "1000"}, {"position-unit", "mm"},
+                {"value-unit", "mm"}}));
+        VERIFY_RESULT(refused);
+        QVERIFY2(test::mentions(problemLines(*refused),
+                     "0:0 Contradiction the setting value-unit for numbers in counts|the setting "
+                     "target-counts-per-unit, which says how many of them are one unit"),
+            problemLines(*refused).c_str());
+    }
+
+    void aMotorHasOneUnitForItsOneNumberOfCounts()
+    {
+        TableReadOptions options = counted("1000");
+        options.settings["value-unit"] = "um";
+        const auto refused = format.read(file, options);
+        VERIFY_RESULT(refused);
+        QCOMPARE(problemLines(*refused),
+            std::string("0:0 Contradiction positions in mm and values in um|one unit, since the "
+                        "controller adds the values to the positions\n"));
     }
 
     void eachTableOfAFileIsRead()

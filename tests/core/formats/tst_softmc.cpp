@@ -119,6 +119,16 @@ private Q_SLOTS:
         }
     }
 
+    void anAxisIsWrittenInOneUnit()
+    {
+        NeutralTable table = test::commandTable(
+            {test::evenAxis("X", "mm", 0, 1, 2)}, {test::columnOf("X", "mm", {1, 2})});
+        const TableWriteOptions options = test::writingWith({{"value-unit", "um"}});
+        VERIFY_ERROR(format.write(std::array{table}, options), ErrorCode::InvalidArgument);
+        table.columns[0].target = "Y";
+        VERIFY_RESULT(format.write(std::array{table}, options));
+    }
+
     void aTableOfThreeAxesIsReadWithTheFirstSourceFastest()
     {
         READ_TABLE(table, format, threeAxes(), withUnits);

@@ -3,6 +3,7 @@
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 
+#include <array>
 #include <cmath>
 
 namespace tst_measurementproblems {
@@ -374,6 +375,25 @@ private Q_SLOTS:
             options);
         VERIFY_MEASUREMENT(reading);
         QVERIFY(std::abs(reading.measurement->values[1].deviation - 0.001) < 1e-12);
+    }
+
+    void aReferenceThatIsInvertedByMistakeSaysSo()
+    {
+        MeasurementReadOptions options;
+        options.invertsReference = true;
+        const std::array<std::array<const char*, 2>, 2> files{
+            {{"runs",
+                 "target [mm],direction,run,reference [mm]\n0,+,1,0.001\n10,+,1,10.02\n"
+                 "20,+,1,20.001\n"},
+                {"points", "X [mm],Y [mm],Xr [mm]\n0,0,0\n40,0,40.004\n0,20,0\n40,20,40.004\n"}}};
+        for (const auto& [format, text] : files) {
+            VERIFY_MEASUREMENT(test::readAs(format, text));
+            const QByteArrayList said = test::describe(test::readAs(format, text, options));
+            QVERIFY2(said.size() == 1
+                    && said.front().startsWith("0:0 InstrumentScale the reference moves -1")
+                    && said.front().contains("leave --invert-reference out"),
+                said.join('\n').constData());
+        }
     }
 
     /// Points whose reference counts the other way are 0.004 mm too far at 40 mm.

@@ -183,6 +183,18 @@ private Q_SLOTS:
         }
     }
 
+    void aKeyMayHaveBlanksBeforeItsColon()
+    {
+        for (const char* comment : {"sign: command", " Sign :  command ,,", "SIGN\t:command; "}) {
+            const auto stated = statedIn(comment, "sign:");
+            QVERIFY2(stated, comment);
+            QCOMPARE(std::string(*stated), std::string("command"));
+        }
+        for (const char* comment : {"signs: command", "sign command: x", "sign", "sig: x", ""})
+            QVERIFY2(!statedIn(comment, "sign:"), comment);
+        QVERIFY(behindKey("target : Z", "target:") == std::string_view(" Z"));
+    }
+
     void whatIsNoNumberSaysWhereAndWhat()
     {
         const ExactText text("  1.5x, 2,3 nan 1e400 1e-400");

@@ -215,6 +215,39 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.plan(0, remove));
     }
 
+    /// To write volatile is the way out of neither.
+    void storingATableAndDeletingOneSayToWait()
+    {
+        const std::string reserve =
+            "the flash operations that are left would do for the change, but not for putting "
+            "everything back if it fails; wait ";
+        const std::string none = "too many flash operations in a short time; wait ";
+        const auto saysToWait = [](const auto& refused, const std::string& beginning) {
+            VERIFY_ERROR(refused, ErrorCode::FlashWear);
+            const std::string due = beginning + refused.error().context.english("seconds") + " s";
+            QCOMPARE(sentence(refused.error()), due);
+        };
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Volatile)));
+        WriteRequest store;
+        store.dimensionality = 2;
+        store.persistency = Persistency::Persistent;
+        leave(f, 1);
+        saysToWait(f.compensator.plan(0, store), reserve);
+        leave(f, 0);
+        saysToWait(f.compensator.plan(0, store), none);
+
+        CompensatorFixture stored;
+        VERIFY_RESULT(stored.compensator.write(0, persistent(1, "Small1")));
+        VERIFY_RESULT(stored.compensator.upload("tables/small5.TAMtbl",
+            *encodeTamTable(exampleTable(1, 1), true, drivecomm::genericProfile().layout)));
+        leave(stored, 1);
+        saysToWait(stored.compensator.plan(0, deletionRequest()), reserve);
+        leave(stored, 0);
+        saysToWait(stored.compensator.plan(0, deletionRequest()), none);
+        saysToWait(stored.compensator.planSlotDeletion("Small5"), none);
+    }
+
     void aFileThatCouldNotBePutBackIsNotUploaded()
     {
         const auto& layout = drivecomm::genericProfile().layout;

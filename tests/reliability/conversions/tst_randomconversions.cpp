@@ -213,12 +213,13 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
             writing["any-distance"] = "yes";
         return {writing, {}};
     }
+    // An axis has one unit, for its positions and for what is added to them.
+    const FormatSettings units{
+        {"position-unit", position}, {"value-unit", chosen.own ? position : value}};
     if (name == "acs-2d") {
-        const FormatSettings both{
-            {"position-unit", position}, {"value-unit", chosen.own ? position : value}};
-        FormatSettings writing = both;
+        FormatSettings writing = units;
         writing.insert({{"source-axis-1", "1"}, {"source-axis-2", "2"}, {"target-axis", target}});
-        return {writing, both};
+        return {writing, units};
     }
     if (name == "aerotech-1d")
         return {{{"axis", "1"}},
@@ -239,8 +240,7 @@ Cases::Settings Cases::settings(const Case& chosen, const TableFormat& format)
         return {{{"axis", target}, {"master1-axis", "1"}, {"master2-axis", "2"}},
             {{"axis-kind", kind}, {"master1-kind", kind}, {"master2-kind", kind}}};
     if (name == "softmc")
-        return {{{"position-unit", position}, {"value-unit", value}},
-            {{"position-unit", position}, {"value-unit", value}}};
+        return {units, units};
     if (name == "kmotion-geo") {
         const FormatSettings both{{"unit", maybe(0.5) ? "inch" : "mm"}};
         return {both, both};
