@@ -3906,10 +3906,6 @@
         <translation>die Angabe {key}, zum Beispiel mm, wenn es auf die Einheit ankommt</translation>
     </message>
     <message>
-        <source>the setting {key}, such as um, where a unit matters</source>
-        <translation>die Angabe {key}, zum Beispiel um, wenn es auf die Einheit ankommt</translation>
-    </message>
-    <message>
         <source>byte {value}</source>
         <translation>Byte {value}</translation>
     </message>
@@ -8282,8 +8278,8 @@
         <translation>für einen Durchlauf dessen Richtung und Nummer, zum Beispiel up2 oder down1</translation>
     </message>
     <message>
-        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
-        <translation>nichts: die Werte einer Kalibrierdatei sind Referenz minus Geber, was immer ihre Kommentare sagen; sind sie es nicht, mit --scale -1 umkehren</translation>
+        <source>sign: feedback or sign: command; where the values are encoder minus reference, leave the line out, and turn them with --scale -1</source>
+        <translation>sign: feedback oder sign: command; sind die Werte Geber minus Referenz, die Zeile weglassen und sie mit --scale -1 umkehren</translation>
     </message>
     <message>
         <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
@@ -8362,8 +8358,8 @@
         <translation>„{text}“ lässt sich auf zwei Arten lesen; Tausender ohne Zeichen dazwischen schreiben</translation>
     </message>
     <message>
-        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
-        <translation>eine .TAMtbl hat keine Einheiten, und ein Antrieb nimmt ihre Werte in der Einheit der Achse, die sie korrigieren. Diese sind in {unit}, die Positionen nicht: zuerst in eine .csv-Datei umwandeln und diese mit --value-unit {unit}</translation>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit} and the positions in {positions}, none of which is that of the axis for certain: convert to a .csv file first, and that one with --value-unit and the unit of the axis, such as --value-unit {example}</source>
+        <translation>eine .TAMtbl hat keine Einheiten, und ein Antrieb nimmt ihre Werte in der Einheit der Achse, die sie korrigieren. Diese sind in {unit} und die Positionen in {positions}, und nichts davon ist sicher die Einheit der Achse: zuerst in eine .csv-Datei umwandeln und diese mit --value-unit und der Einheit der Achse, zum Beispiel --value-unit {example}</translation>
     </message>
     <message>
         <source>sign: correction, and positions of the reference</source>
@@ -8534,8 +8530,8 @@
         <translation>Die Achse hat während der Messung ihre Referenz verloren, wie nach einem Neustart des Antriebs; nach erneutem Referenzieren sind ihre Positionen andere: Beginnen Sie eine neue Datei</translation>
     </message>
     <message>
-        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
-        <translation>in der Datei steht sign: command, und angegeben ist {stated}: das Falsche von beiden korrigieren</translation>
+        <source>the file says sign: {file}, and stated is {stated}: correct the one that is wrong</source>
+        <translation>in der Datei steht sign: {file}, und angegeben ist {stated}: das Falsche von beiden korrigieren</translation>
     </message>
     <message>
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
@@ -8544,6 +8540,46 @@
     <message>
         <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
         <translation>Die aktive Tabelle gilt für andere Positionen oder Quellen als am Anfang; die bisherigen Werte gehören zu der vorigen: Beginnen Sie eine neue Datei</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to in {other}; state how many counts are one unit, with the setting {key} of the file that is read</source>
+        <translation>die Werte für {column} sind in {unit}, und die Positionen, zu denen sie addiert werden, in {other}; angeben, wie viele Inkremente eine Einheit sind, mit der Angabe {key} der Datei, die gelesen wird</translation>
+    </message>
+    <message>
+        <source>the setting {key} for numbers in counts</source>
+        <translation>die Angabe {key} für Zahlen in Inkrementen</translation>
+    </message>
+    <message>
+        <source>the setting {key}, which says how many of them are one unit</source>
+        <translation>die Angabe {key}, die sagt, wie viele davon eine Einheit sind</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, which is for files of measurements: a table holds reference minus encoder (sign: feedback), or what is added to the command (sign: command). Correct that line; where the values are encoder minus reference, leave it out, and turn them with --scale -1</source>
+        <translation>in der Datei steht „{note}“, was nur in Messdateien gilt: eine Tabelle enthält Referenz minus Geber (sign: feedback) oder das, was zum Sollwert addiert wird (sign: command). Diese Zeile korrigieren; sind die Werte Geber minus Referenz, sie weglassen und die Werte mit --scale -1 umkehren</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, where one comment, sign: feedback or sign: command, says what the values are: correct that line, or leave it out, which means feedback</source>
+        <translation>in der Datei steht „{note}“; ein Kommentar, sign: feedback oder sign: command, sagt dort, was die Werte sind: diese Zeile korrigieren oder weglassen, was feedback bedeutet</translation>
+    </message>
+    <message>
+        <source>1; as it stands in the file it follows the axis: leave --invert-reference out</source>
+        <translation>1; wie sie in der Datei steht, folgt sie der Achse: --invert-reference weglassen</translation>
+    </message>
+    <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>die Aufzeichnung der Flash-Vorgänge dieses Antriebs war beschädigt, daher gelten alle als verbraucht; die Zählung mit „axiscomp status --reset-flash-count“ zurücksetzen</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s</source>
+        <translation>die übrigen Flash-Vorgänge reichen für die Änderung, aber nicht, um nach einem Fehlschlag alles zurückzustellen; {seconds} s warten</translation>
+    </message>
+    <message>
+        <source>too many flash operations in a short time; wait {seconds} s</source>
+        <translation>zu viele Flash-Vorgänge in kurzer Zeit; {seconds} s warten</translation>
+    </message>
+    <message>
+        <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
+        <translation>{stated}, angegeben als die Achse, die die Werte von {column} korrigieren, kann eine der Quellen sein oder nicht, da deren Namen es nicht sagen, und die Zahlen hängen davon ab; Zielachse angeben: {sources}</translation>
     </message>
 </context>
 <context>
@@ -10462,8 +10498,8 @@
         <translation>die Positionen haben keinen gleichmäßigen Abstand</translation>
     </message>
     <message>
-        <source>resample the data onto an even grid</source>
-        <translation>die Daten auf ein gleichmäßiges Gitter umrechnen</translation>
+        <source>resample the data onto an even grid, which can be done here for a calibration file only</source>
+        <translation>die Daten auf ein gleichmäßiges Gitter umrechnen, was hier nur für eine Kalibrierdatei möglich ist</translation>
     </message>
     <message>
         <source>there are too few points</source>

@@ -3906,10 +3906,6 @@
         <translation>le réglage {key}, par exemple mm, si une unité est nécessaire</translation>
     </message>
     <message>
-        <source>the setting {key}, such as um, where a unit matters</source>
-        <translation>le réglage {key}, par exemple um, si une unité est nécessaire</translation>
-    </message>
-    <message>
         <source>byte {value}</source>
         <translation>octet {value}</translation>
     </message>
@@ -8282,8 +8278,8 @@
         <translation>pour une passe, son sens et son numéro, par exemple up2 ou down1</translation>
     </message>
     <message>
-        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
-        <translation>rien&#xa0;: les valeurs d&apos;un fichier d&apos;étalonnage sont référence moins codeur, quoi qu&apos;en disent ses commentaires&#xa0;; sinon les inverser avec --scale -1</translation>
+        <source>sign: feedback or sign: command; where the values are encoder minus reference, leave the line out, and turn them with --scale -1</source>
+        <translation>sign: feedback ou sign: command&#xa0;; si les valeurs sont codeur moins référence, supprimer la ligne et les inverser avec --scale -1</translation>
     </message>
     <message>
         <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
@@ -8362,8 +8358,8 @@
         <translation>« {text} » peut se lire de deux façons&#xa0;; écrire les milliers sans séparateur</translation>
     </message>
     <message>
-        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
-        <translation>un fichier .TAMtbl n&apos;a pas d&apos;unités, et un variateur prend ses valeurs dans l&apos;unité de l&apos;axe qu&apos;elles corrigent. Celles-ci sont en {unit}, les positions non&#xa0;: convertir d&apos;abord en fichier .csv, puis celui-ci avec --value-unit {unit}</translation>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit} and the positions in {positions}, none of which is that of the axis for certain: convert to a .csv file first, and that one with --value-unit and the unit of the axis, such as --value-unit {example}</source>
+        <translation>un fichier .TAMtbl n&apos;a pas d&apos;unités, et un variateur prend ses valeurs dans l&apos;unité de l&apos;axe qu&apos;elles corrigent. Celles-ci sont en {unit} et les positions en {positions}, dont aucune n&apos;est à coup sûr l&apos;unité de l&apos;axe&#xa0;: convertir d&apos;abord en fichier .csv, puis celui-ci avec --value-unit et l&apos;unité de l&apos;axe, par exemple --value-unit {example}</translation>
     </message>
     <message>
         <source>sign: correction, and positions of the reference</source>
@@ -8534,8 +8530,8 @@
         <translation>l&apos;axe a perdu son origine en cours de mesure, comme après un redémarrage du variateur&#xa0;; après une nouvelle prise d&apos;origine, ses positions sont différentes&#xa0;: commencer un nouveau fichier</translation>
     </message>
     <message>
-        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
-        <translation>le fichier dit sign: command, et {stated} est indiqué&#xa0;: corriger celui qui est faux</translation>
+        <source>the file says sign: {file}, and stated is {stated}: correct the one that is wrong</source>
+        <translation>le fichier dit sign: {file}, et {stated} est indiqué&#xa0;: corriger celui qui est faux</translation>
     </message>
     <message>
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
@@ -8544,6 +8540,46 @@
     <message>
         <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
         <translation>la table active porte sur d&apos;autres positions ou d&apos;autres sources qu&apos;au début&#xa0;; ce qui a été relevé appartient à la précédente&#xa0;: commencer un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to in {other}; state how many counts are one unit, with the setting {key} of the file that is read</source>
+        <translation>les valeurs pour {column} sont en {unit}, et les positions auxquelles elles s&apos;ajoutent en {other}&#xa0;; indiquer combien d&apos;incréments font une unité, avec le réglage {key} du fichier lu</translation>
+    </message>
+    <message>
+        <source>the setting {key} for numbers in counts</source>
+        <translation>le réglage {key} pour des nombres en incréments</translation>
+    </message>
+    <message>
+        <source>the setting {key}, which says how many of them are one unit</source>
+        <translation>le réglage {key}, qui dit combien d&apos;entre eux font une unité</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, which is for files of measurements: a table holds reference minus encoder (sign: feedback), or what is added to the command (sign: command). Correct that line; where the values are encoder minus reference, leave it out, and turn them with --scale -1</source>
+        <translation>le fichier indique « {note} », ce qui est réservé aux fichiers de mesure&#xa0;: une table contient référence moins codeur (sign: feedback) ou ce qui est ajouté à la consigne (sign: command). Corriger cette ligne&#xa0;; si les valeurs sont codeur moins référence, la supprimer et inverser les valeurs avec --scale -1</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, where one comment, sign: feedback or sign: command, says what the values are: correct that line, or leave it out, which means feedback</source>
+        <translation>le fichier indique « {note} », où un seul commentaire, sign: feedback ou sign: command, précise ce que sont les valeurs&#xa0;: corriger cette ligne ou la supprimer, ce qui signifie feedback</translation>
+    </message>
+    <message>
+        <source>1; as it stands in the file it follows the axis: leave --invert-reference out</source>
+        <translation>1&#xa0;; telle qu&apos;elle est dans le fichier, elle suit l&apos;axe&#xa0;: ne pas indiquer --invert-reference</translation>
+    </message>
+    <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>le décompte des opérations flash de ce variateur était endommagé, toutes sont donc considérées comme utilisées&#xa0;; remettre le décompte à zéro avec « axiscomp status --reset-flash-count »</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s</source>
+        <translation>les opérations flash restantes suffiraient à la modification, mais pas à tout remettre en état en cas d&apos;échec&#xa0;; attendre {seconds} s</translation>
+    </message>
+    <message>
+        <source>too many flash operations in a short time; wait {seconds} s</source>
+        <translation>trop d&apos;opérations flash en peu de temps&#xa0;; attendre {seconds} s</translation>
+    </message>
+    <message>
+        <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
+        <translation>{stated}, indiqué comme l&apos;axe que corrigent les valeurs de {column}, peut être ou non l&apos;une des sources, dont les noms ne le disent pas, et les nombres en dépendent&#xa0;; indiquer l&apos;axe cible&#xa0;: {sources}</translation>
     </message>
 </context>
 <context>
@@ -10462,8 +10498,8 @@
         <translation>les positions ne sont pas équidistantes</translation>
     </message>
     <message>
-        <source>resample the data onto an even grid</source>
-        <translation>rééchantillonner les données sur une grille régulière</translation>
+        <source>resample the data onto an even grid, which can be done here for a calibration file only</source>
+        <translation>rééchantillonner les données sur une grille régulière, ce qui n&apos;est possible ici que pour un fichier d&apos;étalonnage</translation>
     </message>
     <message>
         <source>there are too few points</source>

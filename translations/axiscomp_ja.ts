@@ -3906,10 +3906,6 @@
         <translation>設定 {key} (mm など、単位が必要な場合)</translation>
     </message>
     <message>
-        <source>the setting {key}, such as um, where a unit matters</source>
-        <translation>設定 {key} (um など、単位が必要な場合)</translation>
-    </message>
-    <message>
         <source>byte {value}</source>
         <translation>バイト {value}</translation>
     </message>
@@ -8241,8 +8237,8 @@
         <translation>走行の列には up2 や down1 のような方向と番号</translation>
     </message>
     <message>
-        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
-        <translation>なし。校正ファイルの値は、コメントに何と書かれていても基準値からエンコーダ値を引いたものです。そうでない場合は --scale -1 で反転してください</translation>
+        <source>sign: feedback or sign: command; where the values are encoder minus reference, leave the line out, and turn them with --scale -1</source>
+        <translation>sign: feedback または sign: command。値がエンコーダ値から基準値を引いたものである場合は、この行を削除し、--scale -1 で反転してください</translation>
     </message>
     <message>
         <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
@@ -8321,8 +8317,8 @@
         <translation>「{text}」は 2 通りに読めます。桁区切りなしで入力してください</translation>
     </message>
     <message>
-        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
-        <translation>.TAMtbl には単位がなく、ドライブはその値を補正する軸の単位で扱います。この値は {unit} ですが、位置はそうではありません。まず .csv ファイルに変換し、それを --value-unit {unit} で変換してください</translation>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit} and the positions in {positions}, none of which is that of the axis for certain: convert to a .csv file first, and that one with --value-unit and the unit of the axis, such as --value-unit {example}</source>
+        <translation>.TAMtbl には単位がなく、ドライブはその値を補正する軸の単位で扱います。この値は {unit}、位置は {positions} で、どれも軸の単位であるとは限りません。まず .csv ファイルに変換し、それを --value-unit と軸の単位 (--value-unit {example} など) で変換してください</translation>
     </message>
     <message>
         <source>sign: correction, and positions of the reference</source>
@@ -8493,8 +8489,8 @@
         <translation>測定の途中で、ドライブの再起動などにより、軸の原点復帰状態が失われました。再び原点復帰すると位置が変わります。新しいファイルで始めてください</translation>
     </message>
     <message>
-        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
-        <translation>ファイルでは sign: command、指定は {stated} となっています。誤っている方を修正してください</translation>
+        <source>the file says sign: {file}, and stated is {stated}: correct the one that is wrong</source>
+        <translation>ファイルでは sign: {file}、指定は {stated} となっています。誤っている方を修正してください</translation>
     </message>
     <message>
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
@@ -8503,6 +8499,46 @@
     <message>
         <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
         <translation>有効なテーブルの位置またはソースが開始時と異なります。これまでの値は前のテーブルのものです。新しいファイルで始めてください</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to in {other}; state how many counts are one unit, with the setting {key} of the file that is read</source>
+        <translation>{column} の値の単位は {unit}、値が加算される位置の単位は {other} です。1 単位が何カウントかを、読み取るファイルの設定 {key} で指定してください</translation>
+    </message>
+    <message>
+        <source>the setting {key} for numbers in counts</source>
+        <translation>カウント単位の数値に対する設定 {key}</translation>
+    </message>
+    <message>
+        <source>the setting {key}, which says how many of them are one unit</source>
+        <translation>1 単位が何カウントかを示す設定 {key}</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, which is for files of measurements: a table holds reference minus encoder (sign: feedback), or what is added to the command (sign: command). Correct that line; where the values are encoder minus reference, leave it out, and turn them with --scale -1</source>
+        <translation>ファイルに &quot;{note}&quot; とありますが、これは測定ファイル用です。テーブルの値は、基準値からエンコーダ値を引いたもの (sign: feedback) か、指令に加算されるもの (sign: command) です。この行を修正してください。値がエンコーダ値から基準値を引いたものである場合は、この行を削除し、--scale -1 で反転してください</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, where one comment, sign: feedback or sign: command, says what the values are: correct that line, or leave it out, which means feedback</source>
+        <translation>ファイルに &quot;{note}&quot; とあります。ここでは、値が何であるかを sign: feedback または sign: command のコメント 1 つで示します。この行を修正するか、削除してください (削除すると feedback とみなします)</translation>
+    </message>
+    <message>
+        <source>1; as it stands in the file it follows the axis: leave --invert-reference out</source>
+        <translation>1。ファイルのままで軸に追従しています。--invert-reference を外してください</translation>
+    </message>
+    <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>このドライブのフラッシュ操作の履歴が破損していたため、すべて使い切ったものとみなしています。&apos;axiscomp status --reset-flash-count&apos; で回数をリセットしてください</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s</source>
+        <translation>残りのフラッシュ操作は変更には足りますが、失敗時にすべてを元に戻すには足りません。{seconds} s 待ってください</translation>
+    </message>
+    <message>
+        <source>too many flash operations in a short time; wait {seconds} s</source>
+        <translation>短時間のフラッシュ操作が多すぎます。{seconds} s 待ってください</translation>
+    </message>
+    <message>
+        <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
+        <translation>{column} の値が補正する軸として指定された {stated} は、ソースの名前からはソースの 1 つかどうか分かりません。数値はこれによって変わるため、対象軸を指定してください: {sources}</translation>
     </message>
 </context>
 <context>
@@ -10412,8 +10448,8 @@
         <translation>位置が等間隔ではありません</translation>
     </message>
     <message>
-        <source>resample the data onto an even grid</source>
-        <translation>データを等間隔格子に再サンプリングしてください</translation>
+        <source>resample the data onto an even grid, which can be done here for a calibration file only</source>
+        <translation>データを等間隔格子に再サンプリングしてください (ここでできるのは校正ファイルのみです)</translation>
     </message>
     <message>
         <source>there are too few points</source>

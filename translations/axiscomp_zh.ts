@@ -3906,10 +3906,6 @@
         <translation>设置 {key}，例如 mm，用于单位起作用时</translation>
     </message>
     <message>
-        <source>the setting {key}, such as um, where a unit matters</source>
-        <translation>设置 {key}，例如 um，用于单位起作用时</translation>
-    </message>
-    <message>
         <source>byte {value}</source>
         <translation>字节 {value}</translation>
     </message>
@@ -8241,8 +8237,8 @@
         <translation>若是一趟测量，则为其方向和序号，例如 up2 或 down1</translation>
     </message>
     <message>
-        <source>nothing: the values of a calibration file are reference minus encoder, whatever its comments say; turn them with --scale -1 if they are not</source>
-        <translation>无：校准文件的值是参考值减编码器值，无论其注释怎么说；若不是，请用 --scale -1 取反</translation>
+        <source>sign: feedback or sign: command; where the values are encoder minus reference, leave the line out, and turn them with --scale -1</source>
+        <translation>sign: feedback 或 sign: command；如果值是编码器值减参考值，请将该行删去，并用 --scale -1 取反</translation>
     </message>
     <message>
         <source>the table states no unit for its values, and its positions are in {positions}; state the unit of the values, in the file or with --value-unit</source>
@@ -8321,8 +8317,8 @@
         <translation>“{text}”有两种读法；请勿使用千位分隔符</translation>
     </message>
     <message>
-        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit}, which the positions are not: convert to a .csv file first, and that one with --value-unit {unit}</source>
-        <translation>.TAMtbl 没有单位，驱动器按所修正轴的单位取其值。这些值的单位是 {unit}，而位置不是：先转换为 .csv 文件，再用 --value-unit {unit} 转换该文件</translation>
+        <source>a .TAMtbl has no units, and a drive takes its values in the unit of the axis that they correct. These are in {unit} and the positions in {positions}, none of which is that of the axis for certain: convert to a .csv file first, and that one with --value-unit and the unit of the axis, such as --value-unit {example}</source>
+        <translation>.TAMtbl 没有单位，驱动器按所修正轴的单位取其值。这些值的单位是 {unit}，位置的单位是 {positions}，其中没有一个可以确定是该轴的单位：先转换为 .csv 文件，再用 --value-unit 和该轴的单位（例如 --value-unit {example}）转换该文件</translation>
     </message>
     <message>
         <source>sign: correction, and positions of the reference</source>
@@ -8493,8 +8489,8 @@
         <translation>测量中途该轴失去了原点，如同驱动器重启之后；重新回零后其位置会不同：请另起一个新文件</translation>
     </message>
     <message>
-        <source>the file says sign: command, and stated is {stated}: correct the one that is wrong</source>
-        <translation>文件中写的是 sign: command，而指定的是 {stated}：请改正其中错误的一个</translation>
+        <source>the file says sign: {file}, and stated is {stated}: correct the one that is wrong</source>
+        <translation>文件中写的是 sign: {file}，而指定的是 {stated}：请改正其中错误的一个</translation>
     </message>
     <message>
         <source>{file} says sign: command, and a table that was active holds feedback values: convert the file first, and take what is written</source>
@@ -8503,6 +8499,46 @@
     <message>
         <source>the table that is active lies over other positions or sources than at the beginning; what was taken belongs to the one before: begin a new file</source>
         <translation>当前启用的表所对应的位置或源与开始时不同；已采集的值属于之前的表：请另起一个新文件</translation>
+    </message>
+    <message>
+        <source>the values for {column} are in {unit}, and the positions that they are added to in {other}; state how many counts are one unit, with the setting {key} of the file that is read</source>
+        <translation>{column} 的值以 {unit} 为单位，而这些值所加到的位置以 {other} 为单位；请用所读文件的设置 {key} 给出一个单位对应多少计数</translation>
+    </message>
+    <message>
+        <source>the setting {key} for numbers in counts</source>
+        <translation>对以计数为单位的数字给出的设置 {key}</translation>
+    </message>
+    <message>
+        <source>the setting {key}, which says how many of them are one unit</source>
+        <translation>设置 {key}，说明多少计数为一个单位</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, which is for files of measurements: a table holds reference minus encoder (sign: feedback), or what is added to the command (sign: command). Correct that line; where the values are encoder minus reference, leave it out, and turn them with --scale -1</source>
+        <translation>文件中为“{note}”，这只用于测量文件：表中的值是参考值减编码器值 (sign: feedback)，或加到指令上的值 (sign: command)。请更正该行；如果值是编码器值减参考值，请将该行删去，并用 --scale -1 取反</translation>
+    </message>
+    <message>
+        <source>the file says &quot;{note}&quot;, where one comment, sign: feedback or sign: command, says what the values are: correct that line, or leave it out, which means feedback</source>
+        <translation>文件中为“{note}”，而此处应有一行注释 sign: feedback 或 sign: command，说明这些值是什么：请更正该行，或将其删去，即表示 feedback</translation>
+    </message>
+    <message>
+        <source>1; as it stands in the file it follows the axis: leave --invert-reference out</source>
+        <translation>1；文件中的参考值本来就跟随该轴：请去掉 --invert-reference</translation>
+    </message>
+    <message>
+        <source>the record of this drive&apos;s flash operations was damaged, so all of them count as used up; reset the count with &apos;axiscomp status --reset-flash-count&apos;</source>
+        <translation>此驱动器的闪存操作记录已损坏，因此视为全部用完；请用“axiscomp status --reset-flash-count”将计数复位</translation>
+    </message>
+    <message>
+        <source>the flash operations that are left would do for the change, but not for putting everything back if it fails; wait {seconds} s</source>
+        <translation>剩余的闪存操作足以完成更改，但失败时不足以全部恢复；请等待 {seconds} s</translation>
+    </message>
+    <message>
+        <source>too many flash operations in a short time; wait {seconds} s</source>
+        <translation>短时间内闪存操作过多；请等待 {seconds} s</translation>
+    </message>
+    <message>
+        <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
+        <translation>作为 {column} 的值所修正的轴而给出的 {stated} 可能是也可能不是源之一，因为源的名称没有说明，而数字取决于此；请给出目标轴：{sources}</translation>
     </message>
 </context>
 <context>
@@ -10412,8 +10448,8 @@
         <translation>位置间距不均匀</translation>
     </message>
     <message>
-        <source>resample the data onto an even grid</source>
-        <translation>将数据重采样到均匀网格</translation>
+        <source>resample the data onto an even grid, which can be done here for a calibration file only</source>
+        <translation>将数据重采样到均匀网格，此处仅可对校准文件进行</translation>
     </message>
     <message>
         <source>there are too few points</source>
