@@ -80,6 +80,9 @@ std::string HttpConnection::head(const HttpRequest& request) const
     if (m_endpoint.port != (m_isSecure ? 443 : 80))
         text += ':' + std::to_string(m_endpoint.port);
     text += "\r\nUser-Agent: axiscomp\r\nAccept: " + request.accept + "\r\n";
+    // A cache that keeps what a drive said before the last write would vouch for a state that is
+    // gone. Pragma is for caches of HTTP/1.0.
+    text += "Cache-Control: no-cache\r\nPragma: no-cache\r\n";
     if (!m_endpoint.user.empty() || !m_endpoint.password.empty()) {
         const auto secret = QByteArray::fromStdString(m_endpoint.user + ':' + m_endpoint.password);
         text += "Authorization: Basic " + secret.toBase64().toStdString() + "\r\n";

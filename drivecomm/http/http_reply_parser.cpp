@@ -137,6 +137,12 @@ void HttpReplyParser::takeField(std::string_view line)
     } else if (name == "connection") {
         m_keepsConnection =
             m_keepsConnection && lowerCase(value).find("close") == std::string::npos;
+    } else if (name == "age") {
+        if (number(value, 10).value_or(0) > 0)
+            return fail(AXISCOMP_TEXT("Error",
+                            "an answer of the drive itself and not one that a cache or proxy in "
+                            "between has kept; connect to the drive without it"),
+                line);
     } else if (name == "content-type") {
         m_reply.contentType = mediaType(value);
     } else if (name == "location") {
