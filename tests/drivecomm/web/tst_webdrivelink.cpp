@@ -57,7 +57,7 @@ private Q_SLOTS:
     void reportsWhyThereIsNoConnection();
     void keepsThePasswordOutOfErrors();
     void sendsThePasswordWithEveryRequest();
-    void asksNoCache();
+    void asksForWhatTheDriveSaysItself();
     void countsAxesWithFewRequests();
     void countsAxesOfADriveThatDoesNotNameWhatIsMissing();
     void stopsWhileItWaits();
@@ -121,7 +121,7 @@ void WebDriveLinkTest::sendsThePasswordWithEveryRequest()
     QVERIFY(link->endpoint().find("anna") == std::string::npos);
 }
 
-void WebDriveLinkTest::asksNoCache()
+void WebDriveLinkTest::asksForWhatTheDriveSaysItself()
 {
     std::mutex mutex;
     std::string asked;
@@ -135,6 +135,7 @@ void WebDriveLinkTest::asksNoCache()
     const std::scoped_lock lock(mutex);
     QVERIFY(asked.find("\r\nCache-Control: no-cache\r\n") != std::string::npos);
     QVERIFY(asked.find("\r\nPragma: no-cache\r\n") != std::string::npos);
+    QVERIFY(asked.find("\r\nAccept-Encoding: identity\r\n") != std::string::npos);
 }
 
 void WebDriveLinkTest::countsAxesWithFewRequests()
