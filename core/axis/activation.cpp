@@ -5,6 +5,7 @@
 #include "core/axis/verified_transfer.h"
 
 #include <array>
+#include <utility>
 
 namespace axiscomp {
 
@@ -28,6 +29,9 @@ constexpr std::array hints{
     Hint{CompensationFault::BadTable,
         AXISCOMP_TEXT("Error", "the drive cannot use the table; write it again")},
 };
+
+constexpr TextPattern forgotten = AXISCOMP_TEXT(
+    "Error", "the drive has restarted, or somebody else has switched the compensation");
 
 Result<void> requestActivation(
     const RegisterAccess& access, const AxisStatus& status, const std::string& value)
@@ -60,15 +64,15 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
         const std::string state = textAt(readings, path);
         const bool isError = compensationState(access.enums(), state) == CompensationState::Error;
         if (state == wanted || isError) {
-            auto status = readStatus(access, drive, axis, sources);
-            if (status && isError)
-                return fail(compensationError(*status));
+            AXISCOMP_TRY(auto status, readStatus(access, drive, axis, sources));
+            if (status.axis.state == CompensationState::Error)
+                return fail(compensationError(status));
+            if (status.axis.stateWord != wanted) // no more
+                return notReached(status.axis.stateWord, forgotten);
             return status;
         }
         if (textAt(readings, request) != activation)
-            return notReached(state,
-                AXISCOMP_TEXT("Error",
-                    "the drive has restarted, or somebody else has switched the compensation"));
+            return notReached(state, forgotten);
         if (Clock::now() >= deadline)
             return notReached(state,
                 AXISCOMP_TEXT("Error", "it did not become {state} in time").with("state", wanted));
@@ -76,11 +80,22 @@ Result<AxisStatus> waitForState(const RegisterAccess& access, const DriveIdentit
     }
 }
 
+/// What another drive has reached, or not, says nothing about this one.
+Result<AxisStatus> confirmed(
+    const RegisterAccess& access, const DriveIdentity& drive, Result<AxisStatus> reached)
+{
+    const auto same = access.expecting(drive).checkDrive();
+    if (!same && (reached || same.error().code == ErrorCode::OtherDrive))
+        return fail(same.error());
+    return reached;
+}
+
 Result<AxisStatus> requestAndWait(const RegisterAccess& access, const AxisStatus& status,
     SourceDirectory& sources, const std::string& activation, const std::string& wanted)
 {
     AXISCOMP_CHECK(requestActivation(access.expecting(status.drive), status, activation));
-    return waitForState(access, status.drive, status.axis.index, sources, activation, wanted);
+    return confirmed(access, status.drive,
+        waitForState(access, status.drive, status.axis.index, sources, activation, wanted));
 }
 
 /// What can be said before the drive is asked.
@@ -110,8 +125,10 @@ Result<AxisStatus> activateAxis(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
-    if (!status || status->axis.state == CompensationState::Active)
+    if (!status)
         return status;
+    if (status->axis.state == CompensationState::Active)
+        return confirmed(access, drive, std::move(status));
     if (!status->axis.isHomed)
         return fail(ErrorCode::NotHomed, {{"axis", axis}});
     return requestAndWait(access, *status, sources, access.enums().activationAddToEncoders,
@@ -122,8 +139,10 @@ Result<AxisStatus> evaluateAxis(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readyStatus(access, drive, axis, sources);
-    if (!status || status->axis.state == CompensationState::Evaluating)
+    if (!status)
         return status;
+    if (status->axis.state == CompensationState::Evaluating)
+        return confirmed(access, drive, std::move(status));
     if (status->isOn())
         return fail(ErrorCode::CompensationActive, {{"axis", axis}});
     return requestAndWait(access, *status, sources, access.enums().activationEvaluate,
@@ -134,10 +153,11 @@ Result<AxisStatus> deactivateAxis(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources)
 {
     auto status = readStatus(access, drive, axis, sources);
-    if (!status
-        || (status->axis.state == CompensationState::Disabled
-            && status->activation == access.enums().activationDisabled))
+    if (!status)
         return status;
+    if (status->axis.state == CompensationState::Disabled
+        && status->activation == access.enums().activationDisabled)
+        return confirmed(access, drive, std::move(status));
     return requestAndWait(
         access, *status, sources, access.enums().activationDisabled, access.enums().stateDisabled);
 }

@@ -9,7 +9,8 @@ namespace axiscomp {
 class RegisterAccess;
 class SourceDirectory;
 
-/// Switch the compensation of one axis and wait for the resulting state.
+/// Switch the compensation of one axis and wait for the resulting state, which is that of this
+/// drive. Errors: CompensationError, OtherDrive.
 [[nodiscard]] Result<AxisStatus> activateAxis(
     const RegisterAccess& access, const DriveIdentity& drive, int axis, SourceDirectory& sources);
 [[nodiscard]] Result<AxisStatus> evaluateAxis(

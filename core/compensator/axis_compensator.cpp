@@ -116,9 +116,7 @@ Result<WriteReport> AxisCompensator::write(
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
-    if (request.expectedDrive && *request.expectedDrive != drive.serialNumber)
-        return fail(ErrorCode::OtherDrive,
-            {{"expected", *request.expectedDrive}, {"found", drive.serialNumber}});
+    AXISCOMP_CHECK(Private::checkExpected(drive, request.expectedDrive));
     auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());

@@ -169,9 +169,10 @@ public:
     /// The plain file transfer of AN140 5.2: keeps a backup of the old file, uploads, reads back,
     /// compares every byte; puts the old file back when that fails. Gives the backup; an empty path
     /// when the drive held exactly this file already. Errors: UnknownFile when the profile has no
-    /// slot there, ChangedMeanwhile, FlashWear, VerifyMismatch, RollbackFailed.
-    [[nodiscard]] Result<std::filesystem::path> upload(
-        const std::string& path, ByteView bytes, const OperationOptions& options = {});
+    /// slot there, ChangedMeanwhile, FlashWear, VerifyMismatch, RollbackFailed; OtherDrive when
+    /// another serial number answers than the plan's, expectedDrive.
+    [[nodiscard]] Result<std::filesystem::path> upload(const std::string& path, ByteView bytes,
+        const OperationOptions& options = {}, std::optional<std::int32_t> expectedDrive = {});
 
     /// What that costs; changes nothing. Errors: UnknownFile.
     [[nodiscard]] Result<UploadPlan> planUpload(
@@ -184,9 +185,10 @@ public:
         const std::string& slot, const OperationOptions& options = {});
     /// Keeps a backup, which it gives, empties the slot, and looks whether it is empty. It is one
     /// command to the drive: whenever it is interrupted, the table is there or not. Errors: those
-    /// of planSlotDeletion, ChangedMeanwhile, VerifyMismatch, RollbackFailed.
-    [[nodiscard]] Result<std::filesystem::path> deleteSlot(
-        const std::string& slot, const OperationOptions& options = {});
+    /// of planSlotDeletion, ChangedMeanwhile, VerifyMismatch, RollbackFailed; OtherDrive as of
+    /// upload.
+    [[nodiscard]] Result<std::filesystem::path> deleteSlot(const std::string& slot,
+        const OperationOptions& options = {}, std::optional<std::int32_t> expectedDrive = {});
 
     /// EraseCount of all slots, and what this computer has recorded.
     [[nodiscard]] Result<FlashUse> flashUse(const OperationOptions& options = {});

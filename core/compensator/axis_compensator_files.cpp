@@ -59,11 +59,12 @@ Result<Bytes> AxisCompensator::download(const std::string& path, const Operation
     return d->link.download(path, exchange); // of an empty slot: what the drive says
 }
 
-Result<std::filesystem::path> AxisCompensator::upload(
-    const std::string& path, ByteView bytes, const OperationOptions& options)
+Result<std::filesystem::path> AxisCompensator::upload(const std::string& path, ByteView bytes,
+    const OperationOptions& options, std::optional<std::int32_t> expectedDrive)
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access));
+    AXISCOMP_CHECK(Private::checkExpected(drive, expectedDrive));
     auto lock = d->store.lockWrites(drive.serialNumber);
     if (!lock)
         return fail(lock.error());
@@ -86,7 +87,7 @@ Result<UploadPlan> AxisCompensator::planUpload(
         FileReplacement(access, d->store, drive, d->clock, *slot).planReplacement(bytes));
     AXISCOMP_TRY(const auto history, d->store.flashHistory(drive.serialNumber));
     const auto decoded = decodeTamTable(bytes, d->profile.layout);
-    return UploadPlan{decoded && decoded->persistent, cost.operations,
+    return UploadPlan{drive, decoded && decoded->persistent, cost.operations,
         wearGuard(d->profile.flashWear, history).budget(d->clock())};
 }
 
@@ -99,12 +100,13 @@ Result<SlotDeletion> AxisCompensator::planSlotDeletion(
     return FileReplacement(access, d->store, drive, d->clock, found).planDeletion();
 }
 
-Result<std::filesystem::path> AxisCompensator::deleteSlot(
-    const std::string& slot, const OperationOptions& options)
+Result<std::filesystem::path> AxisCompensator::deleteSlot(const std::string& slot,
+    const OperationOptions& options, std::optional<std::int32_t> expectedDrive)
 {
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(const TableSlot found, knownSlot(d->profile, slot));
     AXISCOMP_TRY(auto drive, d->identify(access));
+    AXISCOMP_CHECK(Private::checkExpected(drive, expectedDrive));
     AXISCOMP_TRY(const auto lock, d->store.lockWrites(drive.serialNumber));
     AXISCOMP_CHECK(FileReplacement(access, d->store, drive, d->clock, found).planDeletion());
     return FileReplacement(access, d->store, drive, d->clock, found)

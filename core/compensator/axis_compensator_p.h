@@ -46,6 +46,16 @@ struct AxisCompensator::Private {
         return drive;
     }
 
+    /// Whether it is the drive that was planned for, where it is said. Errors: OtherDrive.
+    [[nodiscard]] static Result<void> checkExpected(
+        const DriveIdentity& drive, std::optional<std::int32_t> serialNumber)
+    {
+        if (!serialNumber || *serialNumber == drive.serialNumber)
+            return {};
+        return fail(
+            ErrorCode::OtherDrive, {{"expected", *serialNumber}, {"found", drive.serialNumber}});
+    }
+
     /// Errors: AxisNotFound, OtherDrive.
     [[nodiscard]] Result<DriveIdentity> identify(
         const RegisterAccess& access, const JournalEntry& entry);

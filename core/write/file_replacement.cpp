@@ -41,6 +41,8 @@ Result<std::filesystem::path> FileReplacement::run(ByteView bytes, Users users)
     const bool isRefused = !done && !isUncertain(done.error().code)
         && done.error().code != ErrorCode::VerifyMismatch
         && done.error().code != ErrorCode::OtherDrive;
+    if (done)
+        done = confirmDrive();
     FlashAccount account(m_store, m_drive.serialNumber, m_clock);
     if (!done)
         account.noteRefusal(done.error());
@@ -214,6 +216,16 @@ Result<void> FileReplacement::put(const RegisterAccess& access, ByteView bytes) 
         return deleteTable(access, m_slot.name);
     return uploadVerified(access, m_slot.file, bytes,
         [&](std::string_view step, double fraction) { access.report(step, fraction); });
+}
+
+/// Whether it was this drive that took the file. From here on the user cannot stop any more.
+Result<void> FileReplacement::confirmDrive() const
+{
+    const RegisterAccess access = m_access.withoutStop();
+    auto same = access.checkDrive();
+    if (!same && isUnreachable(same.error().code))
+        same = access.checkDrive();
+    return same;
 }
 
 /// Gives the error to report.

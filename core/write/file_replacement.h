@@ -61,6 +61,7 @@ private:
     [[nodiscard]] Error inUse(ByteView bytes, Text user) const;
     [[nodiscard]] Result<void> noteCovering(ByteView bytes, const Cost& cost) const;
     [[nodiscard]] Result<void> put(const RegisterAccess& access, ByteView bytes) const;
+    [[nodiscard]] Result<void> confirmDrive() const;
     [[nodiscard]] Error rollBack(const Error& reason) const;
 
     RegisterAccess m_access;

@@ -118,6 +118,7 @@ struct SlotDeletion {
 
 /// What storing a file as it is costs.
 struct UploadPlan {
+    DriveIdentity drive;
     bool persistent = false; ///< the file is a table for flash
     int flashOperations = 0; ///< none where the drive holds exactly this file already
     FlashBudget flashBudget; ///< before it

@@ -79,7 +79,11 @@ std::string HttpConnection::head(const HttpRequest& request) const
     text += "Host: " + (isIPv6 ? '[' + m_endpoint.host + ']' : m_endpoint.host);
     if (m_endpoint.port != (m_isSecure ? 443 : 80))
         text += ':' + std::to_string(m_endpoint.port);
-    text += "\r\nUser-Agent: axiscomp\r\nAccept: " + request.accept + "\r\n";
+    text += "\r\nUser-Agent: axiscomp\r\nAccept: " + request.accept
+        + "\r\nAccept-Encoding: identity\r\n";
+    // A cache that keeps what a drive said before the last write would vouch for a state that is
+    // gone. Pragma is for caches of HTTP/1.0.
+    text += "Cache-Control: no-cache\r\nPragma: no-cache\r\n";
     if (!m_endpoint.user.empty() || !m_endpoint.password.empty()) {
         const auto secret = QByteArray::fromStdString(m_endpoint.user + ':' + m_endpoint.password);
         text += "Authorization: Basic " + secret.toBase64().toStdString() + "\r\n";
@@ -231,8 +235,7 @@ void HttpConnection::read()
         m_socket->abort();
         return;
     }
-    while (
-        m_socket->bytesAvailable() > 0 && m_parser->state() == HttpReplyParser::State::Incomplete) {
+    while (m_socket->bytesAvailable() > 0 && m_parser->state() != HttpReplyParser::State::Failed) {
         const QByteArray bytes = m_socket->read(writeAhead);
         m_parser->feed({bytes.constData(), static_cast<std::size_t>(bytes.size())});
     }

@@ -32,6 +32,11 @@ Text atMost(std::uint64_t bytes)
     return AXISCOMP_TEXT("Error", "at most {size} bytes").with("size", bytes);
 }
 
+bool hasNoBody(int status)
+{
+    return status == 204 || status == 304 || status == 101;
+}
+
 /// What a line may begin with, as long as it is not complete.
 bool mayBeStatusLine(std::string_view begun)
 {
@@ -74,7 +79,12 @@ void HttpReplyParser::feed(std::string_view bytes)
             line.pop_back();
         takeLine(line);
     }
-    m_hasSurplus |= !bytes.empty();
+    if (bytes.empty())
+        return;
+    m_hasSurplus = true;
+    if (m_state == State::Complete && m_length) // the length may be wrong, and a file cut
+        fail(
+            AXISCOMP_TEXT("Error", "nothing after the bytes that Content-Length announces"), bytes);
 }
 
 void HttpReplyParser::takeLine(std::string_view line)
@@ -134,9 +144,18 @@ void HttpReplyParser::takeField(std::string_view line)
         if (lowerCase(value) != "chunked")
             return fail(AXISCOMP_TEXT("Error", "no Transfer-Encoding but chunked"), line);
         m_isChunked = true;
+    } else if (name == "content-encoding") {
+        if (lowerCase(value) != "identity")
+            return fail(AXISCOMP_TEXT("Error", "no Content-Encoding but identity"), line);
     } else if (name == "connection") {
         m_keepsConnection =
             m_keepsConnection && lowerCase(value).find("close") == std::string::npos;
+    } else if (name == "age") {
+        if (number(value, 10).value_or(0) > 0)
+            return fail(AXISCOMP_TEXT("Error",
+                            "an answer of the drive itself and not one that a cache or proxy in "
+                            "between has kept; connect to the drive without it"),
+                line);
     } else if (name == "content-type") {
         m_reply.contentType = mediaType(value);
     } else if (name == "location") {
@@ -158,12 +177,13 @@ void HttpReplyParser::endHead()
     m_inBody = true;
     if (m_isChunked)
         m_length.reset();
-    const bool hasNoBody = status == 204 || status == 304 || status == 101;
-    m_reply.hasEnd = hasNoBody || m_isChunked || m_length;
+    if (hasNoBody(status))
+        m_length.reset();
+    m_reply.hasEnd = hasNoBody(status) || m_isChunked || m_length;
     m_left = m_length.value_or(0);
-    if (m_length.value_or(0) > m_bodyLimit && !hasNoBody)
+    if (m_length.value_or(0) > m_bodyLimit)
         return fail(atMost(m_bodyLimit), "Content-Length: " + std::to_string(*m_length));
-    if (hasNoBody || m_length == std::uint64_t{0})
+    if (hasNoBody(status) || m_length == std::uint64_t{0})
         m_state = State::Complete;
     else
         m_step = m_isChunked ? Step::ChunkSize : Step::Body;

@@ -28,7 +28,8 @@ public:
 
     enum class State { Incomplete, Complete, Failed };
     [[nodiscard]] State state() const { return m_state; }
-    /// Takes bytes until the reply is complete or fails.
+    /// Takes bytes until the reply is complete or fails. More than the Content-Length that it
+    /// announced is a failure of a complete one, too.
     void feed(std::string_view bytes);
     /// The connection has ended, which may be the end of the body.
     void end();
@@ -63,7 +64,7 @@ private:
     HttpReply m_reply;
     std::string m_line; ///< begun, not ended
     std::size_t m_headSize = 0;
-    std::optional<std::uint64_t> m_length; ///< Content-Length
+    std::optional<std::uint64_t> m_length; ///< Content-Length, where it tells the body's end
     std::uint64_t m_left = 0; ///< of the body, or of the chunk
     bool m_isChunked = false;
     bool m_inBody = false;

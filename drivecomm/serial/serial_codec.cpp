@@ -44,9 +44,16 @@ template <typename T> std::optional<T> wholeNumber(std::string_view text, int ba
     return value;
 }
 
-std::uint16_t crcOf(std::string_view text)
+/// A request or a line of a reply; crc is where its CRC begins, and then what it is.
+std::string framed(
+    std::optional<std::uint16_t> number, std::string_view words, bool withCrc, std::uint16_t& crc)
 {
-    return crc16(asBytes(text), crcCcittFalse);
+    std::string line = number ? "#" + std::to_string(*number) + " " : "";
+    line += words;
+    crc = crc16(asBytes(line), crc);
+    if (withCrc)
+        line += " *" + hex(crc, 4);
+    return line;
 }
 
 /// One word from the front of rest; false when a quotation mark is not closed or something follows
@@ -108,21 +115,22 @@ std::string_view trimmed(std::string_view text)
 }
 
 /// Takes the CRC off the end of line. False when there is one and it is wrong.
-bool takeCrc(std::string_view& line, bool& hasCrc)
+bool takeCrc(std::string_view& line, std::uint16_t crcStart, SerialLine& result)
 {
     const std::size_t blank = line.rfind(' ');
     if (blank == std::string_view::npos || blank + 1 == line.size() || line[blank + 1] != '*')
         return true;
-    hasCrc = true;
+    result.hasCrc = true;
     const std::string_view digits = line.substr(blank + 2);
     line = line.substr(0, blank);
     const auto stated = wholeNumber<std::uint16_t>(digits, 16);
-    return digits.size() == 4 && stated == crcOf(line);
+    result.crc = crc16(asBytes(line), crcStart);
+    return digits.size() == 4 && stated == result.crc;
 }
 
 } // namespace
 
-SerialLine parseSerialLine(std::string_view line)
+SerialLine parseSerialLine(std::string_view line, std::uint16_t crcStart)
 {
     SerialLine result;
     // What the assembler has cut off may have come behind a blank: the length counts first.
@@ -132,7 +140,7 @@ SerialLine parseSerialLine(std::string_view line)
     line = line.substr(0, line.find_last_not_of(' ') + 1);
     if (!std::ranges::all_of(line, isPrintable))
         return result;
-    const bool isIntact = takeCrc(line, result.hasCrc);
+    const bool isIntact = takeCrc(line, crcStart, result);
     std::string_view rest = trimmed(line);
     bool isPossible = true;
     if (rest.starts_with('#')) {
@@ -153,11 +161,18 @@ SerialLine parseSerialLine(std::string_view line)
 
 std::string serialLine(std::optional<std::uint16_t> number, std::string_view words, bool withCrc)
 {
-    std::string line = number ? "#" + std::to_string(*number) + " " : "";
-    line += words;
-    if (withCrc)
-        line += " *" + hex(crcOf(line), 4);
-    return line;
+    std::uint16_t crc = crcCcittFalse;
+    return framed(number, words, withCrc, crc);
+}
+
+std::string serialReply(
+    std::optional<std::uint16_t> number, std::span<const std::string> lines, bool withCrc)
+{
+    std::uint16_t crc = crcCcittFalse;
+    std::string reply;
+    for (const std::string& line : lines)
+        reply += framed(number, line, withCrc, crc) + std::string(serialLineEnd);
+    return reply;
 }
 
 std::string serialQuoted(std::string_view text)

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "core/drive/drive_link.h"
+#include "drivecomm/codec/crc16.h"
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,14 +39,22 @@ struct SerialLine {
     std::vector<std::string> words; ///< without quotation marks
     std::string text; ///< the words as they stand, by which a repeated request is recognised
     bool hasCrc = false;
+    std::uint16_t crc = 0; ///< where it has one: with it the CRC of the next line of a reply begins
 };
 
-/// line is without its end.
-[[nodiscard]] SerialLine parseSerialLine(std::string_view line);
+/// line is without its end; crcStart is crcCcittFalse, or the CRC of the line of the reply that
+/// stands before it.
+[[nodiscard]] SerialLine parseSerialLine(
+    std::string_view line, std::uint16_t crcStart = crcCcittFalse);
 
 /// words are already quoted where they need it (serialWord). Without its end.
 [[nodiscard]] std::string serialLine(
     std::optional<std::uint16_t> number, std::string_view words, bool withCrc);
+
+/// A reply, its lines with their ends. The CRC of each line begins with that of the line before it:
+/// one that is missing, comes twice or has another place is seen.
+[[nodiscard]] std::string serialReply(
+    std::optional<std::uint16_t> number, std::span<const std::string> lines, bool withCrc);
 
 /// The word as it is, or in quotation marks with \", \\ and \xNN, so that a line is always ASCII.
 [[nodiscard]] std::string serialWord(std::string_view word);

@@ -27,6 +27,11 @@ std::uint16_t randomNumber()
     return static_cast<std::uint16_t>(device() & 0xFFFFU);
 }
 
+bool isIntact(const SerialLine& line)
+{
+    return line.state == SerialLine::State::Good && line.hasCrc;
+}
+
 bool isOfAnEarlier(std::optional<std::uint16_t> number, std::uint16_t current)
 {
     constexpr std::uint16_t recent = 64;
@@ -209,12 +214,26 @@ Result<std::string> SerialSession::nextLine(
     }
 }
 
+/// How many lines follow this one.
+Result<std::size_t> SerialSession::linesBehind(const Request& request, const SerialLine& line) const
+{
+    if (line.words.front() != request.answer)
+        return unexpected(Verbatim{request.answer}, line.words);
+    if (!request.hasLines)
+        return 0;
+    const auto count = line.words.size() < 2 ? std::nullopt : parseSerialNumber(line.words[1]);
+    if (!count || *count > mostLines)
+        return unexpected(AXISCOMP_TEXT("Error", "the number of lines that follow"), line.words);
+    return *count;
+}
+
 /// Nothing when the reply did not come, or not intact.
 Result<std::optional<SerialReply>> SerialSession::collect(
     const Request& request, ExchangeDeadline& running)
 {
     SerialReply reply;
-    std::optional<std::uint32_t> expectedLines;
+    std::size_t expectedLines = 0; // behind the first one; 0: that one is not there
+    std::uint16_t crc = 0; // of the line before
     bool isGarbledReply = false;
     auto lastHeard = Clock::now() + m_line.timeFor(request.words.size());
     while (true) {
@@ -223,9 +242,19 @@ Result<std::optional<SerialReply>> SerialSession::collect(
         if (text.empty())
             return std::nullopt;
         lastHeard = Clock::now();
-        SerialLine line = parseSerialLine(text);
-        if (line.state != SerialLine::State::Good || !line.hasCrc) {
+        SerialLine line = parseSerialLine(text, crc);
+        if (expectedLines > 0 && isIntact(line) && line.number == request.number) {
+            running.deadline += m_line.timeFor(text.size());
+            crc = line.crc;
+            reply.lines.push_back(std::move(line.words));
+            if (reply.lines.size() == expectedLines)
+                return reply;
+            continue;
+        }
+        line = parseSerialLine(text);
+        if (!isIntact(line)) {
             isGarbledReply = true;
+            expectedLines = 0; // those behind it would come to be in its place
             continue;
         }
         if (line.words.front() == serialBootWord)
@@ -242,20 +271,13 @@ Result<std::optional<SerialReply>> SerialSession::collect(
         running.deadline += m_line.timeFor(text.size());
         if (auto error = parseSerialError(line.words))
             return fail(failed(*std::move(error)));
-        if (line.words.front() == "ok" || line.words.front() == "ready") {
-            if (line.words.front() != request.answer)
-                return unexpected(Verbatim{request.answer}, line.words);
-            reply = {{line.words.begin() + 1, line.words.end()}, {}};
-            if (!request.hasLines)
-                return reply;
-            expectedLines = reply.words.empty() ? std::nullopt : parseSerialNumber(reply.words[0]);
-            if (!expectedLines || *expectedLines > mostLines)
-                return unexpected(
-                    AXISCOMP_TEXT("Error", "the number of lines that follow"), line.words);
-        } else if (expectedLines) {
-            reply.lines.push_back(std::move(line.words));
-        }
-        if (expectedLines && reply.lines.size() == *expectedLines)
+        if (line.words.front() != "ok" && line.words.front() != "ready")
+            continue;
+        AXISCOMP_TRY(expectedLines, linesBehind(request, line));
+        crc = line.crc;
+        isGarbledReply = false; // it begins anew
+        reply = {{line.words.begin() + 1, line.words.end()}, {}};
+        if (expectedLines == 0)
             return reply;
     }
 }

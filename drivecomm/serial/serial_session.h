@@ -74,6 +74,8 @@ private:
     [[nodiscard]] std::uint16_t nextNumber();
     [[nodiscard]] Result<void> send(
         const Request& request, std::string_view before, ExchangeDeadline& running);
+    [[nodiscard]] Result<std::size_t> linesBehind(
+        const Request& request, const SerialLine& line) const;
     [[nodiscard]] Result<std::optional<SerialReply>> collect(
         const Request& request, ExchangeDeadline& running);
     [[nodiscard]] Result<SerialReply> repeatUntilAnswered(

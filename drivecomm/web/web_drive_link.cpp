@@ -7,6 +7,7 @@
 #include "drivecomm/http/multipart_form.h"
 #include "drivecomm/http/percent_encoding.h"
 #include "drivecomm/web/directory_listing.h"
+#include "drivecomm/web/html_table.h"
 #include "drivecomm/web/reply_check.h"
 
 #include <algorithm>
@@ -317,6 +318,13 @@ Result<std::vector<DriveFile>> WebDriveLink::listFiles(const Exchange& exchange)
     request.target = m_profile.web.directory;
     request.accept = "application/json, text/html;q=0.5";
     AXISCOMP_TRY(const auto reply, ask(request, {}, running));
+    // A page that is cut between two rows looks like one with fewer files.
+    if (!reply.hasEnd && reply.contentType != "application/json"
+        && lowerCase(reply.body).find("</html") == std::string::npos)
+        return failed(notExpected(
+            AXISCOMP_TEXT("Error", "a Directory page with its Content-Length, or up to </html>"),
+            htmlText(reply.body))
+                          .value());
     auto files = reply.contentType == "application/json" ? parseDirectoryJson(reply.body)
                                                          : parseDirectoryPage(reply.body);
     if (!files)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
 #include "app/common/console.h"
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "app/virtualdrive/drive_options.h"
+#include "drivecomm/profile/profile_loader.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -70,6 +72,26 @@ private Q_SLOTS:
         QCOMPARE(number.has_value(), valid);
         if (valid)
             QTEST(*number, "value");
+    }
+
+    void aSizeThatTheDriveDoesNotShowHasNoLastPosition()
+    {
+        AxisStatus status;
+        status.axis.stateWord = "Disabled";
+        status.setup.slot = "Small1";
+        status.setup.dimensionality = 1;
+        status.table = TableHeader{};
+        GridAxis axis;
+        axis.start = -10.0;
+        axis.distance = 5.0;
+        for (const std::uint32_t size : {3U, 0U}) {
+            axis.size = size;
+            status.table->grid.axes = {axis};
+            const std::string text = statusText(status, drivecomm::genericProfile());
+            const QString row = size == 0 ? QStringLiteral(" 1 -10 5 - - not set")
+                                          : QStringLiteral(" 1 -10 5 3 0 not set");
+            QVERIFY2(QString::fromStdString(text).simplified().contains(row), text.c_str());
+        }
     }
 
     void countsAreGrouped()

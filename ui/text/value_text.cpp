@@ -208,9 +208,11 @@ QString gridText(const Grid& grid)
     QString ranges;
     for (std::size_t n = 0; n < grid.axes.size(); ++n) {
         const GridAxis& axis = grid.axes[n];
-        sizes += countText(axis.size);
+        const bool hasSize = axis.size > 0; // else the drive does not show it
+        sizes += hasSize ? countText(axis.size) : QStringLiteral("-");
         ranges += QStringLiteral(", %1 %2 … %3")
-                      .arg(dimensionName(grid, n), numberText(axis.start), numberText(axis.last()));
+                      .arg(dimensionName(grid, n), numberText(axis.start),
+                          hasSize ? numberText(axis.last()) : QStringLiteral("-"));
     }
     return translated(QT_TRANSLATE_NOOP("ValueText", "%1 points")).arg(sizes.join(u" × ")) + ranges;
 }

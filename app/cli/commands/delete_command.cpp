@@ -25,8 +25,8 @@ Result<ExitCode> deleteSlot(
     if (options.isDryRun) {
         environment.print("\nNothing was deleted (--dry-run).\n");
     } else {
-        AXISCOMP_TRY(
-            const auto backup, session.compensator().deleteSlot(slot, session.operation()));
+        AXISCOMP_TRY(const auto backup,
+            session.compensator().deleteSlot(slot, session.operation(), plan.drive.serialNumber));
         environment.print(deletionText(plan, backup, session.link().endpoint(), session.isDemo()));
         document["report"] = {{"backup", backup.string()}};
     }

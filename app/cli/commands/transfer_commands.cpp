@@ -57,7 +57,8 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
             static_cast<void>(environment.console().flush()); // before it is done
             const WriteInterruption interruption(environment);
             AXISCOMP_TRY(auto uploaded,
-                session.compensator().upload(options.path, bytes, session.operation()));
+                session.compensator().upload(
+                    options.path, bytes, session.operation(), plan.drive.serialNumber));
             environment.document(
                 {{"input", options.file}, {"path", options.path}, {"bytes", bytes.size()},
                     {"persistent", plan.persistent}, {"flashOperations", plan.flashOperations},

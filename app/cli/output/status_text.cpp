@@ -65,8 +65,9 @@ std::string dimensionalityText(const AxisStatus& status)
         std::vector<std::string> cells{std::to_string(n + 1)};
         if (status.table && n < dimensions) {
             const GridAxis& axis = status.table->grid.axes[n];
+            const bool hasSize = axis.size > 0; // else the drive does not show it
             for (const std::string& cell : {shortText(axis.start), shortText(axis.distance),
-                     countText(axis.size), shortText(axis.last())})
+                     hasSize ? countText(axis.size) : "-", hasSize ? shortText(axis.last()) : "-"})
                 cells.push_back(cell);
         } else {
             cells.resize(5, "-");

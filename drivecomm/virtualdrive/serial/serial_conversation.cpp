@@ -2,6 +2,7 @@
 #include "drivecomm/virtualdrive/serial/serial_conversation.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp::drivecomm {
 
@@ -236,13 +237,12 @@ void SerialConversation::remember(const Context& context, const SerialReplyLines
 
 std::string SerialConversation::written(const Context& context, const SerialReplyLines& lines)
 {
-    std::string text;
-    for (const std::string& line : lines)
-        // Programs number their lines; who does not is a person at a terminal.
-        text += serialLine(
-                    context.number, context.number ? line : withoutSerialText(line), context.hasCrc)
-            + std::string(serialLineEnd);
-    return text;
+    if (context.number)
+        return serialReply(context.number, lines, context.hasCrc);
+    // Programs number their lines; who does not is a person at a terminal.
+    SerialReplyLines shown;
+    std::ranges::transform(lines, std::back_inserter(shown), withoutSerialText);
+    return serialReply(std::nullopt, shown, context.hasCrc);
 }
 
 void SerialConversation::reply(

@@ -410,8 +410,10 @@ private Q_SLOTS:
             const int before = f.link.exchanges();
             const auto active = f.compensator.activate(0);
             isDone = f.link.exchanges() - before < exchange;
-            if (active)
+            if (active) {
+                QCOMPARE(active->axis.stateWord, "Active");
                 continue;
+            }
             const std::string said = sentence(active.error());
             QVERIFY2(said.find("in time") == std::string::npos, said.c_str());
             restarts += said.find("has restarted") != std::string::npos ? 1 : 0;

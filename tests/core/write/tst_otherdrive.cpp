@@ -30,6 +30,12 @@ public:
 
     /// number counts from 1.
     void loseReply(int number) { m_loseAt = m_exchanges + number; }
+    /// The same, without a reply that is lost: a gateway keeps the connection.
+    void reroute(int number)
+    {
+        loseReply(number);
+        m_isSilent = true;
+    }
     [[nodiscard]] int exchanges() const { return m_exchanges; }
     [[nodiscard]] bool isRerouted() const { return m_isRerouted; }
 
@@ -75,6 +81,8 @@ private:
         if (m_exchanges != m_loseAt)
             return result;
         m_isRerouted = true;
+        if (m_isSilent)
+            return result;
         return fail(ErrorCode::ConnectionLost,
             {{"endpoint", Verbatim{"test:"}}, {"reason", Verbatim{"cut"}}});
     }
@@ -84,6 +92,7 @@ private:
     int m_exchanges = 0;
     int m_loseAt = 0;
     bool m_isRerouted = false;
+    bool m_isSilent = false;
 };
 
 drivecomm::VirtualDriveOptions optionsOfOther(std::atomic<std::int64_t>& time)
@@ -220,6 +229,83 @@ private Q_SLOTS:
                 QVERIFY2(isSaid, place.c_str());
         }
         QVERIFY(unknown > 1);
+    }
+
+    /// The other drive may have been switched then; nobody is told that it was this one.
+    void aSwitchIsConfirmedByTheDriveItself_data()
+    {
+        QTest::addColumn<bool>("isOn");
+        QTest::newRow("off") << false;
+        QTest::newRow("on") << true;
+    }
+    void aSwitchIsConfirmedByTheDriveItself()
+    {
+        QFETCH(bool, isOn);
+        int refused = 0;
+        for (int exchange = 1;; ++exchange) {
+            Exchanged c;
+            if (!isOn)
+                VERIFY_RESULT(c.compensator.activate(0));
+            c.rerouted.reroute(exchange);
+            const auto result = isOn ? c.operated.evaluate(0) : c.operated.deactivate(0);
+            if (!c.rerouted.isRerouted())
+                break;
+            const std::string place = "exchange " + std::to_string(exchange);
+            const std::string wanted = isOn ? "Evaluating" : "Disabled";
+            const std::string state = c.text("Axes[0]/Signals/Compensations/Axis/State");
+            QVERIFY2(!result || state == wanted, place.c_str());
+            refused += !result && result.error().code == ErrorCode::OtherDrive ? 1 : 0;
+        }
+        QVERIFY(refused > 1);
+    }
+
+    void aFileIsConfirmedByTheDriveItself_data()
+    {
+        QTest::addColumn<bool>("isDeletion");
+        QTest::newRow("upload") << false;
+        QTest::newRow("deletion") << true;
+    }
+    void aFileIsConfirmedByTheDriveItself()
+    {
+        QFETCH(bool, isDeletion);
+        const std::string path = "tables/small5.TAMtbl";
+        const auto& layout = drivecomm::genericProfile().layout;
+        const Bytes old = *encodeTamTable(exampleTable(1, 1), false, layout);
+        const Bytes wanted =
+            isDeletion ? Bytes{} : *encodeTamTable(exampleTable(1, 2), false, layout);
+        int refused = 0;
+        for (int exchange = 1;; ++exchange) {
+            Exchanged c;
+            VERIFY_RESULT(c.drive.upload(path, old));
+            VERIFY_RESULT(c.other.upload(path, old));
+            c.rerouted.reroute(exchange);
+            const auto result = isDeletion ? c.operated.deleteSlot("Small5", {}, 4711)
+                                           : c.operated.upload(path, wanted, {}, 4711);
+            if (!c.rerouted.isRerouted())
+                break;
+            const std::string place = "exchange " + std::to_string(exchange);
+            const Bytes held = c.drive.download(path).value_or(Bytes{});
+            QVERIFY2(!result || held == wanted, place.c_str());
+            refused += result ? 0 : 1;
+        }
+        QVERIFY(refused > 1);
+    }
+
+    void onlyTheDriveOfThePlanGetsAFile()
+    {
+        Exchanged c;
+        const std::string path = "tables/small5.TAMtbl";
+        const Bytes file =
+            *encodeTamTable(exampleTable(1, 1), false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(c.other.upload(path, file));
+        c.old = contentsOf(c.other);
+        const auto plan = c.compensator.planUpload(path, file);
+        VERIFY_RESULT(plan);
+        QCOMPARE(plan->drive.serialNumber, 4711);
+        AxisCompensator there(*c.otherLink, drivecomm::genericProfile(), c.store);
+        VERIFY_ERROR(there.upload(path, {}, {}, plan->drive.serialNumber), ErrorCode::OtherDrive);
+        VERIFY_ERROR(there.deleteSlot("Small5", {}, 4711), ErrorCode::OtherDrive);
+        QVERIFY(contentsOf(c.other) == c.old);
     }
 };
 

@@ -70,6 +70,9 @@ void HttpReplyParserTest::readsReplies_data()
         "HTTP/1.1 100 Continue\r\n\r\nHTTP/1.1 102 Processing\r\nContent-Length: 9\r\n\r\n"
         "HTTP/1.1 201 Created\r\nContent-Length: 1\r\n\r\nx",
         201, "x");
+    row("not compressed",
+        "HTTP/1.1 200 OK\r\nContent-Encoding: Identity\r\nContent-Length: 1\r\n\r\nx", 200, "x");
+    row("of no age", "HTTP/1.1 200 OK\r\nAge: 0\r\nContent-Length: 1\r\n\r\nx", 200, "x");
     row("the same length twice",
         "HTTP/1.1 200 OK\r\nContent-Length: 1\r\nContent-Length: 1\r\n\r\nx", 200, "x");
 }
@@ -138,6 +141,10 @@ void HttpReplyParserTest::rejects_data()
     row("two lengths", ok + "Content-Length: 1\r\nContent-Length: 2\r\n", "Content-Length", "2");
     row("a list of lengths", ok + "Content-Length: 1, 1\r\n", "Content-Length", "1, 1");
     row("another encoding", ok + "Transfer-Encoding: gzip\r\n", "chunked", "gzip");
+    row("compressed", ok + "Content-Encoding: gzip\r\n", "no Content-Encoding", "gzip");
+    row("more than announced", ok + "Content-Length: 1\r\n\r\nab", "Content-Length announces", "b");
+    row("more than nothing", ok + "Content-Length: 0\r\n\r\nab", "Content-Length announces", "ab");
+    row("kept by a cache", ok + "Age: 30\r\n", "cache or proxy", "Age: 30");
     row("a chunk without a size", ok + "Transfer-Encoding: chunked\r\n\r\nx\r\n", "size", "x");
     row("a chunk without an end", ok + "Transfer-Encoding: chunked\r\n\r\n1\r\nab\r\n", "end", "b");
     row("more than the limit", ok + "Content-Length: 101\r\n\r\n", "at most 100 bytes", "101");

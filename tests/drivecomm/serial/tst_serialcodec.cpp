@@ -32,6 +32,7 @@ private Q_SLOTS:
     void readsLinesOfPeople_data();
     void readsLinesOfPeople();
     void knowsTheChecksumOfTheSpecification();
+    void bindsTheLinesOfAReplyTogether();
     void refusesALine_data();
     void refusesALine();
     void seesEveryFlippedBit();
@@ -86,6 +87,27 @@ void SerialCodecTest::knowsTheChecksumOfTheSpecification()
     // CRC-16/CCITT-FALSE of "123456789" is 29b1
     QCOMPARE(serialLine(std::nullopt, "123456789", true), std::string("123456789 *29b1"));
     QCOMPARE(serialLine(7, "list", false), std::string("#7 list"));
+}
+
+void SerialCodecTest::bindsTheLinesOfAReplyTogether()
+{
+    const std::vector<std::string> words{"ok 3", "Single 0", "Single 0", "Single 1"};
+    const QByteArray reply = QByteArray::fromStdString(serialReply(7, words, true));
+    QVERIFY(reply.endsWith("\r\n"));
+    const QByteArrayList lines = reply.trimmed().split('\n');
+    QCOMPARE(lines.size(), qsizetype{4});
+    std::vector<std::uint16_t> crcs{crcCcittFalse};
+    for (qsizetype n = 0; n < lines.size(); ++n) {
+        const std::string line = lines[n].trimmed().toStdString();
+        const SerialLine parsed = parseSerialLine(line, crcs.back());
+        QVERIFY(parsed.state == State::Good && parsed.hasCrc && parsed.number == 7);
+        QCOMPARE(parsed.text, words[static_cast<std::size_t>(n)]);
+        crcs.push_back(parsed.crc);
+        for (std::size_t place = 0; place < crcs.size(); ++place)
+            if (place != static_cast<std::size_t>(n))
+                QCOMPARE(parseSerialLine(line, crcs[place]).state, State::BadCrc);
+    }
+    QCOMPARE(serialReply(7, {words.data(), 1}, false), std::string("#7 ok 3\r\n"));
 }
 
 void SerialCodecTest::refusesALine_data()

@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <thread>
 
@@ -30,6 +31,14 @@ namespace {
 std::string reasonOf(const Result<DriveIdentity>& result)
 {
     return result.error().context.english("reason");
+}
+
+/// The first line of what came.
+SerialLine requestIn(const std::string& came)
+{
+    const std::size_t begin = came.find_first_not_of("\r\n\x18");
+    const std::string_view line = std::string_view(came).substr(begin == came.npos ? 0 : begin);
+    return parseSerialLine(line.substr(0, line.find_first_of("\r\n")));
 }
 
 /// Root may do everything: for a while this is somebody else.
@@ -80,6 +89,8 @@ private Q_SLOTS:
     void talkThatNobodyAskedForDoesNotMoveTheDeadline_data();
     void talkThatNobodyAskedForDoesNotMoveTheDeadline();
     void aReplyWithoutItsCrcIsNoReply();
+    void aLineInAnotherPlaceIsNotTakenForThatOne_data();
+    void aLineInAnotherPlaceIsNotTakenForThatOne();
     void leavesTheTransferOfAProgramThatVanished();
     void takesNoReplyMeantForAnotherProgram();
     void writesNothingToAnotherDrive();
@@ -374,9 +385,7 @@ void SerialLinkTest::talkThatNobodyAskedForDoesNotMoveTheDeadline()
     QFETCH(int, kind);
     // At 1200 baud the line needs half an hour for these bytes; the deadline is a second.
     const SerialStranger stranger([kind](const std::string& came) -> std::string {
-        const std::size_t begin = came.find_first_not_of("\r\n\x18");
-        const std::string_view line = std::string_view(came).substr(begin == came.npos ? 0 : begin);
-        const SerialLine request = parseSerialLine(line.substr(0, line.find_first_of("\r\n")));
+        const SerialLine request = requestIn(came);
         const auto reply = [&request](std::string_view words) {
             return serialLine(request.number, words, true) + "\r\n";
         };
@@ -402,9 +411,7 @@ void SerialLinkTest::talkThatNobodyAskedForDoesNotMoveTheDeadline()
 void SerialLinkTest::aReplyWithoutItsCrcIsNoReply()
 {
     const SerialStranger stranger([](const std::string& came) -> std::string {
-        const std::size_t begin = came.find_first_not_of("\r\n\x18");
-        const std::string_view line = std::string_view(came).substr(begin == came.npos ? 0 : begin);
-        const SerialLine request = parseSerialLine(line.substr(0, line.find_first_of("\r\n")));
+        const SerialLine request = requestIn(came);
         if (request.words.empty())
             return {};
         const bool isIdentify = request.words.front() == "identify";
@@ -418,6 +425,50 @@ void SerialLinkTest::aReplyWithoutItsCrcIsNoReply()
     const auto read = link->readRegisters(
         std::vector<std::string>{"Axes[0]/Signals/PositionController/MasterPosition"}, within(1s));
     VERIFY_ERROR(read, ErrorCode::Timeout);
+}
+
+void SerialLinkTest::aLineInAnotherPlaceIsNotTakenForThatOne_data()
+{
+    QTest::addColumn<QList<int>>("order"); // of "ok 2" and the two lines behind it
+    QTest::addColumn<int>("asked"); // what did not come intact is asked for again
+    QTest::newRow("as it was sent") << QList<int>{0, 1, 2} << 1;
+    QTest::newRow("the first line came twice") << QList<int>{0, 0, 1, 2} << 1;
+    QTest::newRow("a line came twice") << QList<int>{0, 1, 1, 2} << 2;
+    QTest::newRow("a line is missing") << QList<int>{0, 2, 2} << 2;
+    QTest::newRow("the lines changed places") << QList<int>{0, 2, 1} << 2;
+}
+
+void SerialLinkTest::aLineInAnotherPlaceIsNotTakenForThatOne()
+{
+    QFETCH(QList<int>, order);
+    QFETCH(int, asked);
+    std::atomic<int> gets = 0;
+    const SerialStranger stranger([&](const std::string& came) -> std::string {
+        const SerialLine request = requestIn(came);
+        if (request.words.empty())
+            return {};
+        const auto reply = [&](const std::vector<std::string>& lines) {
+            return serialReply(request.number, lines, true);
+        };
+        if (request.words.front() == "identify")
+            return reply({"ok " + serialIdentity({"Serial-1", 1559, 2}, "generic")});
+        if (request.words.front() == "address")
+            return reply({"ok 2", "1", "2"});
+        const std::string whole = reply({"ok 2", "Double 1", "Double 2"});
+        if (++gets > 1)
+            return whole;
+        const QByteArrayList lines = QByteArray::fromStdString(whole).split('\n');
+        std::string changed;
+        for (const int n : order)
+            changed += lines[n].toStdString() + '\n';
+        return changed;
+    });
+    const std::vector<std::string> paths{masterX, variable0};
+    const auto read = serialLinkTo(stranger.url())->readRegisters(paths, within(20s));
+    VERIFY_RESULT(read);
+    QCOMPARE(read->at(0).value, RegisterValue(1.0));
+    QCOMPARE(read->at(1).value, RegisterValue(2.0));
+    QCOMPARE(gets.load(), asked);
 }
 
 void SerialLinkTest::leavesTheTransferOfAProgramThatVanished()

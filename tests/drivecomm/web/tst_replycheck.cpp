@@ -31,6 +31,8 @@ private Q_SLOTS:
     void mapsAStatusWithoutJson_data();
     void mapsAStatusWithoutJson();
     void readsTheDirectoryOfADriveThatOnlyHasThePage();
+    void takesADirectoryPageToItsEnd_data();
+    void takesADirectoryPageToItsEnd();
     void rejectsAnotherDirectoryPage_data();
     void rejectsAnotherDirectoryPage();
     void rejectsATransferThatIsNoFile_data();
@@ -305,6 +307,31 @@ void WebAnswersTest::readsTheDirectoryOfADriveThatOnlyHasThePage()
     QCOMPARE(files->front(), (DriveFile{"tables/small1.TAMtbl", 304, 63360}));
 }
 
+void WebAnswersTest::takesADirectoryPageToItsEnd_data()
+{
+    QTest::addColumn<QString>("end");
+    QTest::addColumn<bool>("isComplete");
+    QTest::newRow("complete") << "</table></body></HTML>" << true;
+    QTest::newRow("cut between two rows") << "" << false;
+    QTest::newRow("cut after a table") << "</table>" << false;
+}
+
+/// Nothing but the connection tells where these pages end.
+void WebAnswersTest::takesADirectoryPageToItsEnd()
+{
+    QFETCH(QString, end);
+    QFETCH(bool, isComplete);
+    const RawResponder responder(once("HTTP/1.1 200 OK\r\nContent-Type: text/html\r\n\r\n"
+                                      "<html><body><table><tr><th>File</th><th>Actual size</th>"
+                                      "<th>Maximum size</th></tr><tr><td>tables/small1.TAMtbl</td>"
+                                      "<td>304</td><td>63360</td></tr>"
+        + end.toStdString()));
+    const auto files = webLinkTo(responder.url())->listFiles({});
+    QCOMPARE(files.has_value(), isComplete);
+    if (!isComplete)
+        VERIFY_ERROR(files, ErrorCode::Protocol);
+}
+
 void WebAnswersTest::rejectsAnotherDirectoryPage_data()
 {
     QTest::addColumn<QString>("type");
@@ -341,6 +368,11 @@ void WebAnswersTest::rejectsATransferThatIsNoFile_data()
     QTest::newRow("JSON") << QString::fromStdString(httpReply("200 OK", "application/json", "{}"));
     QTest::newRow("an end that only the connection tells")
         << "HTTP/1.1 200 OK\r\nContent-Type: application/octet-stream\r\n\r\nTAMT";
+    QTest::newRow("compressed") << "HTTP/1.1 200 OK\r\nContent-Type: application/octet-stream\r\n"
+                                   "Content-Encoding: gzip\r\nContent-Length: 4\r\n\r\nTAMT";
+    QTest::newRow("more than announced")
+        << "HTTP/1.1 200 OK\r\nContent-Type: application/octet-stream\r\n"
+           "Content-Length: 2\r\n\r\nTAMT";
 }
 
 void WebAnswersTest::rejectsATransferThatIsNoFile()

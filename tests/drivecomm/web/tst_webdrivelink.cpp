@@ -8,6 +8,7 @@
 #include <QTcpSocket>
 #include <QTest>
 
+#include <mutex>
 #include <semaphore>
 #include <thread>
 
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void reportsWhyThereIsNoConnection();
     void keepsThePasswordOutOfErrors();
     void sendsThePasswordWithEveryRequest();
+    void asksForWhatTheDriveSaysItself();
     void countsAxesWithFewRequests();
     void countsAxesOfADriveThatDoesNotNameWhatIsMissing();
     void stopsWhileItWaits();
@@ -117,6 +119,23 @@ void WebDriveLinkTest::sendsThePasswordWithEveryRequest()
     VERIFY_RESULT(link->listFiles({}));
     VERIFY_RESULT(link->download("tables/small1.TAMtbl", {}));
     QVERIFY(link->endpoint().find("anna") == std::string::npos);
+}
+
+void WebDriveLinkTest::asksForWhatTheDriveSaysItself()
+{
+    std::mutex mutex;
+    std::string asked;
+    const RawResponder responder([&](RawConnection& c) {
+        const std::string request = c.readRequest();
+        const std::scoped_lock lock(mutex);
+        asked = request;
+        c.send(httpReply("200 OK", "application/json", states(stateOfX, stateOfY)));
+    });
+    VERIFY_RESULT(webLinkTo(responder.url())->readRegisters(twoStates, {}));
+    const std::scoped_lock lock(mutex);
+    QVERIFY(asked.find("\r\nCache-Control: no-cache\r\n") != std::string::npos);
+    QVERIFY(asked.find("\r\nPragma: no-cache\r\n") != std::string::npos);
+    QVERIFY(asked.find("\r\nAccept-Encoding: identity\r\n") != std::string::npos);
 }
 
 void WebDriveLinkTest::countsAxesWithFewRequests()

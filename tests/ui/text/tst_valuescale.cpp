@@ -2,6 +2,7 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/drawing/local_plot.h"
 #include "ui/text/value_scale.h"
+#include "ui/text/value_text.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -91,6 +92,16 @@ private Q_SLOTS:
         QCOMPARE(scale.text(double(values[0])), QStringLiteral("+1.2346"));
         QCOMPARE(scale.text(double(values[1])), QStringLiteral("+0.0001"));
         QCOMPARE(scale.text(-0.00000001), QStringLiteral("0.0000"));
+    }
+
+    void aSizeThatTheDriveDoesNotShowHasNoLastPosition()
+    {
+        axiscomp::Grid grid;
+        grid.axes.push_back(
+            {.name = "X", .unit = "mm", .start = -10.0, .distance = 5.0, .size = 3});
+        QVERIFY(gridText(grid).startsWith(u"3 ") && gridText(grid).endsWith(u" -10 … 0"));
+        grid.axes[0].size = 0;
+        QVERIFY(gridText(grid).startsWith(u"- ") && gridText(grid).endsWith(u" -10 … -"));
     }
 
     void numbersAreInTheWordsOfTheLocale()
