@@ -8581,6 +8581,22 @@
         <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
         <translation>{stated}, angegeben als die Achse, die die Werte von {column} korrigieren, kann eine der Quellen sein oder nicht, da deren Namen es nicht sagen, und die Zahlen hängen davon ab; Zielachse angeben: {sources}</translation>
     </message>
+    <message>
+        <source>an answer of the drive itself and not one that a cache or proxy in between has kept; connect to the drive without it</source>
+        <translation>eine Antwort des Antriebs selbst und keine, die ein Cache oder Proxy dazwischen aufbewahrt hat; verbinden Sie sich ohne ihn mit dem Antrieb</translation>
+    </message>
+    <message>
+        <source>no Content-Encoding but identity</source>
+        <translation>als Content-Encoding nur identity</translation>
+    </message>
+    <message>
+        <source>nothing after the bytes that Content-Length announces</source>
+        <translation>nichts nach den Bytes, die Content-Length ankündigt</translation>
+    </message>
+    <message>
+        <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
+        <translation>eine Directory-Seite mit Content-Length oder bis &lt;/html&gt;</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

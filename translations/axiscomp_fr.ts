@@ -8581,6 +8581,22 @@
         <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
         <translation>{stated}, indiqué comme l&apos;axe que corrigent les valeurs de {column}, peut être ou non l&apos;une des sources, dont les noms ne le disent pas, et les nombres en dépendent&#xa0;; indiquer l&apos;axe cible&#xa0;: {sources}</translation>
     </message>
+    <message>
+        <source>an answer of the drive itself and not one that a cache or proxy in between has kept; connect to the drive without it</source>
+        <translation>une réponse du variateur lui-même et non une réponse qu&apos;un cache ou un serveur proxy intermédiaire a conservée&#xa0;; connectez-vous au variateur sans lui</translation>
+    </message>
+    <message>
+        <source>no Content-Encoding but identity</source>
+        <translation>aucun Content-Encoding autre que identity</translation>
+    </message>
+    <message>
+        <source>nothing after the bytes that Content-Length announces</source>
+        <translation>rien après les octets qu&apos;annonce Content-Length</translation>
+    </message>
+    <message>
+        <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
+        <translation>une page Directory avec son Content-Length, ou jusqu&apos;à &lt;/html&gt;</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8540,6 +8540,22 @@
         <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
         <translation>{column} の値が補正する軸として指定された {stated} は、ソースの名前からはソースの 1 つかどうか分かりません。数値はこれによって変わるため、対象軸を指定してください: {sources}</translation>
     </message>
+    <message>
+        <source>an answer of the drive itself and not one that a cache or proxy in between has kept; connect to the drive without it</source>
+        <translation>途中のキャッシュまたはプロキシが保存していた応答ではなく、ドライブ自身の応答 (それを経由せずにドライブに接続してください)</translation>
+    </message>
+    <message>
+        <source>no Content-Encoding but identity</source>
+        <translation>identity 以外の Content-Encoding がないこと</translation>
+    </message>
+    <message>
+        <source>nothing after the bytes that Content-Length announces</source>
+        <translation>Content-Length が示すバイトの後に何もないこと</translation>
+    </message>
+    <message>
+        <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
+        <translation>Content-Length があるか、&lt;/html&gt; まである Directory ページ</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

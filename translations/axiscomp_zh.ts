@@ -8540,6 +8540,22 @@
         <source>{stated}, stated as the axis that the values of {column} correct, may be one of the sources or not, since their names do not tell it, and the numbers depend on it; state the target: {sources}</source>
         <translation>作为 {column} 的值所修正的轴而给出的 {stated} 可能是也可能不是源之一，因为源的名称没有说明，而数字取决于此；请给出目标轴：{sources}</translation>
     </message>
+    <message>
+        <source>an answer of the drive itself and not one that a cache or proxy in between has kept; connect to the drive without it</source>
+        <translation>驱动器本身的应答，而不是中间的缓存或代理所保留的应答；请不经过它连接驱动器</translation>
+    </message>
+    <message>
+        <source>no Content-Encoding but identity</source>
+        <translation>除 identity 外没有 Content-Encoding</translation>
+    </message>
+    <message>
+        <source>nothing after the bytes that Content-Length announces</source>
+        <translation>Content-Length 所声明的字节之后没有任何内容</translation>
+    </message>
+    <message>
+        <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
+        <translation>带有 Content-Length 或直到 &lt;/html&gt; 的 Directory 页面</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
