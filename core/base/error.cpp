@@ -398,6 +398,10 @@ constexpr std::array variants{
             "state is kept in {backup}")},
     Variant{ErrorCode::InvalidTable, "layout", otherLayout},
     Variant{ErrorCode::VerifyMismatch, "layout", otherLayout},
+    Variant{ErrorCode::InvalidTable, "kept",
+        AXISCOMP_TEXT("Error",
+            "the file in {slot} is no table that the profile can read: it is in the backup as it "
+            "is, but cannot be restored as the table of an axis")},
     Variant{ErrorCode::VerifyMismatch, "half",
         AXISCOMP_TEXT("Error",
             "a write that did not end has left axis {axis} in neither its old nor its new state: "

@@ -4,9 +4,9 @@
 #include "core/axis/shown_grid.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
-#include "core/write/backup_restore.h"
 #include "core/write/parameter_saving.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 #include "core/write/unfinished_write.h"
 
 #include <algorithm>

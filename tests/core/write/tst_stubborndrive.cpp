@@ -130,6 +130,21 @@ struct Written : CompensatorFixture {
     int uploads = 0;
 };
 
+/// What arrives in place of the table in Small1; the other slots are empty.
+Bytes inPlaceOf(const Bytes& table, const std::string& what)
+{
+    const TableLayout& layout = drivecomm::genericProfile().layout;
+    if (what == "nothing")
+        return {};
+    if (what == "no table")
+        return Bytes(table.size() / 2, std::byte{0x8b});
+    if (what == "an earlier table")
+        return *encodeTamTable(exampleTable(2, 9), false, layout);
+    CompensationTable moved = exampleTable(2, 1);
+    moved.grid.axes.front().start += 5.0;
+    return *encodeTamTable(moved, false, layout);
+}
+
 /// How many exchanges a write takes.
 int exchangesOf(const WriteRequest& request)
 {
@@ -479,6 +494,77 @@ private Q_SLOTS:
             QVERIFY(f.state() == f.old);
             QCOMPARE(f.compensator.flashUse()->budget.left, 0);
         }
+    }
+
+    /// By a web server's page, by somebody on the way who has kept what was there before.
+    void aFileThatTheDriveDoesNotShowIsNotKept_data()
+    {
+        QTest::addColumn<std::string>("what");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("empty") << std::string("nothing") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("no table") << std::string("no table") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("other values")
+            << std::string("an earlier table") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("other positions") << std::string("moved") << ErrorCode::InvalidTable;
+    }
+    void aFileThatTheDriveDoesNotShowIsNotKept()
+    {
+        QFETCH(std::string, what);
+        QFETCH(ErrorCode, code);
+        Written f(drivecomm::genericProfile());
+        const Bytes other = inPlaceOf(f.old.table, what);
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (!bytes.empty())
+                bytes = other;
+        };
+        f.link.forgetChange();
+        const auto backup = f.compensator.backup();
+        VERIFY_ERROR(backup, code);
+        QVERIFY(sentence(backup.error()).find("Small1") != std::string::npos);
+        QVERIFY(!f.compensator.write(0, swapped(2, Persistency::Volatile, "Small1")));
+        VERIFY_ERROR(f.compensator.deleteSlot("Small1"), code);
+        QCOMPARE(f.link.firstChange(), 0);
+        // A plain download is what came, to be looked at.
+        const auto file = f.compensator.download("tables/small1.TAMtbl");
+        QVERIFY(file.value_or(Bytes{}) == other);
+    }
+
+    void aTableThatIsGoneIsNotKeptFromAnEarlierAnswer()
+    {
+        Written f(drivecomm::genericProfile());
+        f.link.altersReading = [](RegisterReading& reading) {
+            const bool isCount = reading.path.ends_with("Small1/Header/Elements")
+                || reading.path.ends_with("Small1/Header/Crc");
+            if (isCount)
+                reading.value = std::uint32_t{0};
+        };
+        const auto backup = f.compensator.backup();
+        VERIFY_ERROR(backup, ErrorCode::ChangedMeanwhile);
+        QVERIFY(sentence(backup.error()).find("from empty to 36 values") != std::string::npos);
+    }
+
+    /// The drive itself shows no table then, and has no other file.
+    void aDamagedTableIsKeptAndSaid()
+    {
+        Written f(drivecomm::genericProfile());
+        Bytes damaged = f.old.table;
+        damaged.back() ^= std::byte{0x40};
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (!bytes.empty())
+                bytes = damaged;
+        };
+        f.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path.ends_with("Small1/Header/Elements"))
+                reading.value = std::uint32_t{0};
+        };
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        QVERIFY(backup->axes.at(0).files.at(0).bytes == damaged);
+        const auto unreadable = f.compensator.unreadableTables(*backup);
+        QCOMPARE(unreadable.size(), std::size_t{1});
+        QCOMPARE(sentence(unreadable.front()),
+            "the file in Small1 is no table that the profile can read: it is in the backup as it "
+            "is, but cannot be restored as the table of an axis");
     }
 };
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/axis/register_access.h"
+#include "core/base/bytes.h"
+#include "core/store/backup.h"
+
+namespace axiscomp {
+
+/// A slot's file as it is now, which is the table that the drive's registers show; without bytes
+/// when the slot is empty. What differs from them is read again. A file that is no table is a
+/// damaged one where the registers do not show another: it is taken when it comes twice. Errors:
+/// ChangedMeanwhile when it differs the second time too, InvalidTable when the drive shows its
+/// positions elsewhere.
+[[nodiscard]] Result<AxisBackup::File> readSlotFile(
+    const RegisterAccess& access, const TableSlot& slot);
+
+/// A slot's file as it comes, whatever table the registers show; empty when the slot is. Elements
+/// whose CRC is not the one that the drive says are read again. Errors: ChangedMeanwhile when they
+/// are others then.
+[[nodiscard]] Result<Bytes> downloadSlotFile(
+    const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange);
+
+} // namespace axiscomp
