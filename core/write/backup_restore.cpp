@@ -282,6 +282,9 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     const AxisBackup::File* old = usedFile(access, backup.axes.front());
     if (!old)
         return Outcome::Old;
+    // The file alone may be one that somebody on the way has kept.
+    if (!isShownTable(access.profile(), status.table, old->bytes))
+        return Outcome::Neither;
     auto bytes = access.link().download(old->path, access.exchange());
     if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
         return fail(bytes.error());

@@ -151,4 +151,14 @@ Result<Bytes> downloadSlotFile(
     return fail(differentEachTime(slot, first, second));
 }
 
+bool isShownTable(
+    const DriveProfile& profile, const std::optional<TableHeader>& shown, ByteView file)
+{
+    const auto decoded = decodeTamTable(file, profile.layout);
+    if (!decoded)
+        return true;
+    return shown && (shown->crc == 0 || shown->crc == elementCrcOf(file, decoded->table))
+        && isShownAs(shown->grid, decoded->table.grid);
+}
+
 } // namespace axiscomp

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/axis/axis_status.h"
 #include "core/axis/register_access.h"
 #include "core/base/bytes.h"
 #include "core/store/backup.h"
+
+#include <optional>
 
 namespace axiscomp {
 
@@ -20,5 +23,10 @@ namespace axiscomp {
 /// are others then.
 [[nodiscard]] Result<Bytes> downloadSlotFile(
     const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange);
+
+/// Whether a drive shows the table of a file: its CRC, where it shows one, and its positions. What
+/// is no table in the profile's layout cannot be told by them, and passes.
+[[nodiscard]] bool isShownTable(
+    const DriveProfile& profile, const std::optional<TableHeader>& shown, ByteView file);
 
 } // namespace axiscomp

@@ -613,6 +613,25 @@ private Q_SLOTS:
         QVERIFY(c.isUnfinished());
     }
 
+    /// Somebody on the way has kept it.
+    void anOldFileThatTheDriveDoesNotShowIsNotTheOldState()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        Interrupted c(6);
+        const TableSlot* oldSlot = drivecomm::genericProfile().slotNamed(c.old.registers[0]);
+        CompensationTable moved = exampleTable(2, 1);
+        moved.grid.axes.front().start += 50.0;
+        c.link.altersDownload = [&](Bytes& bytes) { bytes = c.old.table; };
+        for (const CompensationTable& theirs : {exampleTable(2, 9), moved}) {
+            VERIFY_RESULT(c.drive.upload(
+                oldSlot->file, *encodeTamTable(theirs, true, drivecomm::genericProfile().layout)));
+            QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Neither);
+        }
+        QVERIFY(c.isUnfinished());
+        VERIFY_RESULT(c.drive.upload(oldSlot->file, c.old.table));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Old);
+    }
+
     /// Its CRC is that of the old one, and so are slot and sources: only the file tells them apart.
     void aTableOfTheSameValuesOnAnotherGridIsNotTheNewState()
     {

@@ -566,6 +566,39 @@ private Q_SLOTS:
             "the file in Small1 is no table that the profile can read: it is in the backup as it "
             "is, but cannot be restored as the table of an axis");
     }
+
+    /// Somebody on the way has kept the old file, and answers with it from now on.
+    void anOldFileThatTheDriveDoesNotShowIsPutBack()
+    {
+        const WriteRequest request = swapped(2, Persistency::Volatile, "Small1");
+        const int exchanges = exchangesOf(request);
+        Written f(drivecomm::genericProfile());
+        int readBack = 0;
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (f.uploads > 0 && ++readBack > 1)
+                bytes = f.old.table;
+        };
+        f.link.failAt(exchanges, LinkFault::Refused);
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::DriveRejected);
+        QVERIFY(readBack > 1);
+        QVERIFY(f.state() == f.old);
+        QVERIFY(!f.isUnfinished());
+    }
+
+    void anOldFileWhoseCrcTheDriveDoesNotShowIsNotTheOldState()
+    {
+        Written f(drivecomm::genericProfile());
+        f.link.altersReading = [&](RegisterReading& reading) {
+            if (f.uploads > 0 && reading.path.ends_with("Small1/Header/Crc"))
+                reading.value = std::uint32_t{0x12345678};
+        };
+        VERIFY_ERROR(f.compensator.write(0, swapped(2, Persistency::Volatile, "Small1")),
+            ErrorCode::RollbackFailed);
+        QVERIFY(f.isUnfinished());
+        f.link.altersReading = {};
+        VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+        QVERIFY(f.state() == f.old);
+    }
 };
 
 AXISCOMP_TEST(TestStubbornDrive)
