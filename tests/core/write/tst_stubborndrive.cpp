@@ -95,6 +95,11 @@ std::function<void(RegisterReading&)> positionsShown(bool isShown)
     };
 }
 
+bool isCommit(const RegisterWrite& write)
+{
+    return write.path.ends_with("/Command") && toText(write.value) == "Commit";
+}
+
 bool switchesOff(const RegisterWrite& write)
 {
     return write.path == axisFolder + "Table" && toText(write.value) == "Disabled";
@@ -129,6 +134,12 @@ struct Written : CompensatorFixture {
     State old;
     int uploads = 0;
 };
+
+/// The file of a table on the drive.
+Bytes fileIn(CompensatorFixture& f, const char* slot)
+{
+    return f.drive.download(drivecomm::genericProfile().slotNamed(slot)->file).value_or(Bytes{});
+}
 
 /// What arrives in place of the table in Small1; the other slots are empty.
 Bytes inPlaceOf(const Bytes& table, const std::string& what)
@@ -597,6 +608,52 @@ private Q_SLOTS:
         QVERIFY(f.isUnfinished());
         f.link.altersReading = {};
         VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+        QVERIFY(f.state() == f.old);
+    }
+
+    void aCommitThatDoesNothingIsNoSuccess_data()
+    {
+        QTest::addColumn<Persistency>("before");
+        QTest::addColumn<std::string>("slot");
+        QTest::newRow("to an empty slot") << Persistency::Volatile << std::string("Small2");
+        QTest::newRow("the same table") << Persistency::Volatile << std::string();
+        QTest::newRow("in place") << Persistency::Persistent << std::string("Small1");
+    }
+    void aCommitThatDoesNothingIsNoSuccess()
+    {
+        QFETCH(Persistency, before);
+        QFETCH(std::string, slot);
+        Written f(drivecomm::genericProfile(), before);
+        const std::uint64_t operations = f.operations();
+        f.link.ignoresWrite = isCommit;
+        const auto written = slot.empty()
+            ? f.compensator.setPersistency(0, Persistency::Persistent)
+            : f.compensator.write(0, swapped(2, Persistency::Persistent, slot.c_str()));
+        VERIFY_ERROR(written, ErrorCode::VerifyMismatch);
+        const std::string said = sentence(written.error());
+        QVERIFY2(
+            said.starts_with("the drive has taken the command that stores the table in "
+                + (slot.empty() ? "Small1" : slot) + ", but has counted no flash cycle for it ("
+                + std::to_string(operations) + " before and after)"),
+            said.c_str());
+        QVERIFY(f.state() == f.old);
+        QVERIFY(!f.isUnfinished());
+        QCOMPARE(f.operations(), operations);
+        f.drive.reboot();
+        QCOMPARE(f.state().table.empty(), before == Persistency::Volatile);
+    }
+
+    /// Under the volatile table, so that nothing has to be stored.
+    void aTableThatFlashHoldsAlreadyNeedsNoCycle()
+    {
+        Written f(drivecomm::genericProfile(), Persistency::Persistent);
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(2), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        QVERIFY(f.state() == f.old);
+        QVERIFY(fileIn(f, "Small1") == f.old.table);
+        QCOMPARE(f.text("Application/Tables/Small1/EraseCount"), "1");
+        f.drive.reboot();
         QVERIFY(f.state() == f.old);
     }
 };
