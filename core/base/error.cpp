@@ -422,6 +422,15 @@ constexpr std::array variants{
             "state is kept in {backup}")},
     Variant{ErrorCode::InvalidTable, "layout", otherLayout},
     Variant{ErrorCode::VerifyMismatch, "layout", otherLayout},
+    Variant{ErrorCode::InvalidTable, "kept",
+        AXISCOMP_TEXT("Error",
+            "the file in {slot} is no table that the profile can read: it is in the backup as it "
+            "is, but cannot be restored as the table of an axis")},
+    Variant{ErrorCode::VerifyMismatch, "cycles",
+        AXISCOMP_TEXT("Error",
+            "the drive has taken the command that stores the table in {slot}, but has counted no "
+            "flash cycle for it ({cycles} before and after): it is not known to be in flash, and "
+            "may be gone after a reboot")},
     Variant{ErrorCode::VerifyMismatch, "half",
         AXISCOMP_TEXT("Error",
             "a write that did not end has left axis {axis} in neither its old nor its new state: "

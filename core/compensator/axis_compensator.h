@@ -200,8 +200,13 @@ public:
     /// more (DriveStore::FlashHistory::damagedRecord).
     [[nodiscard]] Result<void> resetFlashCount(const OperationOptions& options = {});
 
-    /// Errors: ChangedMeanwhile when another program writes to an axis while it is read.
+    /// Errors: ChangedMeanwhile when another program writes to an axis while it is read, or a file
+    /// is not the table that the drive shows; InvalidTable when the drive shows its positions
+    /// elsewhere.
     [[nodiscard]] Result<DriveBackup> backup(const OperationOptions& options = {});
+    /// The tables of a backup that the profile cannot read, one InvalidTable for each: they are
+    /// kept as they are, and restored for no axis. Asks the drive nothing.
+    [[nodiscard]] std::vector<Error> unreadableTables(const DriveBackup& backup) const;
     /// All of it is planned first (planRestore). Then a normal verified write per axis, and the
     /// tables that no axis uses, as upload does it; at the end all of it is compared once more.
     /// Errors: those of planRestore, write and upload; SlotInUse, also by an axis after a reboot.

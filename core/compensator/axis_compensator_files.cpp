@@ -8,6 +8,7 @@
 #include "core/write/backup_restore.h"
 #include "core/write/file_replacement.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 #include "core/write/write_planner.h"
 
 namespace axiscomp {
@@ -52,9 +53,9 @@ Result<Bytes> AxisCompensator::download(const std::string& path, const Operation
             access.report("download", static_cast<double>(done) / static_cast<double>(total));
     };
     if (const TableSlot* slot = d->profile.slotOfFile(path)) {
-        AXISCOMP_TRY(auto file, readSlotFile(access, *slot, exchange));
-        if (!file.bytes.empty())
-            return std::move(file.bytes);
+        AXISCOMP_TRY(auto bytes, downloadSlotFile(access, *slot, exchange));
+        if (!bytes.empty())
+            return bytes;
     }
     return d->link.download(path, exchange); // of an empty slot: what the drive says
 }
@@ -145,6 +146,21 @@ Result<DriveBackup> AxisCompensator::backup(const OperationOptions& options)
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access));
     return readBackupOf(access, drive, d->sources, d->clock());
+}
+
+std::vector<Error> AxisCompensator::unreadableTables(const DriveBackup& backup) const
+{
+    std::vector<Error> unreadable;
+    const auto look = [&](const std::vector<AxisBackup::File>& files) {
+        for (const AxisBackup::File& file : files)
+            if (!file.bytes.empty() && !decodeTamTable(file.bytes, d->profile.layout))
+                unreadable.push_back(Error{ErrorCode::InvalidTable,
+                    {{"kept", Verbatim{"file"}}, {"slot", file.slot}}, {}});
+    };
+    for (const AxisBackup& axis : backup.axes)
+        look(axis.files);
+    look(backup.otherFiles);
+    return unreadable;
 }
 
 Result<RestoreReport> AxisCompensator::restore(

@@ -186,6 +186,8 @@ Result<DriveRescue> backUpDrive(AxisCompensator& compensator,
     // A write may have begun, and even ended, since they were looked at.
     for (const AxisStatus& status : before)
         AXISCOMP_CHECK(compensator.checkUnchanged(status, quiet));
+    for (Error& unreadable : compensator.unreadableTables(rescue.backup))
+        rescue.doubts.push_back(std::move(unreadable));
     return rescue;
 }
 

@@ -63,11 +63,12 @@ struct SettledStatus {
 /// A whole drive, as far as it could be kept.
 struct DriveRescue {
     DriveBackup backup;
-    std::vector<Error> doubts; ///< why an axis in it may be half of a write; mostly none
+    /// Why an axis in it may be half of a write, or a table cannot be restored; mostly none.
+    std::vector<Error> doubts;
 };
 /// AxisCompensator::backup of all axes as they are, since whoever rescues what is left must not be
-/// refused; what checkIsWhole says of them is doubts. Errors: those of backup, and ChangedMeanwhile
-/// when another program has written to an axis meanwhile.
+/// refused; what checkIsWhole says of them is doubts, and so are unreadableTables. Errors: those of
+/// backup, and ChangedMeanwhile when another program has written to an axis meanwhile.
 [[nodiscard]] Result<DriveRescue> backUpDrive(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, const OperationOptions& options);
 

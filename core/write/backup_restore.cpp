@@ -7,6 +7,7 @@
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -102,19 +103,6 @@ bool isUsedBy(const DriveBackup& backup, const std::string& slot)
     });
 }
 
-/// The elements, which are the end of every table file, are what the drive says that it has.
-bool hasElements(const RegisterAccess& access, const Readings& readings, const TableSlot& slot,
-    const Bytes& bytes)
-{
-    const RegisterPaths& registers = access.registers();
-    const std::string crc = access.slotPath(registers.tableCrc, slot.name);
-    if (!readings.contains(crc))
-        return true;
-    const std::size_t size =
-        sizeof(float) * unsignedAt(readings, access.slotPath(registers.tableElements, slot.name));
-    return size <= bytes.size() && crc32(ByteView(bytes).last(size)) == unsignedAt(readings, crc);
-}
-
 Result<bool> holdsRegisters(const RegisterAccess& access, const std::vector<RegisterWrite>& wanted)
 {
     auto same = compareRegisters(access, wanted);
@@ -163,45 +151,6 @@ std::vector<AxisBackup::File> filesBesides(
                 plans, [&](const WritePlan& plan) { return plan.after.slot == file.slot; }))
             files.push_back(file);
     return files;
-}
-
-Result<AxisBackup::File> readSlotFile(const RegisterAccess& access, const TableSlot& slot)
-{
-    return readSlotFile(access, slot, access.exchange());
-}
-
-Result<AxisBackup::File> readSlotFile(
-    const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange)
-{
-    AxisBackup::File file;
-    file.slot = slot.name;
-    file.path = slot.file;
-    const RegisterPaths& registers = access.registers();
-    Bytes first;
-    // Not every way to a drive notices a byte that changes on it: then the file is read again.
-    for (const bool isAgain : {false, true}) {
-        auto bytes = access.link().download(slot.file, exchange);
-        if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
-            return fail(bytes.error());
-        const bool isSame = isAgain && bytes && *bytes == file.bytes;
-        first = std::move(file.bytes);
-        file.bytes = bytes ? std::move(*bytes) : Bytes{};
-        file.persistent = false;
-        if (file.bytes.empty())
-            return file;
-        AXISCOMP_TRY(auto readings,
-            access.readAvailable({access.slotPath(registers.tablePersistent, slot.name),
-                access.slotPath(registers.tableElements, slot.name),
-                access.slotPath(registers.tableCrc, slot.name)}));
-        file.persistent =
-            numberAt(readings, access.slotPath(registers.tablePersistent, slot.name)) == 1.0;
-        if (isSame || hasElements(access, readings, slot, file.bytes))
-            return file;
-    }
-    return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", slot.name)},
-            {"before", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc32(first)))},
-            {"now", AXISCOMP_TEXT("Error", "CRC {crc}").with("crc", crcText(crc32(file.bytes)))}});
 }
 
 Result<DriveBackup> readBackupOf(const RegisterAccess& access, const DriveIdentity& drive,
@@ -333,6 +282,9 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     const AxisBackup::File* old = usedFile(access, backup.axes.front());
     if (!old)
         return Outcome::Old;
+    // The file alone may be one that somebody on the way has kept.
+    if (!isShownTable(access.profile(), status.table, old->bytes))
+        return Outcome::Neither;
     auto bytes = access.link().download(old->path, access.exchange());
     if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
         return fail(bytes.error());

@@ -8,13 +8,6 @@
 
 namespace axiscomp {
 
-/// A slot's file as it is now; without bytes when the slot is empty. Elements whose CRC is not the
-/// one that the drive says are read again. Errors: ChangedMeanwhile when they differ then too.
-[[nodiscard]] Result<AxisBackup::File> readSlotFile(
-    const RegisterAccess& access, const TableSlot& slot);
-[[nodiscard]] Result<AxisBackup::File> readSlotFile(
-    const RegisterAccess& access, const TableSlot& slot, const Exchange& exchange);
-
 /// Table, sources and table file of every axis with compensation registers.
 [[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
     const DriveIdentity& drive, SourceDirectory& sources, WallTime now);

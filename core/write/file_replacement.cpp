@@ -3,8 +3,8 @@
 
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
-#include "core/write/backup_restore.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 
 #include <algorithm>
 

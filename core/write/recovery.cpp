@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/axis/verified_transfer.h"
-#include "core/write/backup_restore.h"
 #include "core/write/parameter_saving.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 #include "core/write/unfinished_write.h"
 #include "core/write/write_procedure.h"
 

@@ -2,6 +2,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
+#include "core/write/slot_file.h"
 #include "core/write/unfinished_write.h"
 #include "core/write/write_planner.h"
 #include "core/write/write_procedure.h"
@@ -119,12 +120,7 @@ Result<AxisStatus> WriteProcedure::confirmOldState(const RegisterAccess& access)
     AXISCOMP_CHECK(compareRegisters(access, m_backup.registers));
     AXISCOMP_TRY(auto now, readStatus(access, plan.drive, plan.axis, m_sources));
     const AxisBackup::File* old = backupOf(plan.before.slot);
-    if (!old || old->bytes.empty())
-        return now;
-    const auto table = decodeTamTable(old->bytes, access.profile().layout);
-    if (!table)
-        return now; // it was no table before either
-    if (now.table && now.table->crc == elementCrcOf(old->bytes, table->table))
+    if (!old || old->bytes.empty() || isShownTable(access.profile(), now.table, old->bytes))
         return now;
     return fail(ErrorCode::VerifyMismatch,
         {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", old->slot)},
@@ -155,11 +151,16 @@ Result<void> WriteProcedure::rollBackTable(const RegisterAccess& access)
     if (!old || old->bytes.empty())
         return overwritesOwn() && m_slotTouched ? deleteTable(access, m_write.slot.name)
                                                 : Result<void>{};
-    auto bytes = access.link().download(old->path, access.exchange());
-    if (!bytes && bytes.error().code != ErrorCode::UnknownFile)
-        return fail(bytes.error());
+    TableSlot slot;
+    slot.name = old->slot;
+    slot.file = old->path;
+    // A file that the registers do not show may be one that somebody on the way has kept.
+    const auto there = readSlotFile(access, slot);
+    if (!there && there.error().code != ErrorCode::ChangedMeanwhile
+        && there.error().code != ErrorCode::InvalidTable)
+        return fail(there.error());
     // Persistency alone is put back with the registers.
-    if (bytes && sameTable(*bytes, old->bytes, access.profile().layout))
+    if (there && sameTable(there->bytes, old->bytes, access.profile().layout))
         return {};
     return uploadVerified(access, old->path, old->bytes);
 }
@@ -221,10 +222,11 @@ Result<void> WriteProcedure::undoOtherSlot(const RegisterAccess& access)
     return uploadVerified(access, old->path, old->bytes);
 }
 
-/// The last resort when undoing failed somewhere: does the axis have its old state all the same?
+/// The last resort when undoing failed somewhere: does the axis have its old state all the same, by
+/// what its registers show and by the file?
 bool WriteProcedure::hasOldState(const RegisterAccess& access)
 {
-    if (!access.checkDrive() || !compareRegisters(access, m_backup.registers))
+    if (!access.checkDrive() || !confirmOldState(access))
         return false;
     const AxisBackup::File* old = backupOf(m_write.plan.before.slot);
     if (!old || old->bytes.empty())

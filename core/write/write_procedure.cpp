@@ -4,9 +4,9 @@
 #include "core/axis/shown_grid.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
-#include "core/write/backup_restore.h"
 #include "core/write/parameter_saving.h"
 #include "core/write/restored_axis.h"
+#include "core/write/slot_file.h"
 #include "core/write/unfinished_write.h"
 
 #include <algorithm>
@@ -292,8 +292,9 @@ Result<void> WriteProcedure::recordSpent(int assumed, const Result<void>& outcom
     return {};
 }
 
-/// A commit that did nothing is repeated, which costs nothing when flash already holds the table.
-/// isCommitted: the drive has said yes once, whatever happened after that.
+/// A commit that did nothing is repeated, which costs nothing when flash already holds the table. A
+/// table that the drive then still counts no cycle for is not said to be in flash. isCommitted: the
+/// drive has said yes once, whatever happened after that.
 Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values, bool& isCommitted)
 {
     const std::string& slot = m_write.plan.after.slot;
@@ -310,7 +311,25 @@ Result<void> WriteProcedure::reachFlash(const std::vector<RegisterWrite>& values
     if (before == m_eraseCounts.end() || after[slot] != before->second)
         return {};
     AXISCOMP_CHECK(m_access.checkDrive());
-    return writeVerified(m_access, {}, commit);
+    AXISCOMP_CHECK(writeVerified(m_access, {}, commit));
+    AXISCOMP_TRY(after, readEraseCounts(m_access, {slot}));
+    if (after[slot] != before->second || !mustSpendFlash())
+        return {};
+    return fail(ErrorCode::VerifyMismatch, {{"cycles", before->second}, {"slot", slot}});
+}
+
+/// Whether the table that is made persistent cannot be in flash yet, as far as anybody here knows:
+/// under a volatile table flash may hold the same one already, also after a write that did not end.
+bool WriteProcedure::mustSpendFlash() const
+{
+    if (m_earlier || !wantsPersistent() || !changesPersistency())
+        return false;
+    const std::string& slot = m_write.plan.after.slot;
+    const AxisBackup::File* there = backupOf(slot);
+    if (there && there->persistent)
+        return true; // flash has that one
+    const auto saved = m_store.savedState(m_write.plan.drive.serialNumber);
+    return saved && !saved->isCovered(slot);
 }
 
 Result<void> WriteProcedure::switchOver()

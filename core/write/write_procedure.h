@@ -42,6 +42,7 @@ private:
     [[nodiscard]] Result<void> commitWith(const std::vector<RegisterWrite>& values);
     [[nodiscard]] Result<void> reachFlash(
         const std::vector<RegisterWrite>& values, bool& isCommitted);
+    [[nodiscard]] bool mustSpendFlash() const;
     [[nodiscard]] Result<void> recordSpent(int assumed, const Result<void>& outcome);
     [[nodiscard]] Result<void> deleteOldTable();
     [[nodiscard]] Result<void> switchOver();

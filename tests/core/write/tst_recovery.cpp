@@ -469,6 +469,40 @@ private Q_SLOTS:
         }
     }
 
+    /// Flash holds the new table already, under the old one, and has nothing to store again.
+    void undoingInPlaceThatIsInterruptedCanBeFinished()
+    {
+        constexpr Scenario chosen{"overwrite in place", Persistency::Volatile,
+            Persistency::Persistent, true, false, false};
+        Begun whole(chosen);
+        const int begin = whole.link.exchanges();
+        VERIFY_RESULT(whole.write());
+        const int exchanges = whole.link.exchanges() - begin;
+        const CompensatorFixture::State wanted = whole.state();
+        int interrupted = 0;
+        for (int exchange = 1; exchange < 200; ++exchange) {
+            Begun c(chosen);
+            c.link.failAt(exchanges, LinkFault::DriveGone);
+            VERIFY_ERROR(c.write(), ErrorCode::OutcomeUnknown);
+            c.link.heal();
+            c.link.failAt(exchange, LinkFault::DriveGone);
+            const bool isUndone =
+                c.compensator.undoUnfinished(*c.store.journal(4711, 0).value()).has_value();
+            c.link.heal();
+            if (isUndone)
+                break;
+            ++interrupted;
+            const auto entry = c.store.journal(4711, 0).value();
+            QVERIFY(entry.has_value());
+            const auto finished = c.compensator.finishUnfinished(*entry);
+            const QByteArray where = "exchange " + QByteArray::number(exchange);
+            QVERIFY2(finished.has_value(),
+                where + ": " + (finished ? "" : test::describe(finished.error()).c_str()));
+            QVERIFY2(c.state() == wanted, where);
+        }
+        QVERIFY(interrupted > 10 && interrupted < 199);
+    }
+
     /// Its registers are the same before and after: what the slot holds tells the states apart.
     void aTableInASlotThatWasEmptyIsNotTheOldState()
     {
@@ -611,6 +645,25 @@ private Q_SLOTS:
         VERIFY_RESULT(c.drive.upload(slot->file, c.wanted.table));
         QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::NewUnsaved);
         QVERIFY(c.isUnfinished());
+    }
+
+    /// Somebody on the way has kept it.
+    void anOldFileThatTheDriveDoesNotShowIsNotTheOldState()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        Interrupted c(6);
+        const TableSlot* oldSlot = drivecomm::genericProfile().slotNamed(c.old.registers[0]);
+        CompensationTable moved = exampleTable(2, 1);
+        moved.grid.axes.front().start += 50.0;
+        c.link.altersDownload = [&](Bytes& bytes) { bytes = c.old.table; };
+        for (const CompensationTable& theirs : {exampleTable(2, 9), moved}) {
+            VERIFY_RESULT(c.drive.upload(
+                oldSlot->file, *encodeTamTable(theirs, true, drivecomm::genericProfile().layout)));
+            QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Neither);
+        }
+        QVERIFY(c.isUnfinished());
+        VERIFY_RESULT(c.drive.upload(oldSlot->file, c.old.table));
+        QCOMPARE(c.compensator.settleUnfinished(c.entry).value(), Outcome::Old);
     }
 
     /// Its CRC is that of the old one, and so are slot and sources: only the file tells them apart.

@@ -497,7 +497,7 @@ private Q_SLOTS:
         CompensatorFixture f;
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
         VERIFY_RESULT(f.compensator.write(0, swapped(2, Persistency::Volatile)));
-        f.link.failAt(19, LinkFault::ProgramDies);
+        f.link.failAt(20, LinkFault::ProgramDies);
         QVERIFY_THROWS_EXCEPTION(
             ProgramDied, (void)f.compensator.write(0, into(exampleRequest(3), "Small5")));
         f.link.heal();

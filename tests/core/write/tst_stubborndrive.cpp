@@ -95,6 +95,11 @@ std::function<void(RegisterReading&)> positionsShown(bool isShown)
     };
 }
 
+bool isCommit(const RegisterWrite& write)
+{
+    return write.path.ends_with("/Command") && toText(write.value) == "Commit";
+}
+
 bool switchesOff(const RegisterWrite& write)
 {
     return write.path == axisFolder + "Table" && toText(write.value) == "Disabled";
@@ -129,6 +134,27 @@ struct Written : CompensatorFixture {
     State old;
     int uploads = 0;
 };
+
+/// The file of a table on the drive.
+Bytes fileIn(CompensatorFixture& f, const char* slot)
+{
+    return f.drive.download(drivecomm::genericProfile().slotNamed(slot)->file).value_or(Bytes{});
+}
+
+/// What arrives in place of the table in Small1; the other slots are empty.
+Bytes inPlaceOf(const Bytes& table, const std::string& what)
+{
+    const TableLayout& layout = drivecomm::genericProfile().layout;
+    if (what == "nothing")
+        return {};
+    if (what == "no table")
+        return Bytes(table.size() / 2, std::byte{0x8b});
+    if (what == "an earlier table")
+        return *encodeTamTable(exampleTable(2, 9), false, layout);
+    CompensationTable moved = exampleTable(2, 1);
+    moved.grid.axes.front().start += 5.0;
+    return *encodeTamTable(moved, false, layout);
+}
 
 /// How many exchanges a write takes.
 int exchangesOf(const WriteRequest& request)
@@ -479,6 +505,156 @@ private Q_SLOTS:
             QVERIFY(f.state() == f.old);
             QCOMPARE(f.compensator.flashUse()->budget.left, 0);
         }
+    }
+
+    /// By a web server's page, by somebody on the way who has kept what was there before.
+    void aFileThatTheDriveDoesNotShowIsNotKept_data()
+    {
+        QTest::addColumn<std::string>("what");
+        QTest::addColumn<ErrorCode>("code");
+        QTest::newRow("empty") << std::string("nothing") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("no table") << std::string("no table") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("other values")
+            << std::string("an earlier table") << ErrorCode::ChangedMeanwhile;
+        QTest::newRow("other positions") << std::string("moved") << ErrorCode::InvalidTable;
+    }
+    void aFileThatTheDriveDoesNotShowIsNotKept()
+    {
+        QFETCH(std::string, what);
+        QFETCH(ErrorCode, code);
+        Written f(drivecomm::genericProfile());
+        const Bytes other = inPlaceOf(f.old.table, what);
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (!bytes.empty())
+                bytes = other;
+        };
+        f.link.forgetChange();
+        const auto backup = f.compensator.backup();
+        VERIFY_ERROR(backup, code);
+        QVERIFY(sentence(backup.error()).find("Small1") != std::string::npos);
+        QVERIFY(!f.compensator.write(0, swapped(2, Persistency::Volatile, "Small1")));
+        VERIFY_ERROR(f.compensator.deleteSlot("Small1"), code);
+        QCOMPARE(f.link.firstChange(), 0);
+        // A plain download is what came, to be looked at.
+        const auto file = f.compensator.download("tables/small1.TAMtbl");
+        QVERIFY(file.value_or(Bytes{}) == other);
+    }
+
+    void aTableThatIsGoneIsNotKeptFromAnEarlierAnswer()
+    {
+        Written f(drivecomm::genericProfile());
+        f.link.altersReading = [](RegisterReading& reading) {
+            const bool isCount = reading.path.ends_with("Small1/Header/Elements")
+                || reading.path.ends_with("Small1/Header/Crc");
+            if (isCount)
+                reading.value = std::uint32_t{0};
+        };
+        const auto backup = f.compensator.backup();
+        VERIFY_ERROR(backup, ErrorCode::ChangedMeanwhile);
+        QVERIFY(sentence(backup.error()).find("from empty to 36 values") != std::string::npos);
+    }
+
+    /// The drive itself shows no table then, and has no other file.
+    void aDamagedTableIsKeptAndSaid()
+    {
+        Written f(drivecomm::genericProfile());
+        Bytes damaged = f.old.table;
+        damaged.back() ^= std::byte{0x40};
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (!bytes.empty())
+                bytes = damaged;
+        };
+        f.link.altersReading = [](RegisterReading& reading) {
+            if (reading.path.ends_with("Small1/Header/Elements"))
+                reading.value = std::uint32_t{0};
+        };
+        const auto backup = f.compensator.backup();
+        VERIFY_RESULT(backup);
+        QVERIFY(backup->axes.at(0).files.at(0).bytes == damaged);
+        const auto unreadable = f.compensator.unreadableTables(*backup);
+        QCOMPARE(unreadable.size(), std::size_t{1});
+        QCOMPARE(sentence(unreadable.front()),
+            "the file in Small1 is no table that the profile can read: it is in the backup as it "
+            "is, but cannot be restored as the table of an axis");
+    }
+
+    /// Somebody on the way has kept the old file, and answers with it from now on.
+    void anOldFileThatTheDriveDoesNotShowIsPutBack()
+    {
+        const WriteRequest request = swapped(2, Persistency::Volatile, "Small1");
+        const int exchanges = exchangesOf(request);
+        Written f(drivecomm::genericProfile());
+        int readBack = 0;
+        f.link.altersDownload = [&](Bytes& bytes) {
+            if (f.uploads > 0 && ++readBack > 1)
+                bytes = f.old.table;
+        };
+        f.link.failAt(exchanges, LinkFault::Refused);
+        VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::DriveRejected);
+        QVERIFY(readBack > 1);
+        QVERIFY(f.state() == f.old);
+        QVERIFY(!f.isUnfinished());
+    }
+
+    void anOldFileWhoseCrcTheDriveDoesNotShowIsNotTheOldState()
+    {
+        Written f(drivecomm::genericProfile());
+        f.link.altersReading = [&](RegisterReading& reading) {
+            if (f.uploads > 0 && reading.path.ends_with("Small1/Header/Crc"))
+                reading.value = std::uint32_t{0x12345678};
+        };
+        VERIFY_ERROR(f.compensator.write(0, swapped(2, Persistency::Volatile, "Small1")),
+            ErrorCode::RollbackFailed);
+        QVERIFY(f.isUnfinished());
+        f.link.altersReading = {};
+        VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
+        QVERIFY(f.state() == f.old);
+    }
+
+    void aCommitThatDoesNothingIsNoSuccess_data()
+    {
+        QTest::addColumn<Persistency>("before");
+        QTest::addColumn<std::string>("slot");
+        QTest::newRow("to an empty slot") << Persistency::Volatile << std::string("Small2");
+        QTest::newRow("the same table") << Persistency::Volatile << std::string();
+        QTest::newRow("in place") << Persistency::Persistent << std::string("Small1");
+    }
+    void aCommitThatDoesNothingIsNoSuccess()
+    {
+        QFETCH(Persistency, before);
+        QFETCH(std::string, slot);
+        Written f(drivecomm::genericProfile(), before);
+        const std::uint64_t operations = f.operations();
+        f.link.ignoresWrite = isCommit;
+        const auto written = slot.empty()
+            ? f.compensator.setPersistency(0, Persistency::Persistent)
+            : f.compensator.write(0, swapped(2, Persistency::Persistent, slot.c_str()));
+        VERIFY_ERROR(written, ErrorCode::VerifyMismatch);
+        const std::string said = sentence(written.error());
+        QVERIFY2(
+            said.starts_with("the drive has taken the command that stores the table in "
+                + (slot.empty() ? "Small1" : slot) + ", but has counted no flash cycle for it ("
+                + std::to_string(operations) + " before and after)"),
+            said.c_str());
+        QVERIFY(f.state() == f.old);
+        QVERIFY(!f.isUnfinished());
+        QCOMPARE(f.operations(), operations);
+        f.drive.reboot();
+        QCOMPARE(f.state().table.empty(), before == Persistency::Volatile);
+    }
+
+    /// Under the volatile table, so that nothing has to be stored.
+    void aTableThatFlashHoldsAlreadyNeedsNoCycle()
+    {
+        Written f(drivecomm::genericProfile(), Persistency::Persistent);
+        VERIFY_RESULT(f.compensator.write(0, into(exampleRequest(2), "Small1")));
+        VERIFY_RESULT(
+            f.compensator.write(0, into(exampleRequest(1, Persistency::Persistent), "Small1")));
+        QVERIFY(f.state() == f.old);
+        QVERIFY(fileIn(f, "Small1") == f.old.table);
+        QCOMPARE(f.text("Application/Tables/Small1/EraseCount"), "1");
+        f.drive.reboot();
+        QVERIFY(f.state() == f.old);
     }
 };
 
