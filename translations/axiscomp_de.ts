@@ -8597,6 +8597,14 @@
         <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
         <translation>eine Directory-Seite mit Content-Length oder bis &lt;/html&gt;</translation>
     </message>
+    <message>
+        <source>the file in {slot} is no table that the profile can read: it is in the backup as it is, but cannot be restored as the table of an axis</source>
+        <translation>die Datei in {slot} ist keine Tabelle, die das Profil lesen kann: Sie ist unverändert in der Sicherung, lässt sich aber nicht als Tabelle einer Achse wiederherstellen</translation>
+    </message>
+    <message>
+        <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
+        <translation>der Antrieb hat den Befehl angenommen, der die Tabelle in {slot} speichert, hat aber keinen Flash-Zyklus dafür gezählt ({cycles} vorher und nachher): Dass sie im Flash ist, steht nicht fest, und nach einem Neustart ist sie vielleicht weg</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

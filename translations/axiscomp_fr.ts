@@ -8597,6 +8597,14 @@
         <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
         <translation>une page Directory avec son Content-Length, ou jusqu&apos;à &lt;/html&gt;</translation>
     </message>
+    <message>
+        <source>the file in {slot} is no table that the profile can read: it is in the backup as it is, but cannot be restored as the table of an axis</source>
+        <translation>le fichier de {slot} n&apos;est pas une table que le profil peut lire&#xa0;: il est dans la sauvegarde tel quel, mais ne peut pas être restauré comme table d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
+        <translation>le variateur a accepté la commande qui enregistre la table de {slot}, mais n&apos;a compté aucun cycle flash pour elle ({cycles} avant et après)&#xa0;: rien ne dit qu&apos;elle est en mémoire flash, et elle peut être perdue après un redémarrage</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

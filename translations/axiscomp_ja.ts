@@ -8556,6 +8556,14 @@
         <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
         <translation>Content-Length があるか、&lt;/html&gt; まである Directory ページ</translation>
     </message>
+    <message>
+        <source>the file in {slot} is no table that the profile can read: it is in the backup as it is, but cannot be restored as the table of an axis</source>
+        <translation>{slot} のファイルはプロファイルで読めるテーブルではありません。そのままバックアップに入っていますが、軸のテーブルとしては復元できません</translation>
+    </message>
+    <message>
+        <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
+        <translation>ドライブは {slot} のテーブルを保存するコマンドを受け付けましたが、そのためのフラッシュ書き換えが数えられていません (前後とも {cycles} 回)。テーブルがフラッシュにあるとは確認できず、再起動すると失われるおそれがあります</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

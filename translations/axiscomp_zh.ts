@@ -8556,6 +8556,14 @@
         <source>a Directory page with its Content-Length, or up to &lt;/html&gt;</source>
         <translation>带有 Content-Length 或直到 &lt;/html&gt; 的 Directory 页面</translation>
     </message>
+    <message>
+        <source>the file in {slot} is no table that the profile can read: it is in the backup as it is, but cannot be restored as the table of an axis</source>
+        <translation>{slot} 中的文件不是描述文件能读取的表：它原样保存在备份中，但不能作为轴的表恢复</translation>
+    </message>
+    <message>
+        <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
+        <translation>驱动器接受了保存 {slot} 中表的命令，但没有为此计入闪存擦写次数（前后均为 {cycles} 次）：无法确认该表已在闪存中，重启后可能丢失</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
