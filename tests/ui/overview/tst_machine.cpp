@@ -412,7 +412,7 @@ private Q_SLOTS:
         QVERIFY(all.open(all.writeBoth()));
         for (const char* endpoint : {"http://x", "http://c"})
             all.bench.drive(endpoint).gate.set(DriveGate::Mode::Gone);
-        all.machine().askAll();
+        all.machine().planAgain();
         for (const char* endpoint : {"http://x", "http://c"})
             QTRY_COMPARE(all.drift(endpoint, 0).state, State::Unreachable);
         QTRY_VERIFY(!all.machine().isAsking());
