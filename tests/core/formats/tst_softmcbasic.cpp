@@ -43,13 +43,15 @@ void describe(test::FormatSample& sample)
             "", FormatSettings{{"name", name}});
     NeutralTable scaled = test::commandTable(
         {test::evenAxis("X", "m", 0.1, 0.01, 2), test::evenAxis("Y", "m", -0.001, 0.0005, 3)},
-        {test::columnOf("X", "um", {100, 200, 300, 400, 500, 600}),
-            test::columnOf("Y", "um", {-1000, -2000, -3000, -4000, -5000, -6000})});
+        {test::columnOf("X", "m", {0.0001, 0.0002, 0.0003, 0.0004, 0.0005, 0.0006}),
+            test::columnOf("Y", "m", {-0.001, -0.002, -0.003, -0.004, -0.005, -0.006})});
     sample.writes("the units of the settings", {twoSources()})
-        .with({{"position-unit", "m"}, {"value-unit", "um"}})
-        .containing({"Comp1.SourceData[1][1] = 0.1\n", "Comp1.TargetData[1][1] = 100\n"})
+        .with({{"position-unit", "m"}, {"value-unit", "m"}})
+        .containing({"Comp1.SourceData[1][1] = 0.1\n", "Comp1.TargetData[1][1] = 0.0001\n"})
         .becoming(scaled)
         .within(1e-12);
+    sample.refuses("two units for one axis", {twoSources()}, ErrorCode::InvalidArgument, "one unit",
+        FormatSettings{{"position-unit", "m"}, {"value-unit", "um"}});
 }
 
 } // namespace
