@@ -162,6 +162,7 @@ void MachineApplication::start(
         else
             begin(n, context);
     }
+    Q_EMIT started();
     Q_EMIT progressed();
     endWhenDone();
 }

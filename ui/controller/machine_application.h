@@ -60,6 +60,7 @@ public:
     [[nodiscard]] Outcome outcome() const;
 
 Q_SIGNALS:
+    void started(); ///< isRunning(), unless all of it is at its end already
     void progressed();
     void ended();
 

@@ -5,9 +5,11 @@
 #include "tests/ui/support/window_test.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/overview/overview_model.h"
+#include "ui/page/setup_panel.h"
 #include "ui/style/contrast.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDir>
@@ -499,6 +501,37 @@ private Q_SLOTS:
         QVERIFY(test::CompensatorFixture::stateOf(all.bench.drive().drive, 0) == before);
         QVERIFY2(all.bench->outcome().contains(QStringLiteral("Failed: X · Test-1")),
             qPrintable(all.bench->outcome()));
+    }
+
+    /// The drive of the page is none of the file, or it is done before the other one.
+    void theFieldsWaitForAllDrivesAndNotLonger_data()
+    {
+        QTest::addColumn<bool>("isCurrentWritten");
+        QTest::newRow("the other drive alone") << false;
+        QTest::newRow("both drives") << true;
+    }
+    void theFieldsWaitForAllDrivesAndNotLonger()
+    {
+        QFETCH(const bool, isCurrentWritten);
+        Machine all;
+        QVERIFY(all.bench.connect());
+        const QString onlyC =
+            all.write(driveSection(QStringLiteral("http://c"), 4712) + axisSection("0"));
+        QVERIFY(all.open(isCurrentWritten ? all.writeBoth() : onlyC));
+        QTRY_COMPARE(all.machine().applyObstacle(false), QString());
+        const SetupPanel panel(
+            all.bench.controller(), drivecomm::genericProfile(), *QApplication::style());
+        const auto& field = *panel.findChild<QCheckBox*>(QStringLiteral("persistencyField"));
+        QVERIFY(field.isEnabled());
+        all.bench.drive("http://c").gate.holdUploads();
+        all.machine().apply();
+        QVERIFY(!field.isEnabled());
+        QVERIFY(all.bench.idle());
+        QVERIFY(all.bench->isWriting() && !field.isEnabled());
+        all.bench.drive("http://c").gate.releaseUploads();
+        QTRY_VERIFY(!all.bench->isWriting());
+        QTRY_VERIFY(field.isEnabled());
+        QVERIFY(!all.bench->isOutcomeAnError());
     }
 
     void aSavedMachineIsWhatTheDrivesHave()
