@@ -3,6 +3,7 @@
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/controller/axis_overview.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/overview/overview_model.h"
 #include "ui/page/setup_panel.h"
@@ -351,6 +352,12 @@ private Q_SLOTS:
         QVERIFY(written[0].outcomes[0].now->table->persistent);
         QVERIFY(!written[1].outcomes[0].now->table->persistent);
         QVERIFY(!all.bench->isWriting());
+        const auto& rows = all.bench->overview().rows(); // X, Y and C
+        for (const std::size_t row : {0, 2}) {
+            QCOMPARE(rows.at(row).file, QStringLiteral("first.csv"));
+            QCOMPARE(rows.at(row).column, QStringLiteral("Error"));
+        }
+        QVERIFY(rows.at(1).file.isEmpty());
         QVERIFY(all.compared());
         QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
         QTRY_COMPARE(all.drift("http://c", 0).state, State::AsFile);
