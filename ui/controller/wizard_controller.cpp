@@ -196,8 +196,8 @@ void WizardController::wireOperations()
         &WizardController::tableWritten);
     connect(&m_parts->multiAxis, &MultiAxisController::columnWritten, &m_parts->overview,
         &AxisOverview::noteWritten);
-    connect(&m_parts->machine.application(), &MachineApplication::columnWritten,
-        &m_parts->overview, &AxisOverview::noteWritten);
+    connect(&m_parts->machine.application(), &MachineApplication::columnWritten, &m_parts->overview,
+        &AxisOverview::noteWritten);
     connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
         &WizardController::multiAxisPlanned);
     connect(&m_parts->parameterExport, &ParameterExport::parametersRead, this,

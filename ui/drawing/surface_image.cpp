@@ -294,8 +294,8 @@ bool hasOneScale(const CompensationTable& table)
 double fittingExaggeration(const CompensationTable& table, const std::array<double, 2>& heights)
 {
     const double height = (heights[1] - heights[0]) * valueUnit(table);
-    const double width = std::max(
-        spanOf(table.grid.axes[0]), spanOf(table.grid.axes[1]) * secondUnit(table));
+    const double width =
+        std::max(spanOf(table.grid.axes[0]), spanOf(table.grid.axes[1]) * secondUnit(table));
     constexpr double part = 1.0 / 3.0;
     return part * width / height;
 }

@@ -73,7 +73,8 @@ Result<double> amountOf(const QString& text, bool isAngular)
     const QString number = numberBefore(plain);
     if (hasThousands(number))
         return fail(ErrorCode::InvalidArgument, {{"reason", thousandsProblem(number)}});
-    // One comma that stands between no thousands is a decimal one, also where the language has none.
+    // One comma that stands between no thousands is a decimal one, also where the language has
+    // none.
     if (number.count(u',') == 1 && !number.contains(u'.'))
         plain.replace(number.indexOf(u','), 1, u'.');
     plain.replace(QLocale().decimalPoint(), QStringLiteral("."));

@@ -290,8 +290,7 @@ private Q_SLOTS:
             const ProgramRun run = box.run({"convert", "y.csv", "y.TAMtbl", "--dims", "1",
                 "--set-out", setting + QStringLiteral("=m")});
             VERIFY_CODE(run, 2);
-            QVERIFY2(
-                run.err.contains("no setting " + setting.toUtf8() + " for writing; it has: "),
+            QVERIFY2(run.err.contains("no setting " + setting.toUtf8() + " for writing; it has: "),
                 run.err.constData());
             QVERIFY(!QFile::exists(box.path("y.TAMtbl")));
         }

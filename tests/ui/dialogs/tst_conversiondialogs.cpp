@@ -108,8 +108,7 @@ private Q_SLOTS:
         QVERIFY(chooseAt(bench, "missingField", static_cast<int>(MissingPoints::Plane)));
         QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
         for (const char* filled : {"1 of 4 points of first", "1 of 4 points of second"})
-            QVERIFY2(
-                report(bench).contains(QLatin1StringView(filled)), qPrintable(report(bench)));
+            QVERIFY2(report(bench).contains(QLatin1StringView(filled)), qPrintable(report(bench)));
         QVERIFY(!report(bench).contains(QStringLiteral("taken as they are")));
         QVERIFY(user.click("acceptConversion"));
         QTRY_VERIFY(bench.controller().dataFile().data);
