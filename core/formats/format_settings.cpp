@@ -81,13 +81,22 @@ Argument keyList(const std::vector<FormatSetting>& settings)
 
 } // namespace
 
+bool takesAnyUnits(const FormatFacts& facts)
+{
+    const auto isOfUnits = [](const FormatSetting& setting) {
+        return std::ranges::find(unitSettings, setting.key, &FormatSetting::key)
+            != unitSettings.end();
+    };
+    return !facts.holdsUnits && std::ranges::none_of(facts.settings, isOfUnits);
+}
+
 std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting)
 {
     std::vector<FormatSetting> settings;
     for (const FormatSetting& setting : facts.settings)
         if (isFor(setting, isWriting))
             settings.push_back(setting);
-    if (!facts.holdsUnits)
+    if (takesAnyUnits(facts))
         settings.insert(settings.end(), unitSettings.begin(), unitSettings.end());
     return settings;
 }

@@ -182,6 +182,10 @@ struct FormatChoice {
 [[nodiscard]] Result<void> checkHolds(
     const FormatFacts& facts, std::span<const NeutralTable> tables);
 
+/// Whether a format without units is read, and written, in any that the settings position-unit and
+/// value-unit state. Not one that has these settings of its own.
+[[nodiscard]] bool takesAnyUnits(const FormatFacts& facts);
+
 /// The settings that a format has for reading or for writing, those of missing units among them.
 [[nodiscard]] std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting);
 

@@ -189,6 +189,21 @@ void AxisOverview::noteSelected()
     m_selectedFile = QFileInfo(m_tables.file().file().path).fileName();
 }
 
+void AxisOverview::noteWritten(
+    const QString& endpoint, const AxisStatus& now, const QString& file, const QString& column)
+{
+    const auto row = std::ranges::find_if(m_rows, [&](const OverviewRow& candidate) {
+        return candidate.endpoint == endpoint && candidate.axis == now.axis.index
+            && candidate.serialNumber == now.drive.serialNumber;
+    });
+    if (row == m_rows.end())
+        return;
+    put(*row, now);
+    row->file = file;
+    row->column = column;
+    announce(*row);
+}
+
 /// An operation does not wait for the overview.
 void AxisOverview::makeWay()
 {

@@ -69,6 +69,10 @@ public:
     /// Reads at once, and then again and again, until nobody looks any more.
     void follow(bool isFollowed);
     void readNow();
+    /// This window has written a column of a file to an axis. now: as read back; file: without
+    /// folder.
+    void noteWritten(
+        const QString& endpoint, const AxisStatus& now, const QString& file, const QString& column);
 
 Q_SIGNALS:
     void rowsReset(); ///< other rows, or in another order

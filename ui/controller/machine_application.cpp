@@ -162,6 +162,7 @@ void MachineApplication::start(
         else
             begin(n, context);
     }
+    Q_EMIT started();
     Q_EMIT progressed();
     endWhenDone();
 }
@@ -236,6 +237,7 @@ void MachineApplication::take(std::size_t index, const Result<Outcomes>& outcome
     else
         written.problem = outcomes.error();
     note(written);
+    tellColumns(written);
     if (DriveConnection* connection = m_drives.connectionTo(written.planned.endpoint);
         connection && written.problem && isLinkFailure(written.problem->code))
         connection->lose(*written.problem);
@@ -256,6 +258,19 @@ void MachineApplication::note(const Written& written)
                 return ApplicationOutcome::ofAxis(
                     planned.name, planned.look->plan->axes[n], outcome);
             });
+}
+
+void MachineApplication::tellColumns(const Written& written)
+{
+    const Planned& planned = written.planned;
+    for (std::size_t n = 0; n < written.outcomes.size(); ++n) {
+        const auto& report = written.outcomes[n].report;
+        const auto& table = planned.look->plan->axes[n].request.table;
+        const QString file = planned.files.value(static_cast<qsizetype>(n));
+        if (report && table && !file.isEmpty())
+            Q_EMIT columnWritten(
+                planned.endpoint, report->now, file, QString::fromStdString(table->name));
+    }
 }
 
 void MachineApplication::endWhenDone()

@@ -7,6 +7,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <memory>
@@ -29,6 +30,8 @@ public:
         QString endpoint; ///< without a password
         QString name; ///< of the drive
         std::shared_ptr<const DriveLook> look; ///< with a plan
+        /// Of the table of each axis of the plan, without folder; empty: it shall have none.
+        QStringList files;
     };
     /// What becomes of it.
     struct Written {
@@ -60,7 +63,11 @@ public:
     [[nodiscard]] Outcome outcome() const;
 
 Q_SIGNALS:
+    void started(); ///< isRunning(), unless all of it is at its end already
     void progressed();
+    /// An axis has the table of a file. endpoint: without a password; now: as read back.
+    void columnWritten(const QString& endpoint, const axiscomp::AxisStatus& now,
+        const QString& file, const QString& column);
     void ended();
 
 private:
@@ -72,6 +79,7 @@ private:
     void beginCurrent(std::size_t index, const MachineContext& context);
     void take(std::size_t index, const Result<Outcomes>& outcomes);
     void note(const Written& written);
+    void tellColumns(const Written& written);
     void endWhenDone();
     void showProgress(const DriveConnection* of, const QString& step, double fraction);
     void abandon(const DriveConnection* connection);

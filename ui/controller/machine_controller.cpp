@@ -401,9 +401,15 @@ QString MachineController::applyObstacle(bool allowsMissing) const
 void MachineController::apply()
 {
     std::vector<MachineApplication::Planned> planned;
-    for (const Drive& drive : m_machine)
-        if (drive.isConnected && drive.look && drive.look->plan)
-            planned.push_back({drive.endpoint, qString(drive.look->plan->drive.name), drive.look});
+    for (const Drive& drive : m_machine) {
+        if (!drive.isConnected || !drive.look || !drive.look->plan)
+            continue;
+        QStringList files;
+        for (const MachineAxis& axis : drive.wanted.axes)
+            files += QFileInfo(QString::fromStdString(axis.file)).fileName();
+        planned.push_back(
+            {drive.endpoint, qString(drive.look->plan->drive.name), drive.look, files});
+    }
     m_application.start(QFileInfo(m_file->path).fileName(), std::move(planned),
         {m_file->folder(), {}, m_activates});
 }

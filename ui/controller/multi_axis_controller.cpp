@@ -5,6 +5,8 @@
 #include "ui/outcome/multi_axis_outcome.h"
 #include "ui/session/axis_list.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <atomic>
 
@@ -67,6 +69,7 @@ void MultiAxisController::plan(const std::vector<ColumnForAxis>& columns, Source
             AXISCOMP_TRY(auto plans, planTables(compensator, tables, options));
             return PlannedTables{tables, std::move(plans)};
         });
+    m_fileName = QFileInfo(m_tables.file().file().path).fileName();
 }
 
 void MultiAxisController::planImport(const std::shared_ptr<const TamConfiguration>& configuration,
@@ -107,6 +110,7 @@ void MultiAxisController::drop()
     m_stop.request_stop();
     ++m_number;
     m_asked.clear();
+    m_fileName.clear();
     m_files.clear();
     m_plans.reset();
 }
@@ -185,10 +189,17 @@ void MultiAxisController::take(
         m_setup.setTable({}); // the drive has it now
     if (isShownAxisWritten && m_task == Task::RestoreDrive)
         m_setup.revert(); // going back means the changes too
+    const QString file = m_fileName;
     drop();
-    for (std::size_t n = 0; end.outcome && n < end.outcome->writes.size(); ++n)
-        if (const auto& write = end.outcome->writes[n])
-            Q_EMIT tableWritten(write->now);
+    for (std::size_t n = 0; end.outcome && n < end.outcome->writes.size(); ++n) {
+        const auto& write = end.outcome->writes[n];
+        if (!write)
+            continue;
+        if (m_drives.hasCurrent() && !file.isEmpty() && tables[n].table.table)
+            Q_EMIT columnWritten(m_drives.currentEntry().endpoint, write->now, file,
+                QString::fromStdString(tables[n].table.table->name));
+        Q_EMIT tableWritten(write->now);
+    }
 }
 
 } // namespace axiscomp::ui

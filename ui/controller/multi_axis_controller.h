@@ -54,6 +54,9 @@ Q_SIGNALS:
     void planned();
     /// One of the axes has its new state. now: as read back.
     void tableWritten(const axiscomp::AxisStatus& now);
+    /// The same, of a column of the open file. file: without folder.
+    void columnWritten(const QString& endpoint, const axiscomp::AxisStatus& now,
+        const QString& file, const QString& column);
 
 private:
     void ask(Task task, DriveSession::Operation<PlannedTables> operation);
@@ -70,6 +73,7 @@ private:
     LastOutcome& m_outcome;
     Task m_task = Task::WriteSeveral;
     std::vector<AxisTable> m_asked; ///< what plans() are of
+    QString m_fileName; ///< whose columns they write; empty: they are of no open file
     std::vector<AxisBackup::File> m_files; ///< that are written with them
     std::optional<Result<std::vector<WritePlan>>> m_plans;
     int m_number = 0; ///< the newest question counts

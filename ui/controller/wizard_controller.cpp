@@ -194,13 +194,17 @@ void WizardController::wireOperations()
     connect(runner, &OperationRunner::tableWritten, this, &WizardController::tableWritten);
     connect(&m_parts->multiAxis, &MultiAxisController::tableWritten, this,
         &WizardController::tableWritten);
+    connect(&m_parts->multiAxis, &MultiAxisController::columnWritten, &m_parts->overview,
+        &AxisOverview::noteWritten);
+    connect(&m_parts->machine.application(), &MachineApplication::columnWritten, &m_parts->overview,
+        &AxisOverview::noteWritten);
     connect(&m_parts->multiAxis, &MultiAxisController::planned, this,
         &WizardController::multiAxisPlanned);
     connect(&m_parts->parameterExport, &ParameterExport::parametersRead, this,
         &WizardController::parametersRead);
-    // Who waits for the end of a write waits for all drives.
-    connect(&m_parts->machine.application(), &MachineApplication::ended, this,
-        &WizardController::busyChanged);
+    // Who waits for the end of a write waits for all drives, also where the current one has none.
+    for (const auto changed : {&MachineApplication::started, &MachineApplication::ended})
+        connect(&m_parts->machine.application(), changed, this, &WizardController::busyChanged);
     connect(&m_parts->actions, &WizardActions::changed, this, &WizardController::actionsChanged);
     connect(&m_parts->outcome, &LastOutcome::changed, this, &WizardController::outcomeChanged);
 }

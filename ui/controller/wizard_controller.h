@@ -227,7 +227,7 @@ Q_SIGNALS:
     void importChoiceNeeded(const QString& path); ///< the file cannot be used without
     void selectedTableChanged();
     void actionsChanged(); ///< action(), hint()
-    void busyChanged();
+    void busyChanged(); ///< busy(), isWriting()
     void planReady();
     void multiAxisPlanned();
     void multiAxisWritten();

@@ -25,6 +25,23 @@ std::vector<const TableFormat*> offered(const std::vector<const TableFormat*>& c
     return formats;
 }
 
+/// What was converted, and what was done to the numbers before that: points that were filled.
+std::vector<Text> reportOf(const TableImport& import)
+{
+    std::vector<Text> lines = import.report;
+    for (const Diagnostic& warning : import.problems) {
+        Text line = textOf(warning);
+        if (warning.line > 0)
+            line = AXISCOMP_TEXT("Problem", "line {line}: {problem}")
+                       .with("line", warning.line)
+                       .with("problem", line);
+        lines.push_back(std::move(line));
+    }
+    if (lines.empty())
+        lines = {AXISCOMP_TEXT("Error", "the numbers of the file are taken as they are")};
+    return lines;
+}
+
 } // namespace
 
 ImportDialog::ImportDialog(Options options, QWidget* parent)
@@ -92,10 +109,7 @@ void ImportDialog::take(const TableImport& import)
         showReason(place + problemText(*error));
         return;
     }
-    std::vector<Text> lines = import.report;
-    if (lines.empty())
-        lines = {AXISCOMP_TEXT("Error", "the numbers of the file are taken as they are")};
-    showReport(lines);
+    showReport(reportOf(import));
 }
 
 } // namespace axiscomp::ui

@@ -17,10 +17,24 @@ double spanOf(const GridAxis& axis)
     return axis.last() - axis.start;
 }
 
+/// How many `to` one `from` is; one without a unit is taken to be in the other one.
+std::optional<double> factorBetween(const std::string& from, const std::string& to)
+{
+    return from.empty() || to.empty() || isSameUnit(from, to) ? 1.0 : unitFactor(from, to);
+}
+
 /// How many of dimension 1's units one unit of the values is.
 double valueUnit(const CompensationTable& table)
 {
-    return unitFactor(table.unit, table.grid.axes[0].unit).value_or(1.0);
+    return factorBetween(table.unit, table.grid.axes[0].unit).value_or(1.0);
+}
+
+/// The same for dimension 2. Without a common unit both sides of the floor are as long.
+double secondUnit(const CompensationTable& table)
+{
+    const GridAxis& x = table.grid.axes[0];
+    const GridAxis& y = table.grid.axes[1];
+    return factorBetween(y.unit, x.unit).value_or(spanOf(x) / spanOf(y));
 }
 
 /// A point of the surface, in pixels, with the colour that its value has.
@@ -239,9 +253,10 @@ SurfaceProjection::SurfaceProjection(const SurfaceSight& sight)
     m_middleValue = (sight.heights[0] + sight.heights[1]) / 2.0;
     // True to scale, but for tables that would be a thin strip.
     constexpr double narrowest = 0.25;
-    const double longer = std::max(spanOf(x), spanOf(y));
+    const double second = secondUnit(*sight.table);
+    const double longer = std::max(spanOf(x), spanOf(y) * second);
     m_perX = std::max(1.0 / longer, narrowest / spanOf(x));
-    m_perY = std::max(1.0 / longer, narrowest / spanOf(y));
+    m_perY = std::max(second / longer, narrowest / spanOf(y));
     m_perValue = sight.exaggeration * valueUnit(*sight.table) / longer;
     constexpr double degree = M_PI / 180.0;
     m_turn = {std::sin(sight.turn * degree), std::cos(sight.turn * degree)};
@@ -270,10 +285,17 @@ SurfaceProjection::Place SurfaceProjection::at(double x, double y, double value)
         m_pixels * (away * m_tilt[1] - up * m_tilt[0])};
 }
 
+bool hasOneScale(const CompensationTable& table)
+{
+    const auto& axes = table.grid.axes;
+    return factorBetween(axes[1].unit, axes[0].unit) && factorBetween(table.unit, axes[0].unit);
+}
+
 double fittingExaggeration(const CompensationTable& table, const std::array<double, 2>& heights)
 {
     const double height = (heights[1] - heights[0]) * valueUnit(table);
-    const double width = std::max(spanOf(table.grid.axes[0]), spanOf(table.grid.axes[1]));
+    const double width =
+        std::max(spanOf(table.grid.axes[0]), spanOf(table.grid.axes[1]) * secondUnit(table));
     constexpr double part = 1.0 / 3.0;
     return part * width / height;
 }

@@ -56,6 +56,10 @@ private:
     QPointF m_centre;
 };
 
+/// Whether the positions of both dimensions and the values of a 2D table can be compared: all are
+/// lengths, or angles, or have no unit of their own. Otherwise nothing is true to scale.
+[[nodiscard]] bool hasOneScale(const CompensationTable& table);
+
 /// The factor with which the surface is a third as high as it is wide.
 [[nodiscard]] double fittingExaggeration(
     const CompensationTable& table, const std::array<double, 2>& heights);

@@ -153,7 +153,8 @@ void SetupPanel::connectController()
     connect(&m_controller, &WizardController::selectedTableChanged, this,
         &SetupPanel::showSourceAdvice);
     connect(&m_controller, &WizardController::drivesChanged, this, &SetupPanel::showSourceValues);
-    connect(&m_controller, &WizardController::actionsChanged, this, &SetupPanel::showAvailability);
+    for (const auto changed : {&WizardController::actionsChanged, &WizardController::busyChanged})
+        connect(&m_controller, changed, this, &SetupPanel::showAvailability);
     connect(&m_controller.setup(), &SetupModel::fieldChanged, this, [this](Field field) {
         if (field == Field::Dimensionality)
             showDimensions();

@@ -173,9 +173,7 @@ void SurfaceView::retranslate()
     d->slice->retranslate();
     d->height->retranslate();
     d->heightLabel->setText(tr("Heights"));
-    d->height->setToolTip(
-        tr("How many times too high the errors are drawn, compared with the axes (+ and -)"));
-    d->height->setAccessibleDescription(d->height->toolTip());
+    showHeights();
     d->reset->setText(tr("First view"));
     d->reset->setToolTip(
         tr("See the surface as at first (Home or a double click). Arrow keys and dragging turn it, "
@@ -200,8 +198,8 @@ void SurfaceView::showTable()
     const bool isSurface = drawn && drawn->grid.dimensions() == 2;
     d->sight.table = isSurface ? drawn : nullptr;
     d->scale = d->shown.scale();
-    for (QWidget* tool : std::initializer_list<QWidget*>{d->height, d->reset, d->save})
-        tool->setEnabled(isSurface);
+    for (QToolButton* button : {d->reset, d->save})
+        button->setEnabled(isSurface);
     // All slices of a table stand in the same box.
     if (isSurface) {
         const auto [low, high] = std::ranges::minmax(d->shown.table()->values);
@@ -210,8 +208,22 @@ void SurfaceView::showTable()
             d->sight.heights = {d->sight.heights[0] - d->scale, d->sight.heights[1] + d->scale};
         d->height->setFitting(fittingExaggeration(*drawn, d->sight.heights));
     }
+    showHeights();
     setAccessibleDescription(d->shown.description());
     sightChanged();
+}
+
+/// Lengths are not so many times as high as angles are wide.
+void SurfaceView::showHeights()
+{
+    const bool isOneScale = canDraw() && hasOneScale(*d->sight.table);
+    if (canDraw() && !isOneScale)
+        d->height->showFitting();
+    d->height->setEnabled(isOneScale);
+    d->height->setToolTip(!canDraw() || isOneScale
+            ? tr("How many times too high the errors are drawn, compared with the axes (+ and -)")
+            : tr("The units of the table have no common scale; the heights are drawn as they fit"));
+    d->height->setAccessibleDescription(d->height->toolTip());
 }
 
 double SurfaceView::exaggeration() const
@@ -297,7 +309,7 @@ void SurfaceView::paintEvent(QPaintEvent*)
     paintAbove(painter, d->sight, colors);
 }
 
-/// Scales, marks and the factor of the heights.
+/// Scales, marks and the factor of the heights, if there is one.
 void SurfaceView::paintAbove(
     QPainter& painter, const SurfaceSight& sight, const SurfaceColors& colors) const
 {
@@ -312,6 +324,8 @@ void SurfaceView::paintAbove(
                     values.unit())},
             colors.text);
     paintPlaces(painter, sight, colors);
+    if (!hasOneScale(table))
+        return;
     painter.setPen(colors.text);
     painter.drawText(QRect({}, sight.size).adjusted(6, 4, -6, -4), Qt::AlignRight | Qt::AlignTop,
         tr("heights × %1").arg(factorText(sight.exaggeration)));
@@ -431,9 +445,10 @@ void SurfaceView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Down:
         return turn(0.0, step);
     case Qt::Key_Plus:
-        return d->height->step(1);
     case Qt::Key_Minus:
-        return d->height->step(-1);
+        if (d->height->isEnabled())
+            d->height->step(event->key() == Qt::Key_Plus ? 1 : -1);
+        return;
     case Qt::Key_PageUp:
         return zoom(zoomStep);
     case Qt::Key_PageDown:

@@ -50,6 +50,7 @@ protected:
 private:
     void build();
     void showTable();
+    void showHeights();
     void turn(double byTurn, double byTilt);
     void zoom(double factor);
     void resetSight();

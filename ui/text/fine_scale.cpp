@@ -70,8 +70,13 @@ QString numberBefore(const QString& amount)
 Result<double> amountOf(const QString& text, bool isAngular)
 {
     QString plain = text.trimmed();
-    if (const QString number = numberBefore(plain); hasThousands(number))
+    const QString number = numberBefore(plain);
+    if (hasThousands(number))
         return fail(ErrorCode::InvalidArgument, {{"reason", thousandsProblem(number)}});
+    // One comma that stands between no thousands is a decimal one, also where the language has
+    // none.
+    if (number.count(u',') == 1 && !number.contains(u'.'))
+        plain.replace(number.indexOf(u','), 1, u'.');
     plain.replace(QLocale().decimalPoint(), QStringLiteral("."));
     for (const QChar micro : {QChar(0x00b5), QChar(0x03bc)})
         plain.replace(micro, u'u');

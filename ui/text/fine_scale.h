@@ -35,7 +35,8 @@ struct ComparedTexts {
 /// An amount that a person has said, in mm or deg, as one would write it: "10 µm", "0.5 ″".
 [[nodiscard]] QString amountText(double value, bool isAngular);
 /// The amount that a person has written, in mm or deg: "10" in um or arcsec, "10 µm", "0,01 mm"
-/// with the decimal sign of the language. Errors: InvalidArgument.
+/// with the decimal sign of the language, or the other one where that can be nothing else. Errors:
+/// InvalidArgument.
 [[nodiscard]] Result<double> amountOf(const QString& text, bool isAngular);
 
 } // namespace axiscomp::ui

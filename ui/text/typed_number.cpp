@@ -21,6 +21,10 @@ std::optional<double> withoutGroups(const QString& text, QLocale language)
 
 bool hasThousands(const QString& text, const QLocale& language)
 {
+    // No thousands begin with 0.
+    static const QRegularExpression belowOne(QStringLiteral("^\\s*[+-]?0[.,]\\d+\\s*$"));
+    if (text.contains(belowOne))
+        return false;
     QLocale grouping = language;
     grouping.setNumberOptions(QLocale::DefaultNumberOptions);
     bool isNumber = false;

@@ -12,7 +12,7 @@
 namespace axiscomp::ui {
 
 /// Whether the language reads it only with a sign between thousands: "1,000" is no thousand here,
-/// and no one either.
+/// and no one either. "0,016" has none.
 [[nodiscard]] bool hasThousands(const QString& text, const QLocale& language = QLocale());
 /// What a person has typed, as the language writes it, or with a point where that can be nothing
 /// else. Nothing: it is no finite number, or hasThousands().

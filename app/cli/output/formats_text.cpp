@@ -96,7 +96,7 @@ Lines settingLines(const FormatFacts& facts)
     Lines lines;
     for (const FormatSetting& setting : facts.settings)
         lines.emplace_back(std::string(setting.key), settingText(setting));
-    if (!facts.holdsUnits)
+    if (takesAnyUnits(facts))
         lines.emplace_back("position-unit, value-unit",
             "units, where neither the file nor the controller says them: mm, um, deg ...");
     return lines;

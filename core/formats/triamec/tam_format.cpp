@@ -16,6 +16,15 @@ constexpr std::array settings{
         .meaning = AXISCOMP_TEXT("Error", "the drive stores the table in its flash"),
         .standard = "no",
         .forWriting = true},
+    // Not for writing: a drive takes the numbers in the unit of its axis, and no other.
+    FormatSetting{.key = "position-unit",
+        .kind = FormatSetting::Kind::Text,
+        .meaning = AXISCOMP_TEXT("Error", "unit of the positions, where the file does not say it"),
+        .forReading = true},
+    FormatSetting{.key = "value-unit",
+        .kind = FormatSetting::Kind::Text,
+        .meaning = AXISCOMP_TEXT("Error", "unit of the values, where the file does not say it"),
+        .forReading = true},
 };
 constexpr std::array<std::string_view, 1> rules{
     "The drive adds the value, x_ref - x_enc, to the encoder position (AN140 3.1).",

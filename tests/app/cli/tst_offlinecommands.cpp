@@ -284,6 +284,16 @@ private Q_SLOTS:
         VERIFY_CODE(
             box.run({"convert", "x.csv", "y.csv", "--dims", "1", "--set-in", "value-unit=um"}), 0);
         QVERIFY2(box.content("y.csv").contains("X error [um]"), box.content("y.csv").constData());
+        // A .TAMtbl is in the unit of its axis, which is said in one way.
+        for (const QString& setting :
+            {QStringLiteral("position-unit"), QStringLiteral("value-unit")}) {
+            const ProgramRun run = box.run({"convert", "y.csv", "y.TAMtbl", "--dims", "1",
+                "--set-out", setting + QStringLiteral("=m")});
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("no setting " + setting.toUtf8() + " for writing; it has: "),
+                run.err.constData());
+            QVERIFY(!QFile::exists(box.path("y.TAMtbl")));
+        }
     }
 
     void convertGoesThereAndBack()

@@ -132,6 +132,40 @@ private Q_SLOTS:
         VERIFY_ERROR(tam_table::format().read("TAM", {}), ErrorCode::InvalidArgument);
     }
 
+    /// It has no units, and a drive takes its numbers in that of the axis.
+    void aTamTableIsNotWrittenInAStatedUnit()
+    {
+        const TableLayout layout = genericTableLayout();
+        const std::array tables{test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("X", "mm", 0, 50, 3)}, {test::waveColumn("E", "mm", 3, 1.0)})};
+        for (const std::string key : {"position-unit", "value-unit"}) {
+            TableWriteOptions options;
+            options.layout = &layout;
+            options.settings[key] = "mm";
+            const auto written = tam_table::format().write(tables, options);
+            VERIFY_ERROR(written, ErrorCode::InvalidArgument);
+            QVERIFY(test::mentions(
+                sentence(written.error()), "has no setting " + key + " for writing; it has: pers"));
+        }
+    }
+
+    void aTamTableIsReadInTheStatedUnits()
+    {
+        const TableLayout layout = genericTableLayout();
+        const std::array tables{test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("", "", 0, 50, 3)}, {test::waveColumn("", "", 3, 1.0)})};
+        TableWriteOptions writing;
+        writing.layout = &layout;
+        const auto written = tam_table::format().write(tables, writing);
+        VERIFY_RESULT(written);
+        TableReadOptions options;
+        options.layout = &layout;
+        options.settings = {{"position-unit", "m"}, {"value-unit", "um"}};
+        READ_TABLE(table, tam_table::format(), written->bytes, options);
+        QCOMPARE(table.axes[0].unit, std::string("m"));
+        QCOMPARE(table.columns[0].unit, std::string("um"));
+    }
+
     void unknownNamesListTheKnownOnes()
     {
         const auto format = formatNamed("tamtable");

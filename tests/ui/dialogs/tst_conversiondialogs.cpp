@@ -107,6 +107,9 @@ private Q_SLOTS:
         QVERIFY(!mayAccept(bench));
         QVERIFY(chooseAt(bench, "missingField", static_cast<int>(MissingPoints::Plane)));
         QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
+        for (const char* filled : {"1 of 4 points of first", "1 of 4 points of second"})
+            QVERIFY2(report(bench).contains(QLatin1StringView(filled)), qPrintable(report(bench)));
+        QVERIFY(!report(bench).contains(QStringLiteral("taken as they are")));
         QVERIFY(user.click("acceptConversion"));
         QTRY_VERIFY(bench.controller().dataFile().data);
         const CompensationTable& table = *bench.controller().selectedTable();
@@ -114,6 +117,32 @@ private Q_SLOTS:
         QVERIFY(std::abs(table.values[2] - 0.002F) < 1e-6F);
         QCOMPARE(
             bench.controller().dataFile().data->tables[1].filled, (std::vector<std::uint32_t>{1}));
+    }
+
+    void numbersAreTakenAsTheyAreWhereNothingElseIsSaid_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("said");
+        QTest::newRow("as they are")
+            << QByteArray("X [mm],first [mm]\n0,0\n10,0.001\n20,0.003\n30,0.002\n")
+            << QStringLiteral("The numbers of the file are taken as they are.");
+        QTest::newRow("with a warning")
+            << QByteArray("X [mm],first [mm]\n0,0.001\n10,0.001\n20,0.001\n")
+            << QStringLiteral("Line 1: ");
+    }
+    void numbersAreTakenAsTheyAreWhereNothingElseIsSaid()
+    {
+        QFETCH(const QByteArray, text);
+        QFETCH(const QString, said);
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.picked = bench.file(QStringLiteral("line.csv"), text);
+        QVERIFY(bench.user.click("openButton"));
+        QTRY_VERIFY(bench.controller().dataFile().data);
+        QVERIFY(bench.user.pickFromMenu("recentButton", "recentMenu", Qt::Key_O));
+        QTRY_VERIFY(bench.user.sees("importDialog"));
+        QTRY_VERIFY2(mayAccept(bench), qPrintable(reason(bench)));
+        QVERIFY2(report(bench).startsWith(said), qPrintable(report(bench)));
     }
 
     void measuredPositionsSnapWithTheToleranceThatIsEntered()

@@ -4,6 +4,7 @@
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/controller/axis_overview.h"
 #include "ui/dialogs/multi_axis_dialog.h"
 
 #include <QComboBox>
@@ -130,6 +131,7 @@ private Q_SLOTS:
     void whatIsProposedIsPlannedAndNothingIsChanged();
     void noAxisAndTheSameAxisTwiceCannotBeWritten();
     void eachAxisGetsItsOwnColumn();
+    void theOverviewNamesTheFileAndColumnOfEachAxis();
     void eachAxisCanBeLookedUpByItsOwnPosition();
     void theRefusalOfOneAxisNamesItAndPreventsAll();
     void whatChangedSinceThePlanIsNotWrittenToAnyAxis();
@@ -248,6 +250,34 @@ void TestMultiAxis::eachAxisGetsItsOwnColumn()
     // The page has read back what its axis has now.
     QVERIFY(!stage.bench->setup().isDirty());
     QVERIFY(stage.bench->setup().baseline().tableCrc != 0);
+}
+
+void TestMultiAxis::theOverviewNamesTheFileAndColumnOfEachAxis()
+{
+    Stage stage;
+    QVERIFY(stage.open());
+    QVERIFY(stage.mayWrite());
+    stage.write().click();
+    QVERIFY(stage.ended());
+    const auto& rows = stage.bench->overview().rows();
+    const auto areNamed = [&] {
+        return rows[0].file == QStringLiteral("plane.csv")
+            && rows[0].column == QStringLiteral("X error")
+            && rows[1].file == QStringLiteral("plane.csv")
+            && rows[1].column == QStringLiteral("Y error");
+    };
+    QVERIFY(areNamed());
+    // Until the axis has another table.
+    QSignalSpy read(&stage.bench->overview(), &AxisOverview::rowChanged);
+    stage.bench->overview().readNow();
+    QTRY_VERIFY(read.size() >= 2);
+    QVERIFY(areNamed());
+    const DimSource& other = stage.bench->status()->setup.sources[1];
+    stage.bench.drive().set(
+        "Axes[1]/Parameters/Compensations/Axis/Dim1Source", std::uint32_t{other.address});
+    stage.bench->overview().readNow();
+    QTRY_VERIFY(rows[1].file.isEmpty());
+    QCOMPARE(rows[0].file, QStringLiteral("plane.csv"));
 }
 
 void TestMultiAxis::eachAxisCanBeLookedUpByItsOwnPosition()

@@ -44,6 +44,8 @@ private Q_SLOTS:
         };
         row(english, "0.5", 0.5);
         row(english, "0,5", 0.5);
+        row(english, "0,016", 0.016);
+        row(german, "0.016", 0.016);
         row(german, "2,5", 2.5);
         row(german, "2.5", 2.5);
         row(german, "-2.25", -2.25);

@@ -105,6 +105,28 @@ private Q_SLOTS:
         QVERIFY(micrometres && std::abs(*micrometres - 0.0025) < 1e-12);
     }
 
+    /// A group of thousands does not begin with 0.
+    void whatIsBelowOneHasNoThousands()
+    {
+        for (const auto language : {QLocale::English, QLocale::German, QLocale::French}) {
+            QLocale::setDefault(QLocale(language));
+            for (const char* text : {"0,016 mm", "0.016 mm", "16.0 um", "16,0", "0,016mm"}) {
+                const auto amount = amountOf(QLatin1StringView(text), false);
+                QVERIFY2(amount && std::abs(*amount - 0.016) < 1e-12, text);
+            }
+        }
+        QLocale::setDefault(QLocale(QLocale::German));
+        NumberEdit field({.most = 2});
+        enter(field, QStringLiteral("0.016; -0.250"));
+        QCOMPARE(field.numbers(), (Numbers{0.016, -0.25}));
+        QLocale::setDefault(QLocale(QLocale::English));
+        for (const char* text : {"1,234 mm", "0,016,000", "0,016.5", "1,5,2"})
+            QVERIFY2(!amountOf(QLatin1StringView(text), false), text);
+        // In a list the comma might separate.
+        enter(field, QStringLiteral("0,016"));
+        QVERIFY(!field.problem().isEmpty());
+    }
+
     void aWrongTextStaysAndTheNumberBeforeToo()
     {
         NumberEdit field({.smallest = 0.0, .isMore = true});

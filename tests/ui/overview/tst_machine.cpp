@@ -3,11 +3,14 @@
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/page_fixture.h"
 #include "tests/ui/support/window_test.h"
+#include "ui/controller/axis_overview.h"
 #include "ui/controller/machine_controller.h"
 #include "ui/overview/overview_model.h"
+#include "ui/page/setup_panel.h"
 #include "ui/style/contrast.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QDialog>
 #include <QDir>
@@ -349,6 +352,12 @@ private Q_SLOTS:
         QVERIFY(written[0].outcomes[0].now->table->persistent);
         QVERIFY(!written[1].outcomes[0].now->table->persistent);
         QVERIFY(!all.bench->isWriting());
+        const auto& rows = all.bench->overview().rows(); // X, Y and C
+        for (const std::size_t row : {0, 2}) {
+            QCOMPARE(rows.at(row).file, QStringLiteral("first.csv"));
+            QCOMPARE(rows.at(row).column, QStringLiteral("Error"));
+        }
+        QVERIFY(rows.at(1).file.isEmpty());
         QVERIFY(all.compared());
         QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
         QTRY_COMPARE(all.drift("http://c", 0).state, State::AsFile);
@@ -499,6 +508,37 @@ private Q_SLOTS:
         QVERIFY(test::CompensatorFixture::stateOf(all.bench.drive().drive, 0) == before);
         QVERIFY2(all.bench->outcome().contains(QStringLiteral("Failed: X · Test-1")),
             qPrintable(all.bench->outcome()));
+    }
+
+    /// The drive of the page is none of the file, or it is done before the other one.
+    void theFieldsWaitForAllDrivesAndNotLonger_data()
+    {
+        QTest::addColumn<bool>("isCurrentWritten");
+        QTest::newRow("the other drive alone") << false;
+        QTest::newRow("both drives") << true;
+    }
+    void theFieldsWaitForAllDrivesAndNotLonger()
+    {
+        QFETCH(const bool, isCurrentWritten);
+        Machine all;
+        QVERIFY(all.bench.connect());
+        const QString onlyC =
+            all.write(driveSection(QStringLiteral("http://c"), 4712) + axisSection("0"));
+        QVERIFY(all.open(isCurrentWritten ? all.writeBoth() : onlyC));
+        QTRY_COMPARE(all.machine().applyObstacle(false), QString());
+        const SetupPanel panel(
+            all.bench.controller(), drivecomm::genericProfile(), *QApplication::style());
+        const auto& field = *panel.findChild<QCheckBox*>(QStringLiteral("persistencyField"));
+        QVERIFY(field.isEnabled());
+        all.bench.drive("http://c").gate.holdUploads();
+        all.machine().apply();
+        QVERIFY(!field.isEnabled());
+        QVERIFY(all.bench.idle());
+        QVERIFY(all.bench->isWriting() && !field.isEnabled());
+        all.bench.drive("http://c").gate.releaseUploads();
+        QTRY_VERIFY(!all.bench->isWriting());
+        QTRY_VERIFY(field.isEnabled());
+        QVERIFY(!all.bench->isOutcomeAnError());
     }
 
     void aSavedMachineIsWhatTheDrivesHave()

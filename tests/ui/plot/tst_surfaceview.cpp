@@ -137,6 +137,60 @@ private Q_SLOTS:
             std::abs(fittingExaggeration(table, {0.0, 0.004}) * factor / (1e4 / 3.0) - 1.0) < 1e-9);
     }
 
+    /// The same place whatever units are written in the file.
+    void bothDimensionsAreTrueToScaleInUnlikeUnits()
+    {
+        CompensationTable table = *tableOf(3, 3, [](double x, double) { return x / 1e4; });
+        const SurfaceSight sight{std::make_shared<const CompensationTable>(table), 30.0, 35.0,
+            1000.0, {0.0, 0.004}, {640, 480}};
+        const QPointF wanted = SurfaceProjection(sight).pixel(40.0, 30.0, 0.004);
+        const double fitting = fittingExaggeration(table, {0.0, 0.004});
+        const auto look = [&](const char* unit, double perMillimetre, std::size_t axis) {
+            CompensationTable other = table;
+            other.grid.axes[axis].unit = unit;
+            other.grid.axes[axis].distance *= perMillimetre;
+            SurfaceSight seen = sight;
+            seen.table = std::make_shared<const CompensationTable>(other);
+            const QPointF found = SurfaceProjection(seen).pixel(
+                other.grid.axes[0].last(), other.grid.axes[1].last(), 0.004);
+            const QPointF off = found - wanted;
+            return hasOneScale(other) && std::hypot(off.x(), off.y()) < 1e-6
+                && std::abs(fittingExaggeration(other, {0.0, 0.004}) / fitting - 1.0) < 1e-9;
+        };
+        for (const std::size_t axis : {0, 1}) {
+            QVERIFY(look("m", 0.001, axis));
+            QVERIFY(look("cm", 0.1, axis));
+            QVERIFY(look("um", 1000.0, axis));
+            QVERIFY(look("", 1.0, axis));
+        }
+    }
+
+    void lengthsAndAnglesHaveNoScaleInCommon()
+    {
+        CompensationTable table = *tableOf(3, 3, [](double x, double) { return x / 1e4; });
+        table.grid.axes[1].unit = "deg";
+        table.grid.axes[1].distance = 180.0; // to 360
+        QVERIFY(!hasOneScale(table));
+        const SurfaceSight sight{std::make_shared<const CompensationTable>(table), 0.0, 90.0, 1.0,
+            {0.0, 0.004}, {640, 480}};
+        const SurfaceProjection projection(sight);
+        const QPointF origin = projection.pixel(0.0, 0.0, 0.0);
+        const double across = projection.pixel(40.0, 0.0, 0.0).x() - origin.x();
+        const double up = origin.y() - projection.pixel(0.0, 360.0, 0.0).y();
+        QVERIFY(across > 100.0 && std::abs(across - up) < 1e-6);
+        Fixture bench(std::make_shared<const CompensationTable>(table));
+        auto* box = bench.view->findChild<QComboBox*>(QStringLiteral("surfaceExaggeration"));
+        QVERIFY(!box->isEnabled());
+        const double factor = bench.view->exaggeration();
+        bench.press(Qt::Key_Plus);
+        QCOMPARE(bench.view->exaggeration(), factor);
+        bench.shown.setTables(sharedTable({12, 9}), nullptr);
+        QVERIFY(box->isEnabled());
+        table.grid.axes[1].unit = "mm";
+        table.unit = "deg";
+        QVERIFY(!hasOneScale(table));
+    }
+
     void whatIsNearHidesWhatIsFar()
     {
         // A roof along X whose ridge is at Y = 15.
