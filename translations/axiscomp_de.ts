@@ -10857,6 +10857,10 @@
         <source>compare them with the data, and exchange them if they are the other way round</source>
         <translation>vergleichen Sie sie mit den Daten und vertauschen Sie sie, wenn sie umgekehrt sind</translation>
     </message>
+    <message>
+        <source>line {line}: {problem}</source>
+        <translation>Zeile {line}: {problem}</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -18588,6 +18592,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>The units of the table have no common scale; the heights are drawn as they fit</source>
+        <translation>Die Einheiten der Tabelle haben keinen gemeinsamen Maßstab; die Höhen sind passend gezeichnet</translation>
     </message>
 </context>
 <context>

@@ -10857,6 +10857,10 @@
         <source>compare them with the data, and exchange them if they are the other way round</source>
         <translation>les comparer avec les données et les permuter s&apos;ils sont inversés</translation>
     </message>
+    <message>
+        <source>line {line}: {problem}</source>
+        <translation>ligne {line}&#xa0;: {problem}</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -18588,6 +18592,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>Copy picture</source>
         <translation>Copier l&apos;image</translation>
+    </message>
+    <message>
+        <source>The units of the table have no common scale; the heights are drawn as they fit</source>
+        <translation>Les unités de la table n&apos;ont pas d&apos;échelle commune&#xa0;; les hauteurs sont ajustées au dessin</translation>
     </message>
 </context>
 <context>

@@ -10807,6 +10807,10 @@
         <source>compare them with the data, and exchange them if they are the other way round</source>
         <translation>データと照合し、逆になっている場合は交換してください</translation>
     </message>
+    <message>
+        <source>line {line}: {problem}</source>
+        <translation>行 {line}: {problem}</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -18536,6 +18540,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>Copy picture</source>
         <translation>図をコピー</translation>
+    </message>
+    <message>
+        <source>The units of the table have no common scale; the heights are drawn as they fit</source>
+        <translation>テーブルの単位に共通の尺度がないため、高さは見やすい大きさで描きます</translation>
     </message>
 </context>
 <context>

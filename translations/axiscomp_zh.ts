@@ -10807,6 +10807,10 @@
         <source>compare them with the data, and exchange them if they are the other way round</source>
         <translation>与数据对照，如方向相反则对调</translation>
     </message>
+    <message>
+        <source>line {line}: {problem}</source>
+        <translation>第 {line} 行：{problem}</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -18536,6 +18540,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>Copy picture</source>
         <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>The units of the table have no common scale; the heights are drawn as they fit</source>
+        <translation>表的各单位没有共同比例；高度按合适的大小绘制</translation>
     </message>
 </context>
 <context>
