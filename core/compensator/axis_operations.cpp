@@ -32,6 +32,16 @@ Result<SettledWrite> settle(
     return settled;
 }
 
+/// Without its journal the axis can still be looked at and switched off.
+Result<void> look(
+    AxisCompensator& compensator, int axis, const OperationOptions& options, SettledStatus& now)
+{
+    AXISCOMP_TRY(auto watched, compensator.watch(axis, {}, options));
+    now.status = std::move(watched.status);
+    now.settlingProblem = std::move(watched.journalProblem);
+    return {};
+}
+
 /// why: the argument that tells the sentences apart. Errors: VerifyMismatch.
 Result<void> checkNoHalf(const SettledStatus& now, const char* why)
 {
@@ -103,7 +113,7 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {
     SettledStatus now;
-    AXISCOMP_TRY(now.status, compensator.status(axis, options));
+    AXISCOMP_CHECK(look(compensator, axis, options, now));
     if (!now.status.unfinishedWrite)
         return now;
     auto lock = DriveStore(storeRoot).tryLockWrites(now.status.drive.serialNumber);
@@ -113,7 +123,7 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     }
     // The other program may have ended its write between the first look and the lock. Where there
     // can be no lock, nobody can write either.
-    AXISCOMP_TRY(now.status, compensator.status(axis, options));
+    AXISCOMP_CHECK(look(compensator, axis, options, now));
     if (!now.status.unfinishedWrite)
         return now;
     auto settled = settle(compensator, *now.status.unfinishedWrite, options);

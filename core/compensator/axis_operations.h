@@ -34,11 +34,15 @@ struct SettledStatus {
     AxisStatus status;
     std::optional<SettledWrite> settled; ///< none while another program is writing
     bool isBeingWritten = false; ///< by another program: its write has not failed, it is going on
-    std::optional<Error> settlingProblem; ///< why a write that did not end could not be settled
+    /// Why a write that did not end could not be settled, or, where status names none, why it is
+    /// not known whether there is one.
+    std::optional<Error> settlingProblem;
+    /// Whether the journal could be read.
+    [[nodiscard]] bool isJournalKnown() const { return !settlingProblem || status.unfinishedWrite; }
 };
 
 /// Reads an axis and settles a write that did not end, both under the drive's write lock. Errors:
-/// those of AxisCompensator::status; what goes wrong while settling is settlingProblem.
+/// those of AxisCompensator::watch; what goes wrong while settling is settlingProblem.
 [[nodiscard]] Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 

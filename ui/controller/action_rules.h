@@ -93,8 +93,8 @@ struct ActionSnapshot {
     bool hasAxis = false; ///< one is chosen
     bool isConnected = false; ///< its drive answers
     bool hasCompensation = true; ///< the drive has compensation registers for it
-    bool isKnown = false; ///< it has been read
-    std::optional<Error> readProblem; ///< why it cannot be read
+    bool isKnown = false; ///< it has been read, and whether a write to it did not end
+    std::optional<Error> readProblem; ///< why it, or the journal, cannot be read
 
     // What the drive says
     bool isActive = false; ///< Active or Ramping

@@ -81,7 +81,7 @@ void WizardActions::lookAtDrive(ActionSnapshot& now) const
     now.isFlashRecordLost = budget.isRecordLost;
     now.isFlashLimitKnown = budget.left != std::numeric_limits<int>::max();
     const auto& status = m_axis.status();
-    now.isKnown = status.has_value();
+    now.isKnown = status && m_axis.isJournalKnown();
     if (!status)
         return;
     now.isActive = status->isOn();
