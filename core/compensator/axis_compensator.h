@@ -239,7 +239,7 @@ public:
     using UnfinishedOutcome = axiscomp::UnfinishedOutcome;
     using Recovery = axiscomp::Recovery;
     /// Which state the drive holds after an unfinished write; forgets that write when it is the new
-    /// one completely. Errors: OtherDrive, FileNotReadable, InvalidBackup.
+    /// one completely. Errors: OtherDrive.
     [[nodiscard]] Result<UnfinishedOutcome> settleUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
 

@@ -45,12 +45,14 @@ Result<void> look(
 /// why: the argument that tells the sentences apart. Errors: VerifyMismatch.
 Result<void> checkNoHalf(const SettledStatus& now, const char* why)
 {
+    using Outcome = AxisCompensator::UnfinishedOutcome;
     const auto& settled = now.settled;
-    if (!settled || settled->outcome != AxisCompensator::UnfinishedOutcome::Neither)
+    const bool isUnread = settled && settled->outcome == Outcome::Unknown;
+    if (!settled || (settled->outcome != Outcome::Neither && !isUnread))
         return {};
     return fail(ErrorCode::VerifyMismatch,
         {{"axis", settled->entry.axis}, {"backup", settled->entry.backup.string()},
-            {why, Verbatim{"yes"}}});
+            {isUnread ? "unread" : why, Verbatim{"yes"}}});
 }
 
 bool endsBackup(const Error& error)

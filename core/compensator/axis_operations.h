@@ -47,7 +47,8 @@ struct SettledStatus {
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 
 /// Half of a write must not be activated. Errors: VerifyMismatch (axis, backup, unfinished) when
-/// the drive holds neither the old nor the new state of a write that did not end.
+/// the drive holds neither the old nor the new state of a write that did not end; (axis, backup,
+/// unread) when nobody knows which.
 [[nodiscard]] Result<void> checkMayActivate(const SettledStatus& now);
 
 /// That nobody is writing to the axis, and that it is known what became of a write that did not
@@ -56,7 +57,7 @@ struct SettledStatus {
 
 /// Half of a write is not the state of an axis: what is kept as one must not be it. Errors: those
 /// of checkIsSettled; VerifyMismatch (axis, backup, half) when the drive holds neither the old nor
-/// the new state of a write that did not end.
+/// the new state of a write that did not end, (axis, backup, unread) when nobody knows which.
 [[nodiscard]] Result<void> checkIsWhole(const SettledStatus& now);
 
 /// A state of an axis that may be kept. Errors: those of settledStatus, checkIsWhole and

@@ -103,7 +103,7 @@ struct ActionSnapshot {
     bool isHomed = false;
     bool hasDriveTable = false;
     bool hasBackup = false;
-    enum class Unfinished { None, Old, Unsaved, Mixture } unfinished = Unfinished::None;
+    enum class Unfinished { None, Old, Unsaved, Mixture, Unknown } unfinished = Unfinished::None;
     std::optional<Error> finishObstacle; ///< why an unfinished write cannot be finished
     std::optional<Error> undoObstacle;
     int flashOperationsLeft = 0;

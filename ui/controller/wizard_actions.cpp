@@ -101,6 +101,7 @@ void WizardActions::lookAtUnfinished(ActionSnapshot& now) const
         return;
     now.unfinished = unfinished->outcome == Held::Old ? Unfinished::Old
         : unfinished->outcome == Held::NewUnsaved     ? Unfinished::Unsaved
+        : unfinished->outcome == Held::Unknown        ? Unfinished::Unknown
                                                       : Unfinished::Mixture;
     now.finishObstacle = unfinished->recovery.finishObstacle;
     now.undoObstacle = unfinished->recovery.undoObstacle;
