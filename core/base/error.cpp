@@ -437,6 +437,11 @@ constexpr std::array variants{
             "what can be read of it is half of that write. Finish it with 'axiscomp recover "
             "--finish', or undo it with 'axiscomp recover --undo'. The old state is kept in "
             "{backup}")},
+    Variant{ErrorCode::VerifyMismatch, "unread",
+        AXISCOMP_TEXT("Error",
+            "what a write that did not end has left of axis {axis} is not known: the backup of its "
+            "old state, {backup}, cannot be read. Write again or restore another backup, which "
+            "puts an end to it")},
     Variant{ErrorCode::LargeCorrection, "machineAxis",
         AXISCOMP_TEXT("Error",
             "{reason} Check the unit of the values; if they are right, confirm them with "

@@ -94,7 +94,7 @@ enum class ErrorCode {
     OtherDrive, ///< expected, found; measured: of a table, or of residuals
     ChangedMeanwhile, ///< what, before, now
     VerifyMismatch, ///< what, expected, found; or layout, slot, dimension, found,
-    ///< expected; or unfinished or half, axis, backup: half of a write
+    ///< expected; or unfinished, half or unread, axis, backup: half of a write
     ProofFailed, ///< axis, what, expected, found, position
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which

@@ -57,6 +57,8 @@ Result<int> AxisCompensator::findAxis(
 Result<AxisStatus> AxisCompensator::status(int axis, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto watched, watch(axis, {}, options));
+    if (watched.journalProblem)
+        return fail(*std::move(watched.journalProblem));
     return std::move(watched.status);
 }
 
@@ -66,8 +68,11 @@ Result<WatchedStatus> AxisCompensator::watch(
     const RegisterAccess access = d->access(options);
     AXISCOMP_TRY(auto drive, d->identify(access, axis));
     AXISCOMP_TRY(auto reading, readStatusWith(access, drive, axis, d->sources, registers));
-    AXISCOMP_TRY(reading.status.unfinishedWrite, d->store.journal(drive.serialNumber, axis));
-    WatchedStatus watched{std::move(reading.status), {}};
+    WatchedStatus watched{std::move(reading.status), {}, {}};
+    if (auto journal = d->store.journal(drive.serialNumber, axis))
+        watched.status.unfinishedWrite = *std::move(journal);
+    else
+        watched.journalProblem = std::move(journal).error();
     for (const std::string& path : registers)
         watched.values.emplace(path, numberAt(reading.readings, path));
     return watched;
@@ -257,7 +262,8 @@ void AxisCompensator::Private::putBack(
 Result<void> AxisCompensator::checkUnchanged(
     const AxisStatus& read, const OperationOptions& options)
 {
-    AXISCOMP_TRY(const auto now, status(read.axis.index, options));
+    AXISCOMP_TRY(const auto watched, watch(read.axis.index, {}, options));
+    const AxisStatus& now = watched.status;
     if (now.drive.serialNumber != read.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", read.drive.serialNumber}, {"found", now.drive.serialNumber}});

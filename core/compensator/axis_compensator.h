@@ -30,6 +30,8 @@ enum class Switch { Activate, Evaluate, Deactivate };
 struct WatchedStatus {
     AxisStatus status;
     std::map<std::string, double> values; ///< by path
+    /// Why it is not known whether a write did not end: status.unfinishedWrite is empty then.
+    std::optional<Error> journalProblem;
 };
 
 struct Activation {
@@ -81,11 +83,12 @@ public:
     /// An index or a name, as axisAmong takes it. Errors: AxisNotFound, AxisAmbiguous.
     [[nodiscard]] Result<int> findAxis(
         const std::string& indexOrName, const OperationOptions& options = {});
-    /// Errors: AxisNotFound, NoCompensation.
+    /// Errors: AxisNotFound, NoCompensation, those of DriveStore::journal.
     [[nodiscard]] Result<AxisStatus> status(int axis, const OperationOptions& options = {});
 
     /// The same with the values of more registers, read at the same instant as far as the profile
-    /// allows; NaN where the drive has no such number.
+    /// allows; NaN where the drive has no such number. An error of the journal is part of it: who
+    /// changes nothing, or only switches off, needs none.
     [[nodiscard]] Result<WatchedStatus> watch(
         int axis, const std::vector<std::string>& registers, const OperationOptions& options = {});
 
@@ -115,7 +118,7 @@ public:
         int axis, Persistency persistency, const OperationOptions& options = {});
 
     /// Wait for the resulting state. The table is read whole and checked before it is used. Errors:
-    /// CompensationError, NotHomed, NoTable, InvalidTable.
+    /// CompensationError, NotHomed, NoTable, InvalidTable; of the first two those of status, too.
     [[nodiscard]] Result<AxisStatus> evaluate(int axis, const OperationOptions& options = {});
     [[nodiscard]] Result<AxisStatus> activate(int axis, const OperationOptions& options = {});
     [[nodiscard]] Result<AxisStatus> deactivate(int axis, const OperationOptions& options = {});
@@ -236,7 +239,7 @@ public:
     using UnfinishedOutcome = axiscomp::UnfinishedOutcome;
     using Recovery = axiscomp::Recovery;
     /// Which state the drive holds after an unfinished write; forgets that write when it is the new
-    /// one completely. Errors: OtherDrive, FileNotReadable, InvalidBackup.
+    /// one completely. Errors: OtherDrive.
     [[nodiscard]] Result<UnfinishedOutcome> settleUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
 

@@ -32,15 +32,27 @@ Result<SettledWrite> settle(
     return settled;
 }
 
+/// Without its journal the axis can still be looked at and switched off.
+Result<void> look(
+    AxisCompensator& compensator, int axis, const OperationOptions& options, SettledStatus& now)
+{
+    AXISCOMP_TRY(auto watched, compensator.watch(axis, {}, options));
+    now.status = std::move(watched.status);
+    now.settlingProblem = std::move(watched.journalProblem);
+    return {};
+}
+
 /// why: the argument that tells the sentences apart. Errors: VerifyMismatch.
 Result<void> checkNoHalf(const SettledStatus& now, const char* why)
 {
+    using Outcome = AxisCompensator::UnfinishedOutcome;
     const auto& settled = now.settled;
-    if (!settled || settled->outcome != AxisCompensator::UnfinishedOutcome::Neither)
+    const bool isUnread = settled && settled->outcome == Outcome::Unknown;
+    if (!settled || (settled->outcome != Outcome::Neither && !isUnread))
         return {};
     return fail(ErrorCode::VerifyMismatch,
         {{"axis", settled->entry.axis}, {"backup", settled->entry.backup.string()},
-            {why, Verbatim{"yes"}}});
+            {isUnread ? "unread" : why, Verbatim{"yes"}}});
 }
 
 bool endsBackup(const Error& error)
@@ -103,7 +115,7 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options)
 {
     SettledStatus now;
-    AXISCOMP_TRY(now.status, compensator.status(axis, options));
+    AXISCOMP_CHECK(look(compensator, axis, options, now));
     if (!now.status.unfinishedWrite)
         return now;
     auto lock = DriveStore(storeRoot).tryLockWrites(now.status.drive.serialNumber);
@@ -113,7 +125,7 @@ Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     }
     // The other program may have ended its write between the first look and the lock. Where there
     // can be no lock, nobody can write either.
-    AXISCOMP_TRY(now.status, compensator.status(axis, options));
+    AXISCOMP_CHECK(look(compensator, axis, options, now));
     if (!now.status.unfinishedWrite)
         return now;
     auto settled = settle(compensator, *now.status.unfinishedWrite, options);

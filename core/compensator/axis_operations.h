@@ -34,16 +34,21 @@ struct SettledStatus {
     AxisStatus status;
     std::optional<SettledWrite> settled; ///< none while another program is writing
     bool isBeingWritten = false; ///< by another program: its write has not failed, it is going on
-    std::optional<Error> settlingProblem; ///< why a write that did not end could not be settled
+    /// Why a write that did not end could not be settled, or, where status names none, why it is
+    /// not known whether there is one.
+    std::optional<Error> settlingProblem;
+    /// Whether the journal could be read.
+    [[nodiscard]] bool isJournalKnown() const { return !settlingProblem || status.unfinishedWrite; }
 };
 
 /// Reads an axis and settles a write that did not end, both under the drive's write lock. Errors:
-/// those of AxisCompensator::status; what goes wrong while settling is settlingProblem.
+/// those of AxisCompensator::watch; what goes wrong while settling is settlingProblem.
 [[nodiscard]] Result<SettledStatus> settledStatus(AxisCompensator& compensator,
     const std::filesystem::path& storeRoot, int axis, const OperationOptions& options);
 
 /// Half of a write must not be activated. Errors: VerifyMismatch (axis, backup, unfinished) when
-/// the drive holds neither the old nor the new state of a write that did not end.
+/// the drive holds neither the old nor the new state of a write that did not end; (axis, backup,
+/// unread) when nobody knows which.
 [[nodiscard]] Result<void> checkMayActivate(const SettledStatus& now);
 
 /// That nobody is writing to the axis, and that it is known what became of a write that did not
@@ -52,7 +57,7 @@ struct SettledStatus {
 
 /// Half of a write is not the state of an axis: what is kept as one must not be it. Errors: those
 /// of checkIsSettled; VerifyMismatch (axis, backup, half) when the drive holds neither the old nor
-/// the new state of a write that did not end.
+/// the new state of a write that did not end, (axis, backup, unread) when nobody knows which.
 [[nodiscard]] Result<void> checkIsWhole(const SettledStatus& now);
 
 /// A state of an axis that may be kept. Errors: those of settledStatus, checkIsWhole and

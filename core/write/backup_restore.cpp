@@ -2,8 +2,6 @@
 #include "core/write/backup_restore.h"
 
 #include "core/axis/verified_transfer.h"
-#include "core/io/local_file.h"
-#include "core/store/backup_json.h"
 #include "core/store/drive_store.h"
 #include "core/table/tam_table.h"
 #include "core/write/restored_axis.h"
@@ -272,14 +270,13 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     if (hasNewTable && hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;
 
-    AXISCOMP_TRY(auto text, loadOrdinaryFile(entry.backup, maximumBackupSize));
-    AXISCOMP_TRY(auto backup, readBackup(asText(text), entry.backup.string()));
-    if (backup.axes.empty())
-        return Outcome::Neither;
-    AXISCOMP_TRY(auto hasOldRegisters, holdsRegisters(access, backup.axes.front().registers));
+    const auto write = UnfinishedWrite::load(access, entry);
+    if (!write)
+        return Outcome::Unknown;
+    AXISCOMP_TRY(auto hasOldRegisters, holdsRegisters(access, write->before().registers));
     if (!hasOldRegisters)
         return Outcome::Neither;
-    const AxisBackup::File* old = usedFile(access, backup.axes.front());
+    const AxisBackup::File* old = usedFile(access, write->before());
     if (!old)
         return Outcome::Old;
     // The file alone may be one that somebody on the way has kept.

@@ -27,6 +27,7 @@ enum class UnfinishedOutcome {
     New,
     NewUnsaved, ///< new, but the parameters may not be saved
     Neither,
+    Unknown, ///< not the new one; the backup of the old one cannot be read
 };
 
 /// What can be done about it.
@@ -40,7 +41,7 @@ struct Recovery {
 /// A write that did not end, with what was kept before its first change.
 class UnfinishedWrite {
 public:
-    /// Errors: FileNotReadable, InvalidBackup.
+    /// Errors: FileNotReadable, FileTooLarge, InvalidBackup.
     [[nodiscard]] static Result<UnfinishedWrite> load(
         const RegisterAccess& access, const JournalEntry& entry);
 

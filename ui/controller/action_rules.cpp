@@ -234,6 +234,9 @@ Obstacle Rules::nothingToDelete() const
 
 Obstacle Rules::mixture() const
 {
+    if (m_now.unfinished == Unfinished::Unknown)
+        return tr("What an earlier write left is not known: write again or restore another "
+                  "backup.");
     if (m_now.unfinished == Unfinished::Mixture)
         return tr("An earlier write left the axis in neither the old nor the new state: write "
                   "again or restore the previous state.");

@@ -93,8 +93,8 @@ struct ActionSnapshot {
     bool hasAxis = false; ///< one is chosen
     bool isConnected = false; ///< its drive answers
     bool hasCompensation = true; ///< the drive has compensation registers for it
-    bool isKnown = false; ///< it has been read
-    std::optional<Error> readProblem; ///< why it cannot be read
+    bool isKnown = false; ///< it has been read, and whether a write to it did not end
+    std::optional<Error> readProblem; ///< why it, or the journal, cannot be read
 
     // What the drive says
     bool isActive = false; ///< Active or Ramping
@@ -103,7 +103,7 @@ struct ActionSnapshot {
     bool isHomed = false;
     bool hasDriveTable = false;
     bool hasBackup = false;
-    enum class Unfinished { None, Old, Unsaved, Mixture } unfinished = Unfinished::None;
+    enum class Unfinished { None, Old, Unsaved, Mixture, Unknown } unfinished = Unfinished::None;
     std::optional<Error> finishObstacle; ///< why an unfinished write cannot be finished
     std::optional<Error> undoObstacle;
     int flashOperationsLeft = 0;

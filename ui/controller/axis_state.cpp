@@ -37,6 +37,11 @@ AxisState::AxisState(const WizardOptions& options, const DriveList& drives, Setu
     , m_live(options.liveInterval)
 {
     connect(&m_live, &LiveMonitor::read, this, [this](const WatchedStatus& now) {
+        if (now.journalProblem) {
+            takeLiveFailure(*now.journalProblem);
+            readAgainLater(); // as far as that goes
+            return;
+        }
         m_liveProblem.reset();
         m_watched = now.values;
         take(now.status, false);
@@ -89,6 +94,7 @@ void AxisState::forget()
     m_flashUse.reset();
     m_hasBackup = false;
     m_hasCompensation = true;
+    m_isJournalKnown = true;
     m_readProblem.reset();
     m_liveProblem.reset();
     m_isChangeExpected = false;
@@ -137,7 +143,11 @@ void AxisState::take(const Result<AxisReading>& reading)
         takeFailure(reading.error());
         return;
     }
-    m_readProblem.reset();
+    m_isJournalKnown = reading->isJournalKnown();
+    if (m_isJournalKnown)
+        m_readProblem.reset();
+    else
+        takeReadProblem(*reading->settlingProblem);
     m_hasBackup = reading->hasBackup;
     // A refusal by the drive is in the store too, whichever program it was that ran into it.
     m_flash = wearGuard(m_profile.flashWear, reading->flashHistory);
@@ -175,7 +185,7 @@ void AxisState::take(const AxisStatus& now, bool isComplete)
         Q_EMIT statusChanged();
     Q_EMIT liveChanged();
     // A write of another program that has ended in between, or is going on.
-    if (now.unfinishedWrite && !m_unfinished)
+    if ((now.unfinishedWrite && !m_unfinished) || !m_isJournalKnown)
         readAgainLater();
 }
 
@@ -238,11 +248,16 @@ void AxisState::takeFailure(const Error& error)
         m_hasCompensation = false;
     else
         m_readAgain.start();
-    if (!m_readProblem || !saysTheSame(*m_readProblem, error)) {
-        m_readProblem = error;
-        m_log.add(error);
-    }
+    takeReadProblem(error);
     Q_EMIT failed();
+}
+
+void AxisState::takeReadProblem(const Error& error)
+{
+    if (m_readProblem && saysTheSame(*m_readProblem, error))
+        return;
+    m_readProblem = error;
+    m_log.add(error);
 }
 
 void AxisState::takeLiveFailure(const Error& error)

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] const std::optional<SettledWrite>& unfinished() const { return m_unfinished; }
     [[nodiscard]] bool hasBackup() const { return m_hasBackup; }
     [[nodiscard]] bool hasCompensation() const { return m_hasCompensation; }
+    /// False: whether a write did not end is not known; readProblem says why.
+    [[nodiscard]] bool isJournalKnown() const { return m_isJournalKnown; }
     /// Why it cannot be read.
     [[nodiscard]] const std::optional<Error>& readProblem() const { return m_readProblem; }
     /// Of the axis's drive, as last read.
@@ -73,6 +75,7 @@ Q_SIGNALS:
 
 private:
     void takeFailure(const Error& error);
+    void takeReadProblem(const Error& error);
     void noteChanges(const AxisStatus& now);
     void noteUnfinished(const AxisReading& now);
     void readAgainLater();
@@ -88,6 +91,7 @@ private:
     FlashWearGuard m_flash;
     bool m_hasBackup = false;
     bool m_hasCompensation = true;
+    bool m_isJournalKnown = true;
     std::optional<Error> m_readProblem;
     std::optional<Error> m_liveProblem; ///< as last logged
     LiveMonitor m_live;

@@ -81,7 +81,7 @@ void WizardActions::lookAtDrive(ActionSnapshot& now) const
     now.isFlashRecordLost = budget.isRecordLost;
     now.isFlashLimitKnown = budget.left != std::numeric_limits<int>::max();
     const auto& status = m_axis.status();
-    now.isKnown = status.has_value();
+    now.isKnown = status && m_axis.isJournalKnown();
     if (!status)
         return;
     now.isActive = status->isOn();
@@ -101,6 +101,7 @@ void WizardActions::lookAtUnfinished(ActionSnapshot& now) const
         return;
     now.unfinished = unfinished->outcome == Held::Old ? Unfinished::Old
         : unfinished->outcome == Held::NewUnsaved     ? Unfinished::Unsaved
+        : unfinished->outcome == Held::Unknown        ? Unfinished::Unknown
                                                       : Unfinished::Mixture;
     now.finishObstacle = unfinished->recovery.finishObstacle;
     now.undoObstacle = unfinished->recovery.undoObstacle;

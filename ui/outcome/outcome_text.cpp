@@ -170,6 +170,10 @@ QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
         return tr("The drive holds the complete new state; nothing more to do.");
     case Unfinished::NewUnsaved:
         return tr("The drive holds the complete new state, but its parameters may not be saved.");
+    case Unfinished::Unknown:
+        return tr("Which state the drive holds is not known, since the backup of the old one "
+                  "cannot be read: write again or restore another backup before activating the "
+                  "axis.");
     case Unfinished::Neither:
         break;
     }

@@ -61,7 +61,8 @@ struct ActivationOptions {
 Result<ExitCode> runActivation(Environment& environment, CommandSession& session, Switch wanted,
     const std::string& recordFile, int axis)
 {
-    const auto before = settledStatus(environment, session, axis);
+    const auto before = wanted == Switch::Deactivate ? shownStatus(environment, session, axis)
+                                                     : settledStatus(environment, session, axis);
     if (!before)
         return fail(before.error());
     if (wanted == Switch::Activate)

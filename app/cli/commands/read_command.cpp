@@ -90,7 +90,11 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
             options.drive.command);
     const auto read = [&](Environment& same, CommandSession& session,
                           int axis) -> Result<ExitCode> {
-        AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
+        AXISCOMP_TRY(
+            const auto watched, session.compensator().watch(axis, {}, session.operation()));
+        if (watched.journalProblem)
+            warnOfJournal(same, *watched.journalProblem);
+        const AxisStatus& status = watched.status;
         AXISCOMP_TRY(auto table,
             isOther ? readAsOther(same, session, status, options, **format)
                 : *format == &tam_table::format() ? readAsTamTable(session, status)

@@ -21,11 +21,18 @@ Result<ExitCode> runStatus(
 {
     if (resetsFlashCount)
         AXISCOMP_CHECK(session.compensator().resetFlashCount(session.operation()));
-    AXISCOMP_TRY(const auto settled, settledStatus(environment, session, axis));
-    AXISCOMP_TRY(const auto flash, session.compensator().flashUse(session.operation()));
+    AXISCOMP_TRY(const auto settled, shownStatus(environment, session, axis));
+    const auto& problem = settled.settlingProblem;
+    if (problem && (isLinkFailure(problem->code) || problem->code == ErrorCode::Cancelled))
+        return fail(*problem);
+    const auto flash = session.compensator().flashUse(session.operation());
+    // It is kept where the journal is.
+    const bool isLost = !settled.isJournalKnown() && !flash && flash.error().code == problem->code;
+    if (!flash && !isLost)
+        return fail(flash.error());
 
     Json json = toJson(settled.status);
-    json["flash"] = toJson(flash);
+    json["flash"] = flash ? toJson(*flash) : Json(nullptr);
     if (settled.isBeingWritten)
         json["isBeingWritten"] = true;
     if (settled.settled)
@@ -38,7 +45,7 @@ Result<ExitCode> runStatus(
     environment.print(statusText(settled.status, session.profile()));
     if (measured)
         environment.print("\nWith this table: " + measuredFiguresText(*measured).english() + "\n");
-    environment.print("\n" + flashText(flash));
+    environment.print("\n" + (flash ? flashText(*flash) : "Flash: not known\n"));
     return ExitCode::Done;
 }
 

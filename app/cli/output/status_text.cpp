@@ -203,6 +203,8 @@ std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome)
         return "NewUnsaved";
     case AxisCompensator::UnfinishedOutcome::Neither:
         return "Neither";
+    case AxisCompensator::UnfinishedOutcome::Unknown:
+        return "Unknown";
     }
     return "";
 }
@@ -228,6 +230,12 @@ std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::Unfinish
             + "The drive holds the complete new state, but its parameters may not be saved: "
               "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
               "state back";
+    case AxisCompensator::UnfinishedOutcome::Unknown:
+        return head
+            + "Which state the drive holds is not known, since the backup of the old one cannot be "
+              "read: do not activate the axis. `axiscomp write`, or `axiscomp restore` of another "
+              "backup, puts an end to it; the backup was "
+            + entry.backup.string();
     case AxisCompensator::UnfinishedOutcome::Neither:
         break;
     }

@@ -24,7 +24,7 @@ namespace axiscomp::app {
 /// What a step of the compensator (Progress::step) does, in words; an unknown one is its own word.
 [[nodiscard]] std::string stepWords(std::string_view step);
 
-/// "Old", "New", "NewUnsaved", "Neither"
+/// "Old", "New", "NewUnsaved", "Neither", "Unknown"
 [[nodiscard]] std::string_view outcomeName(AxisCompensator::UnfinishedOutcome outcome);
 /// "another program is writing to axis 0 (X) at this moment"
 [[nodiscard]] std::string beingWritten(const AxisInfo& axis);

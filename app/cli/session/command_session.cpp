@@ -31,6 +31,16 @@ std::string listAxes(const std::vector<AxisInfo>& axes)
     return text;
 }
 
+/// Of this program that did not end, or of another one that goes on.
+void warnOfWrites(Environment& environment, const SettledStatus& now)
+{
+    if (now.isBeingWritten)
+        environment.warn(
+            beingWritten(now.status.axis) + "; what is shown may already have changed");
+    if (now.settled)
+        environment.warn(outcomeSentence(now.settled->entry, now.settled->outcome));
+}
+
 } // namespace
 
 void addDriveOption(CLI::App& command, DriveOptions& options, DriveCount count)
@@ -230,12 +240,29 @@ Result<SettledStatus> settledStatus(Environment& environment, CommandSession& se
         session.compensator(), session.storeRoot(), axis, session.operation());
     if (now && now->settlingProblem)
         return fail(*now->settlingProblem);
-    if (now && now->isBeingWritten)
-        environment.warn(
-            beingWritten(now->status.axis) + "; what is shown may already have changed");
-    if (now && now->settled)
-        environment.warn(outcomeSentence(now->settled->entry, now->settled->outcome));
+    if (now)
+        warnOfWrites(environment, *now);
     return now;
+}
+
+Result<SettledStatus> shownStatus(Environment& environment, CommandSession& session, int axis)
+{
+    auto now = axiscomp::settledStatus(
+        session.compensator(), session.storeRoot(), axis, session.operation());
+    if (!now)
+        return now;
+    warnOfWrites(environment, *now);
+    if (!now->isJournalKnown())
+        warnOfJournal(environment, *now->settlingProblem);
+    else if (now->settlingProblem)
+        environment.warn("what an earlier write that did not end has left is not known: "
+            + sentence(*now->settlingProblem));
+    return now;
+}
+
+void warnOfJournal(Environment& environment, const Error& problem)
+{
+    environment.warn("whether an earlier write did not end is not known: " + sentence(problem));
 }
 
 Result<ExitCode> withDrive(

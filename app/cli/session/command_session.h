@@ -121,6 +121,12 @@ private:
 /// or that another program is writing.
 [[nodiscard]] Result<SettledStatus> settledStatus(
     Environment& environment, CommandSession& session, int axis);
+/// The same for what changes nothing, or only switches off: what is not known of an earlier write
+/// is a warning.
+[[nodiscard]] Result<SettledStatus> shownStatus(
+    Environment& environment, CommandSession& session, int axis);
+/// problem: WatchedStatus::journalProblem.
+void warnOfJournal(Environment& environment, const Error& problem);
 
 /// Reads the options of a command, opens a session and runs the function with it and the axis.
 using AxisFunction = std::function<Result<ExitCode>(Environment&, CommandSession&, int axis)>;

@@ -282,6 +282,36 @@ private Q_SLOTS:
         VERIFY_CODE(bench.box.run({"snapshot", "--drive", url, "-o", "folder"}), 0);
     }
 
+    void aWriteWhoseBackupIsGoneIsSwitchedOffAndWrittenAgain()
+    {
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
+        QVERIFY(slow.isReady());
+        const QString url = slow.url();
+        const auto process = bench.startWrite(url, 3);
+        process->kill();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        const QStringList axis{"--drive", url, "--axis", "0"};
+        const QString backup =
+            bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
+        QVERIFY2(QFile::remove(backup), qPrintable(backup));
+        const ProgramRun status = bench.status(url);
+        VERIFY_CODE(status, 0);
+        QCOMPARE(status.json().value("unfinishedWrite").toObject().value("driveHolds").toString(),
+            QStringLiteral("Unknown"));
+        const ProgramRun said = bench.box.run(QStringList{"recover"} + axis);
+        VERIFY_CODE(said, 0);
+        for (const char* const part :
+            {"Which state the drive holds is not known", "`axiscomp write`", "not possible now"})
+            QVERIFY2(said.out.contains(part), said.out.constData());
+        VERIFY_CODE(bench.box.run(QStringList{"activate"} + axis), 6);
+        VERIFY_CODE(bench.box.run(QStringList{"deactivate"} + axis), 0);
+        VERIFY_CODE(bench.write(url, "new.csv", newSource), 0);
+        const ProgramRun after = bench.status(url);
+        QVERIFY2(stateOf(after.json()) == bench.after, after.text().constData());
+        QVERIFY2(after.err.isEmpty(), after.err.constData());
+    }
+
     void killedDriveIsExplainedByTheNextRun_data() { addSteps(); }
     void killedDriveIsExplainedByTheNextRun()
     {

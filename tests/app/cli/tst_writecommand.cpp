@@ -4,6 +4,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QTest>
@@ -128,6 +129,30 @@ private Q_SLOTS:
         VERIFY_CODE(bench.run({"status", "--reset-flash-count"}), 0);
         QVERIFY(bench.status().value("flash").toObject().value("damagedRecord").isNull());
         VERIFY_CODE(bench.write("second.csv", {"--persistent"}), 0);
+    }
+
+    void aDatabaseThatCannotBeUsedDoesNotKeepACompensationOn()
+    {
+        const Fixture bench;
+        VERIFY_CODE(bench.write("first.csv"), 0);
+        VERIFY_CODE(bench.run({"activate"}), 0);
+        const QString database = bench.box.path("state/axiscomp/axiscomp.db");
+        for (const char* const ending : {"", "-wal", "-shm"})
+            QFile::remove(database + QLatin1String(ending));
+        QVERIFY(QDir().mkpath(database));
+        const QByteArray unknown = "warning: whether an earlier write did not end is not known: ";
+        for (const char* const command : {"status", "read", "deactivate"}) {
+            const ProgramRun run = bench.run({QLatin1String(command)});
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.err.contains(unknown), run.text().constData());
+            QVERIFY2(run.err.contains("axiscomp.db cannot be read"), run.err.constData());
+        }
+        const QJsonObject status = bench.status();
+        QCOMPARE(status.value("state").toString(), "Disabled");
+        QVERIFY(status.contains("flash") && status.value("flash").isNull());
+        VERIFY_CODE(bench.run({"activate"}), 3);
+        VERIFY_CODE(bench.run({"evaluate"}), 3);
+        VERIFY_CODE(bench.write("second.csv"), 3);
     }
 
     void aColumnGoesToTheAxisThatItIsNamedAsAndIsLookedUpByItsPosition()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compensator/axis_operations.h"
 #include "core/io/local_file.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
@@ -770,6 +771,39 @@ private Q_SLOTS:
             QCOMPARE(f.link.firstChange(), 0);
         }
         QVERIFY(f.state() == before);
+    }
+
+    /// Nothing that is put back has to be known for that.
+    void withoutItsJournalAnAxisIsShownAndSwitchedOffButNothingElse()
+    {
+        CompensatorFixture f;
+        VERIFY_RESULT(f.compensator.write(0, exampleRequest()));
+        VERIFY_RESULT(f.compensator.activate(0));
+        const auto root = f.storeRoot().parent_path() / "unusable";
+        std::filesystem::create_directories(root / "axiscomp.db");
+        DriveStore unusable(root, {});
+        AxisCompensator other(f.link, drivecomm::genericProfile(), unusable);
+        VERIFY_ERROR(other.status(0), ErrorCode::FileNotReadable);
+        const auto now = settledStatus(other, root, 0, {});
+        VERIFY_RESULT(now);
+        QVERIFY(!now->isJournalKnown());
+        QVERIFY(now->status.isOn());
+        VERIFY_ERROR(checkIsWhole(*now), ErrorCode::FileNotReadable);
+        VERIFY_RESULT(other.readTable(now->status));
+        const auto rescue = backUpDrive(other, root, {});
+        VERIFY_RESULT(rescue);
+        QVERIFY(!rescue->doubts.empty());
+
+        const auto off = other.switchTo(0, Switch::Deactivate);
+        VERIFY_RESULT(off);
+        QCOMPARE(off->status.axis.state, CompensationState::Disabled);
+        f.link.forgetChange();
+        for (const Switch on : {Switch::Activate, Switch::Evaluate})
+            VERIFY_ERROR(other.switchTo(0, on), ErrorCode::FileNotReadable);
+        VERIFY_ERROR(other.activate(0), ErrorCode::FileNotReadable);
+        VERIFY_ERROR(other.evaluate(0), ErrorCode::FileNotReadable);
+        VERIFY_ERROR(other.write(0, exampleRequest(2)), ErrorCode::FileNotReadable);
+        QCOMPARE(f.link.firstChange(), 0);
     }
 };
 

@@ -709,6 +709,48 @@ private Q_SLOTS:
         QVERIFY(notBegun > 0 && complete > 0);
     }
 
+    void withoutTheBackupOfTheOldStateOnlyTheNewOneIsTold_data()
+    {
+        QTest::addColumn<QByteArray>("left");
+        QTest::newRow("missing") << QByteArray();
+        QTest::newRow("half") << QByteArray("{\"format\": \"axiscomp-b");
+        QTest::newRow("of the other axis") << QByteArray("other");
+    }
+    /// The axis can be looked at, switched off and written, which is the way out.
+    void withoutTheBackupOfTheOldStateOnlyTheNewOneIsTold()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        QFETCH(const QByteArray, left);
+        Interrupted c(6);
+        const std::filesystem::path backup = c.entry.backup;
+        QVERIFY(std::filesystem::remove(backup));
+        if (left == "other") {
+            CompensatorFixture twin;
+            VERIFY_RESULT(twin.compensator.write(1, exampleRequest(1)));
+            const auto other = loadFile(twin.store.backups(4711, 1).front());
+            VERIFY_RESULT(saveFile(backup, *other));
+        } else if (!left.isEmpty()) {
+            VERIFY_RESULT(saveFile(backup, asBytes(left.toStdString())));
+        }
+        const auto now = settledStatus(c.compensator, c.storeRoot(), 0, {});
+        VERIFY_RESULT(now);
+        QVERIFY(now->settled && now->settled->outcome == Outcome::Unknown);
+        QVERIFY(now->settled->recovery.finishObstacle && now->settled->recovery.undoObstacle);
+        for (const auto& refused : {checkMayActivate(*now), checkIsWhole(*now)}) {
+            VERIFY_ERROR(refused, ErrorCode::VerifyMismatch);
+            QVERIFY(sentence(refused.error()).find("is not known") != std::string::npos);
+        }
+        for (const Recover way : ways)
+            QVERIFY(!(c.compensator.*way)(c.entry, {}).has_value());
+        VERIFY_RESULT(c.compensator.deactivate(0));
+        QVERIFY(c.isUnfinished());
+        WriteRequest again = exampleRequest(2, Persistency::Persistent);
+        again.slot = c.entry.newSlot;
+        VERIFY_RESULT(c.compensator.write(0, again));
+        QVERIFY(c.state() == c.wanted);
+        QVERIFY(!c.isUnfinished());
+    }
+
     void halfOfAWriteIsNotActivated()
     {
         Interrupted c;

@@ -268,6 +268,8 @@ std::string WriteTrial::judgeAnswer(const HeldStates& states, const FaultTraits&
             return isNew(now, states);
         case Outcome::Neither:
             return now != states.old && !isNew(now, states) && (canBeLeftOff() || traits.reboots);
+        case Outcome::Unknown: // its backup is there
+            return false;
         }
         return false;
     }();

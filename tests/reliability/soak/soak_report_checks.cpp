@@ -142,6 +142,8 @@ void SoakModel::checkSettled(const Operation& operation, AxisCompensator::Unfini
     case Outcome::Neither:
         return expect(!isOld || now.persistent != old.files.front().persistent,
             "settled as neither, but it is the old state");
+    case Outcome::Unknown:
+        return expect(false, "settled as unknown, but its backup is there");
     }
 }
 

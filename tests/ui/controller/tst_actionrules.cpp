@@ -71,7 +71,7 @@ bool mayActivate(const ActionSnapshot& s)
         && s.missingSource == 0 && s.repeatedSource == 0 && !s.isSourceBeingChecked
         && (!s.isNewTable || s.tableBytes <= s.largestSlotBytes);
     return hasAxis && s.isKnown && !s.task && !s.isActive && !s.isDirty && fits && s.isHomed
-        && s.unfinished != Unfinished::Mixture;
+        && s.unfinished != Unfinished::Mixture && s.unfinished != Unfinished::Unknown;
 }
 
 bool isSentence(const QString& text)
@@ -268,6 +268,9 @@ void TestActionRules::reasons_data()
         "An earlier write left the axis in neither the old nor the new state: write again or "
         "restore the previous state.",
         [](S& s) { s.unfinished = Unfinished::Mixture; });
+    row("activate: nobody knows", ready(), Action::Activate,
+        "What an earlier write left is not known: write again or restore another backup.",
+        [](S& s) { s.unfinished = Unfinished::Unknown; });
     row("evaluate: evaluating", ready(), Action::Evaluate,
         "The compensation is already being evaluated.", [](S& s) { s.isEvaluating = true; });
     row("deactivate: off", ready(), Action::Deactivate, "The compensation is not active.",

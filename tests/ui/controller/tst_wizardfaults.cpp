@@ -4,6 +4,8 @@
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/write_outcomes.h"
 
+#include <QDir>
+#include <QFile>
 #include <QTest>
 
 namespace tst_wizardfaults {
@@ -115,6 +117,32 @@ private Q_SLOTS:
         bench.drive().gate.set(DriveGate::Mode::Open);
         bench.endController(); // waits for the roll-back
         QCOMPARE(bench.drive().text(tableX), "Disabled");
+    }
+
+    void withoutItsJournalAnAxisCanOnlyBeSwitchedOff()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        QVERIFY(bench.planAndWrite());
+        bench->activate();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->status()->axis.stateWord, "Active");
+        bench.endController();
+        const QString database = bench.path(QStringLiteral("store/axiscomp.db"));
+        for (const char* const ending : {"", "-wal", "-shm"})
+            QFile::remove(database + QLatin1String(ending));
+        QVERIFY(QDir().mkpath(database));
+
+        bench->setEndpoints({QStringLiteral("http://x")});
+        QTRY_VERIFY(bench->status().has_value());
+        QVERIFY2(bench->hint().contains(QStringLiteral("axiscomp.db")), qPrintable(bench->hint()));
+        QVERIFY(!bench->action(Action::Write).isEnabled);
+        QVERIFY(!bench->action(Action::RestoreDrive).isEnabled);
+        bench->deactivate();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->status()->axis.stateWord, "Disabled");
+        QVERIFY(!bench->action(Action::Evaluate).isEnabled);
     }
 };
 
