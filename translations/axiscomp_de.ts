@@ -8605,6 +8605,10 @@
         <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
         <translation>der Antrieb hat den Befehl angenommen, der die Tabelle in {slot} speichert, hat aber keinen Flash-Zyklus dafür gezählt ({cycles} vorher und nachher): Dass sie im Flash ist, steht nicht fest, und nach einem Neustart ist sie vielleicht weg</translation>
     </message>
+    <message>
+        <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
+        <translation>was ein Schreibvorgang, der nicht zu Ende kam, von Achse {axis} hinterlassen hat, ist nicht bekannt: die Sicherung ihres alten Zustands, {backup}, ist nicht lesbar. Neu schreiben oder eine andere Sicherung wiederherstellen, was ihn beendet</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12086,6 +12090,10 @@
     <message>
         <source>restoring the drive</source>
         <translation>Antrieb wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>What an earlier write left is not known: write again or restore another backup.</source>
+        <translation>Was ein früherer Schreibvorgang hinterlassen hat, ist nicht bekannt: erneut schreiben oder eine andere Sicherung wiederherstellen.</translation>
     </message>
 </context>
 <context>
@@ -16439,6 +16447,10 @@
     <message>
         <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
         <translation>Die Kompensation ist möglicherweise eingeschaltet und nicht nachgewiesen. Neu verbinden, um zu sehen, was sie tut.</translation>
+    </message>
+    <message>
+        <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
+        <translation>Welchen Zustand der Antrieb hat, ist nicht bekannt, denn die Sicherung des alten ist nicht lesbar: neu schreiben oder eine andere Sicherung wiederherstellen, bevor die Achse aktiviert wird.</translation>
     </message>
 </context>
 <context>

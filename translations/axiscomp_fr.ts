@@ -8605,6 +8605,10 @@
         <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
         <translation>le variateur a accepté la commande qui enregistre la table de {slot}, mais n&apos;a compté aucun cycle flash pour elle ({cycles} avant et après)&#xa0;: rien ne dit qu&apos;elle est en mémoire flash, et elle peut être perdue après un redémarrage</translation>
     </message>
+    <message>
+        <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
+        <translation>ce qu&apos;une écriture interrompue a laissé de l&apos;axe {axis} n&apos;est pas connu&#xa0;: la sauvegarde de son ancien état, {backup}, ne peut pas être lue. Écrire à nouveau ou restaurer une autre sauvegarde, ce qui y met fin</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12086,6 +12090,10 @@
     <message>
         <source>restoring the drive</source>
         <translation>restauration du variateur</translation>
+    </message>
+    <message>
+        <source>What an earlier write left is not known: write again or restore another backup.</source>
+        <translation>Ce qu&apos;une écriture précédente a laissé n&apos;est pas connu&#xa0;: écrire de nouveau ou restaurer une autre sauvegarde.</translation>
     </message>
 </context>
 <context>
@@ -16439,6 +16447,10 @@
     <message>
         <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
         <translation>La compensation est peut-être active, et elle n&apos;est pas validée. Se reconnecter pour voir ce qu&apos;elle fait.</translation>
+    </message>
+    <message>
+        <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
+        <translation>L&apos;état dans lequel se trouve le variateur n&apos;est pas connu, car la sauvegarde de l&apos;ancien état ne peut pas être lue&#xa0;: écrire à nouveau ou restaurer une autre sauvegarde avant d&apos;activer l&apos;axe.</translation>
     </message>
 </context>
 <context>

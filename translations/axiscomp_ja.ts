@@ -8564,6 +8564,10 @@
         <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
         <translation>ドライブは {slot} のテーブルを保存するコマンドを受け付けましたが、そのためのフラッシュ書き換えが数えられていません (前後とも {cycles} 回)。テーブルがフラッシュにあるとは確認できず、再起動すると失われるおそれがあります</translation>
     </message>
+    <message>
+        <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
+        <translation>未完了の書き込みにより軸 {axis} がどの状態にあるかは不明です。旧状態のバックアップ {backup} を読み取れません。もう一度書き込むか、別のバックアップを復元すると、未完了の書き込みは終了します</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12034,6 +12038,10 @@
     <message>
         <source>restoring the drive</source>
         <translation>ドライブの復元</translation>
+    </message>
+    <message>
+        <source>What an earlier write left is not known: write again or restore another backup.</source>
+        <translation>以前の書き込みで軸がどの状態になったかは不明です。もう一度書き込むか、別のバックアップを復元してください。</translation>
     </message>
 </context>
 <context>
@@ -16387,6 +16395,10 @@
     <message>
         <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
         <translation>補正がオンになっている可能性があり、検証されていません。再接続して状態を確認してください。</translation>
+    </message>
+    <message>
+        <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
+        <translation>旧状態のバックアップを読み取れないため、ドライブがどの状態かは不明です。軸を有効化する前に、もう一度書き込むか、別のバックアップを復元してください。</translation>
     </message>
 </context>
 <context>

@@ -8564,6 +8564,10 @@
         <source>the drive has taken the command that stores the table in {slot}, but has counted no flash cycle for it ({cycles} before and after): it is not known to be in flash, and may be gone after a reboot</source>
         <translation>驱动器接受了保存 {slot} 中表的命令，但没有为此计入闪存擦写次数（前后均为 {cycles} 次）：无法确认该表已在闪存中，重启后可能丢失</translation>
     </message>
+    <message>
+        <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
+        <translation>一次未完成的写入使轴 {axis} 处于何种状态不得而知：其旧状态的备份 {backup} 无法读取。请重新写入，或还原另一个备份，即可结束该写入</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12034,6 +12038,10 @@
     <message>
         <source>restoring the drive</source>
         <translation>还原驱动器</translation>
+    </message>
+    <message>
+        <source>What an earlier write left is not known: write again or restore another backup.</source>
+        <translation>先前的写入留下了什么状态不得而知：请重新写入，或还原另一个备份。</translation>
     </message>
 </context>
 <context>
@@ -16387,6 +16395,10 @@
     <message>
         <source>The compensation may be on, and is not proved. Connect again to see what it does.</source>
         <translation>补偿可能已开启，且未经验证。请重新连接以查看其状态。</translation>
+    </message>
+    <message>
+        <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
+        <translation>旧状态的备份无法读取，因此不知道驱动器处于哪个状态：启用该轴之前，请重新写入或还原另一个备份。</translation>
     </message>
 </context>
 <context>
