@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace axiscomp::ui {
@@ -83,18 +84,24 @@ void ValuesModel::chooseScales()
 {
     if (!m_second)
         return;
-    const GridAxis& axis = m_table->grid.axes[0];
+    const bool isSameGrid = m_second->grid.axes == m_table->grid.axes;
+    const std::vector<float> onDrive = isSameGrid ? m_second->values : valuesAtPointsOf(*m_table);
+    m_scaleOnDrive = m_shown.valueScale().beside(onDrive);
+    std::vector<float> change(onDrive.size());
+    std::ranges::transform(m_table->values, onDrive, change.begin(), std::minus());
+    m_scaleOfChange = m_shown.valueScale().beside(change, differenceNoise(*m_table, *m_second));
+}
+
+/// Of the drive's table, at the points of another one.
+std::vector<float> ValuesModel::valuesAtPointsOf(const CompensationTable& table) const
+{
+    const GridAxis& axis = table.grid.axes[0];
     std::vector<double> places(axis.size);
     for (std::size_t i = 0; i < places.size(); ++i)
         places[i] = axis.position(i);
     std::vector<double> values(places.size());
     Lookup(*m_second).atEach(places, values);
-    std::vector<float> onDrive(values.begin(), values.end());
-    m_scaleOnDrive = m_shown.valueScale().beside(onDrive);
-    const double noise = differenceNoise(*m_table, *m_second);
-    for (std::size_t i = 0; i < onDrive.size(); ++i)
-        onDrive[i] = m_table->values[i] - onDrive[i];
-    m_scaleOfChange = m_shown.valueScale().beside(onDrive, noise);
+    return {values.begin(), values.end()};
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -5,6 +5,8 @@
 
 #include <QAbstractTableModel>
 
+#include <vector>
+
 namespace axiscomp::ui {
 
 /// The values of what is drawn, as an engineer writes them down. 1D: a row per point with its
@@ -38,6 +40,7 @@ public:
 private:
     void follow();
     void chooseScales();
+    [[nodiscard]] std::vector<float> valuesAtPointsOf(const CompensationTable& table) const;
     [[nodiscard]] float valueAt(const QModelIndex& index) const;
     [[nodiscard]] const ValueScale& scaleOf(const QModelIndex& index) const;
     [[nodiscard]] bool isMap() const { return m_table && m_table->grid.dimensions() == 2; }

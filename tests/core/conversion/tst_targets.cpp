@@ -194,15 +194,15 @@ private Q_SLOTS:
         VERIFY_RESULT(convertSign(table, SignConvention::Feedback, test::held));
     }
 
-    /// Sources of softMC are numbers, so that Z may be one of them.
+    /// A table file of the drive names no sources, so that Z may be one of them.
     void aTargetThatMayBeASourceOrNotIsNamed()
     {
         const std::vector<std::string> stated{"Z"};
-        const auto refused = withTargets(waves({"1"}, ""), stated, false);
+        const auto refused = withTargets(waves({""}, ""), stated, false);
         VERIFY_ERROR(refused, ErrorCode::TargetNotKnown);
         const std::string said = sentence(refused.error());
         QVERIFY2(said.starts_with("Z, stated as the axis that"), said.c_str());
-        QVERIFY2(test::mentions(said, "#1 (1), other"), said.c_str());
+        QVERIFY2(test::mentions(said, "#1 (source 1), other"), said.c_str());
     }
 
     void theWaysOutOfTheRefusalWork()

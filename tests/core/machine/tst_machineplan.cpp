@@ -200,11 +200,11 @@ private Q_SLOTS:
         Machine machine;
         machine.context.folder = machine.bench.folder.path().toStdString();
         std::ofstream(machine.context.folder / "x.txt")
-            << "1 5\n0 0\n10 -500\n20 250\n30 -500\n40 0\n";
+            << "1 5\n0 0\n10000 -500\n20000 250\n30000 -500\n40000 0\n";
         MachineAxis& axis = machine.drive.axes[0];
         axis.file = "x.txt";
         axis.choices.format = &softmc::format();
-        axis.choices.settings = {{"position-unit", "mm"}};
+        axis.choices.settings = {{"position-unit", "um"}};
         axis.choices.units = {"um", {}};
         axis.sources = std::vector<std::string>{test::masterX};
         axis.acceptsLarge = true;
@@ -215,10 +215,10 @@ private Q_SLOTS:
         const MachineTable table = read();
         QVERIFY2(table.table, table.problem ? sentence(*table.problem).c_str() : "");
         const float value = table.table->values[1];
-        QVERIFY2(std::abs(value - 0.5F / 1.075F) < 1e-6F, std::to_string(value).c_str());
-        QCOMPARE(table.table->unit, "mm");
+        QVERIFY2(std::abs(value - 500.0F / 1.075F) < 1e-3F, std::to_string(value).c_str());
+        QCOMPARE(table.table->unit, "um");
 
-        // Nobody knows then what is to be added to a position in mm.
+        // Nobody knows then what is to be added to a position in um.
         axis.choices.units = {std::string(unitOfDrive), {}};
         const MachineTable refused = read();
         QVERIFY(refused.problem.has_value());
