@@ -727,7 +727,7 @@ private Q_SLOTS:
         if (left == "other") {
             CompensatorFixture twin;
             VERIFY_RESULT(twin.compensator.write(1, exampleRequest(1)));
-            const auto other = loadFile(twin.store.backups(4711, 1).front());
+            const auto other = loadFile(twin.store.backups(4711, 1).front(), maximumBackupSize);
             VERIFY_RESULT(saveFile(backup, *other));
         } else if (!left.isEmpty()) {
             VERIFY_RESULT(saveFile(backup, asBytes(left.toStdString())));
