@@ -368,8 +368,15 @@ private Q_SLOTS:
         bench.table->scrollToBottom();
         const int beats = heart.beats();
         QTRY_VERIFY(heart.beats() > beats + 10);
-        QVERIFY2(heart.longest() < std::chrono::milliseconds(100),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
+        // Whatever the machine: what is on another thread since it takes too long.
+        const auto longest = heart.longestBusy();
+        const auto start = test::Heartbeat::busy();
+        const QString all = copiedText({*bench.shown.drawn(), bench.shown.valueScale()},
+            {{0, 0, bench.model().rowCount() - 1, bench.model().columnCount() - 1}}, nullptr);
+        const auto copying = test::Heartbeat::busy() - start;
+        QVERIFY(!all.isEmpty());
+        QVERIFY2(longest < copying / 4,
+            qPrintable(QStringLiteral("%1 us of %2 us").arg(longest.count()).arg(copying.count())));
         QGuiApplication::clipboard()->clear();
         QSignalSpy copied(QGuiApplication::clipboard(), &QClipboard::dataChanged);
         bench.table->selectAll();
