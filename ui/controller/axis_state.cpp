@@ -38,7 +38,7 @@ AxisState::AxisState(const WizardOptions& options, const DriveList& drives, Setu
 {
     connect(&m_live, &LiveMonitor::read, this, [this](const WatchedStatus& now) {
         if (now.journalProblem) {
-            takeLiveFailure(*now.journalProblem);
+            takeReadProblem(*now.journalProblem);
             readAgainLater(); // as far as that goes
             return;
         }
