@@ -293,7 +293,7 @@ Result<NeutralTable> Converter::withUnits(NeutralTable table, SetSides sides) co
         takeStatedUnit(column.unit, m_request.units.values);
     // Its files say neither units nor targets, so that only here both are known.
     if (m_request.from == &softmc::format())
-        AXISCOMP_CHECK(checkOneUnit(m_request.from->facts, table));
+        AXISCOMP_CHECK(checkOneUnit(m_request.from->facts, unitContradiction(table)));
     const bool isChanged = changesSide(table, sides);
     if (areValuesOfDrive()) {
         AXISCOMP_CHECK(isChanged ? checkPositionsOfDrive(table) : Result<void>());

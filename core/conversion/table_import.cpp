@@ -224,7 +224,8 @@ void Import::readOther()
     if (!content)
         return;
     TableReadOptions options;
-    options.settings = m_request.choices.settings;
+    options.settings =
+        withStatedUnits(format.facts, m_request.choices.settings, m_request.choices.units);
     options.missing = m_request.choices.missing;
     options.snap = m_request.choices.snap;
     options.layout = m_request.layout;

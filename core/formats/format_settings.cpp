@@ -101,6 +101,20 @@ std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriti
     return settings;
 }
 
+FormatSettings withStatedUnits(
+    const FormatFacts& facts, FormatSettings settings, const StatedUnits& stated)
+{
+    const std::vector<FormatSetting> known = formatSettings(facts, false);
+    const auto state = [&](std::string_view key, const std::string& unit) {
+        if (!unit.empty() && unit != unitOfDrive
+            && std::ranges::find(known, key, &FormatSetting::key) != known.end())
+            settings.emplace(key, unit);
+    };
+    state("position-unit", stated.positions);
+    state("value-unit", stated.values);
+    return settings;
+}
+
 Result<SettingValues> SettingValues::of(
     const FormatFacts& facts, const FormatSettings& settings, bool isWriting)
 {

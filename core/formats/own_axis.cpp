@@ -12,17 +12,12 @@ namespace {
 constexpr std::string_view positionKey = "position-unit";
 constexpr std::string_view valueKey = "value-unit";
 
-bool isContradictory(const SettingValues& settings)
+std::optional<Diagnostic> contradictionOf(const SettingValues& settings)
 {
-    return settings.has(positionKey) && settings.has(valueKey)
-        && !isSameUnit(settings.text(positionKey), settings.text(valueKey));
-}
-
-Text contradiction(const SettingValues& settings)
-{
-    return AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
-        .with("unit", settings.text(positionKey))
-        .with("other", settings.text(valueKey));
+    if (!settings.has(positionKey) || !settings.has(valueKey)
+        || isSameUnit(settings.text(positionKey), settings.text(valueKey)))
+        return std::nullopt;
+    return unitContradiction(settings.text(positionKey), settings.text(valueKey));
 }
 
 /// What positions and values are written in; empty when nobody says it.
@@ -52,10 +47,8 @@ void takeOneUnit(NeutralTable& table, const SettingValues& settings, DiagnosticL
         column.unit = unit;
         column.target = sourceTarget(0);
     }
-    if (isContradictory(settings))
-        diagnostics.error(DiagnosticCode::Contradiction, 0, 0, contradiction(settings),
-            AXISCOMP_TEXT(
-                "Error", "one unit, since the controller adds the values to the positions"));
+    if (auto contradiction = contradictionOf(settings))
+        diagnostics.error(*std::move(contradiction));
     if (unit.empty())
         diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
             AXISCOMP_TEXT("Error", "numbers without a unit"),
@@ -68,12 +61,7 @@ Result<NeutralTable> asOwnAxisTable(const FormatFacts& facts, const NeutralTable
 {
     AXISCOMP_CHECK(checkOwnAxis(
         facts, table, AXISCOMP_TEXT("Error", "choose a format for cross compensation")));
-    if (isContradictory(settings))
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error", "{units}: the format {format} has one unit for both")
-                    .with("units", contradiction(settings))
-                    .with("format", facts.name)}});
+    AXISCOMP_CHECK(checkOneUnit(facts, contradictionOf(settings)));
     NeutralTable own = table;
     const std::string unit = chosenUnit(own, settings);
     own.name.clear();

@@ -5,6 +5,7 @@
 #include "core/neutral/controller_lookup.h"
 #include "core/neutral/neutral_table.h"
 #include "core/table/missing_points.h"
+#include "core/table/table_units.h"
 #include "core/text/diagnostic.h"
 
 #include <cstddef>
@@ -188,6 +189,12 @@ struct FormatChoice {
 
 /// The settings that a format has for reading or for writing, those of missing units among them.
 [[nodiscard]] std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting);
+
+/// The settings, and the units that a person states of the file as settings position-unit and
+/// value-unit, so that a format that has these checks them as it does its settings. A setting that
+/// is given stays, and unitOfDrive is none.
+[[nodiscard]] FormatSettings withStatedUnits(
+    const FormatFacts& facts, FormatSettings settings, const StatedUnits& stated);
 
 /// The value of a setting, or its standard value. Errors: InvalidArgument for a value that is not
 /// of the setting's kind, for one that is needed and missing, and for keys that the format does not

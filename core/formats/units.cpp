@@ -191,20 +191,23 @@ std::optional<Diagnostic> unitContradiction(const NeutralTable& table)
         if (!own || column.unit.empty() || table.axes[*own].unit.empty()
             || isSameUnit(column.unit, table.axes[*own].unit))
             continue;
-        return Diagnostic{Severity::Error, DiagnosticCode::Contradiction, 0, 0,
-            AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
-                .with("unit", table.axes[*own].unit)
-                .with("other", column.unit),
-            AXISCOMP_TEXT(
-                "Error", "one unit, since the controller adds the values to the positions"),
-            {}};
+        return unitContradiction(table.axes[*own].unit, column.unit);
     }
     return std::nullopt;
 }
 
-Result<void> checkOneUnit(const FormatFacts& facts, const NeutralTable& table)
+Diagnostic unitContradiction(const std::string& positions, const std::string& values)
 {
-    const auto contradiction = unitContradiction(table);
+    return {Severity::Error, DiagnosticCode::Contradiction, 0, 0,
+        AXISCOMP_TEXT("Error", "positions in {unit} and values in {other}")
+            .with("unit", positions)
+            .with("other", values),
+        AXISCOMP_TEXT("Error", "one unit, since the controller adds the values to the positions"),
+        {}};
+}
+
+Result<void> checkOneUnit(const FormatFacts& facts, const std::optional<Diagnostic>& contradiction)
+{
     if (!contradiction)
         return {};
     return fail(ErrorCode::InvalidArgument,

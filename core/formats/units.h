@@ -25,8 +25,11 @@ void takeValueUnit(NeutralTable& table, const SettingValues& settings, Diagnosti
 /// What is wrong with values for one of the sources in another unit than its positions, where the
 /// controller adds the numbers as they stand. Nothing: there are none.
 [[nodiscard]] std::optional<Diagnostic> unitContradiction(const NeutralTable& table);
+/// The same for units that are stated.
+[[nodiscard]] Diagnostic unitContradiction(const std::string& positions, const std::string& values);
 /// Writing such a format. Errors: InvalidArgument for a unitContradiction.
-[[nodiscard]] Result<void> checkOneUnit(const FormatFacts& facts, const NeutralTable& table);
+[[nodiscard]] Result<void> checkOneUnit(
+    const FormatFacts& facts, const std::optional<Diagnostic>& contradiction);
 
 /// Before numbers are converted: values without a unit get that of the positions that they correct,
 /// which is added to remarks; those of another axis over angles stay without. Errors:

@@ -170,7 +170,7 @@ Result<TableInput> inspectTamTable(
 Result<TableInput> inspectOther(
     Environment& environment, const TableFormat& format, const TableInputOptions& options)
 {
-    AXISCOMP_TRY(const auto settings, settingsOf(options.settings, options.command));
+    AXISCOMP_TRY(auto settings, settingsOf(options.settings, options.command));
     if (format.read == nullptr)
         return wrongUsage(
             "the format " + std::string(format.facts.name) + " can be written, not read",
@@ -178,7 +178,7 @@ Result<TableInput> inspectOther(
     AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
     TableReadOptions readOptions;
     readOptions.dimensions = options.dimensions;
-    readOptions.settings = settings;
+    readOptions.settings = withStatedUnits(format.facts, std::move(settings), options.units);
     readOptions.missing = missingPoints(options);
     readOptions.snap = options.snap;
     readOptions.stop = environment.stopToken();

@@ -282,7 +282,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     WrittenTables written;
     AXISCOMP_TRY(const auto table, inSettingUnits(named, given, written.remarks));
     const auto own = ownAxis(table, table.columns.front());
-    AXISCOMP_CHECK(checkOneUnit(format.facts, table));
+    AXISCOMP_CHECK(checkOneUnit(format.facts, unitContradiction(table)));
     const bool isDeclared = given.yes(acs::declaresArray.key);
     const std::string& target = table.columns.front().target;
     const std::array axes{table.axes[0].name, table.axes[1].name};

@@ -160,8 +160,7 @@ Result<void> checkCounted(const FormatFacts& facts, const NeutralTable& table,
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         isTwice = isTwice || isCountedTwice(sourceKeys[n], table.axes[n].unit);
     if (!isTwice)
-        return motorContradiction(table, sourceKeys, settings) ? checkOneUnit(facts, table)
-                                                               : Result<void>();
+        return checkOneUnit(facts, motorContradiction(table, sourceKeys, settings));
     return fail(ErrorCode::InvalidArgument,
         {{"reason",
             AXISCOMP_TEXT("Error",

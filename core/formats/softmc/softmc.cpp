@@ -278,7 +278,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
         const auto settings, SettingValues::of(softmc::format().facts, options.settings, true));
     WrittenTables written;
     AXISCOMP_TRY(auto table, inSettingUnits(tables.front(), settings, written.remarks));
-    AXISCOMP_CHECK(checkOneUnit(softmc::format().facts, table));
+    AXISCOMP_CHECK(checkOneUnit(softmc::format().facts, unitContradiction(table)));
     std::string& text = written.bytes;
     text = std::to_string(table.axes.size());
     for (const SourceAxis& axis : table.axes)

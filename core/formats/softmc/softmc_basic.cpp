@@ -65,7 +65,7 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
                     .with("name", name)}});
     WrittenTables written;
     AXISCOMP_TRY(auto table, inSettingUnits(tables.front(), values, written.remarks));
-    AXISCOMP_CHECK(checkOneUnit(softmc_basic::format().facts, table));
+    AXISCOMP_CHECK(checkOneUnit(softmc_basic::format().facts, unitContradiction(table)));
     std::string& text = written.bytes;
     const bool hasOneAxis = table.axes.size() == 1;
     text = "' Compensation table " + name + ": " + sizeText(knotCounts(table))

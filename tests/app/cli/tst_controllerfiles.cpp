@@ -479,6 +479,22 @@ private Q_SLOTS:
         QVERIFY2(read.out.contains("\n10,0.465116"), read.out.constData()); // 0.5 / 1.075
     }
 
+    /// The values of LinuxCNC are positions, so that one of two units is wrong by a factor.
+    void twoUnitsThatAreStatedForOneAxisAreRefused()
+    {
+        const Sandbox box;
+        box.file("x.txt", "0 0 0\n100 0.02 0.02\n");
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "x.txt", "--from", "linuxcnc", "--set-in",
+            "type=1", "--position-unit", "mm", "--source1", encoderOfX, "--drive", drive.url(),
+            "--axis", "0"};
+        const ProgramRun refused = box.run(write + QStringList{"--value-unit", "um"});
+        VERIFY_CODE(refused, 3);
+        QVERIFY2(refused.err.contains("positions in mm and values in um"), refused.err.constData());
+        QVERIFY2(refused.err.contains("expected one unit"), refused.err.constData());
+        VERIFY_CODE(box.run(write + QStringList{"--value-unit", "mm"}), 0);
+    }
+
     /// um added to positions whose unit nobody has said would be a wrong number.
     void valuesWithAUnitAreNotAddedToPositionsWithoutOne()
     {

@@ -12,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -237,6 +238,47 @@ private Q_SLOTS:
         const MachineTable ofDrive = read();
         QVERIFY(
             ofDrive.table.has_value() || ofDrive.problem->code == ErrorCode::SignNotConvertible);
+    }
+
+    /// LinuxCNC and a PMAC add the values to the positions, so that one of two units is wrong by a
+    /// factor, whether a setting or the machine file says it.
+    void twoUnitsThatAreStatedForOneAxisAreRefused_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<FormatSettings>("settings");
+        QTest::newRow("linuxcnc") << "linuxcnc" << QByteArray("0 0 0\n100 0.02 0.02\n")
+                                  << FormatSettings{{"type", "1"}};
+        QTest::newRow("pmac-1d") << "pmac-1d"
+                                 << QByteArray("#1\nDEFINE COMP 4,#1,#1,40000\n16 -16 32 0\n")
+                                 << FormatSettings{{"counts-per-unit", "1000"}};
+    }
+    void twoUnitsThatAreStatedForOneAxisAreRefused()
+    {
+        QFETCH(QString, format);
+        QFETCH(QByteArray, content);
+        QFETCH(FormatSettings, settings);
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "x.txt") << content.constData();
+        MachineAxis axis;
+        axis.file = "x.txt";
+        axis.choices.format = *formatNamed(format.toStdString());
+        axis.choices.settings = settings;
+        axis.choices.sign = SignConvention::Command;
+        axis.choices.dropsWrap = true;
+        const auto read = [&](const StatedUnits& stated) {
+            axis.choices.units = stated;
+            return readMachineTable(axis, folder, genericTableLayout(), std::nullopt);
+        };
+        const MachineTable refused = read({.values = "um", .positions = "mm"});
+        QVERIFY(!refused.table);
+        QVERIFY(std::ranges::any_of(refused.problems, [](const Diagnostic& problem) {
+            return problem.code == DiagnosticCode::Contradiction;
+        }));
+        const MachineTable taken = read({.values = "mm", .positions = "mm"});
+        QVERIFY2(taken.table, taken.problem ? sentence(*taken.problem).c_str() : "");
+        QCOMPARE(taken.table->unit, "mm");
     }
 
     /// 5.5 um over 100 mm are no mistake of units.
