@@ -45,8 +45,11 @@ TablePicture pictureOf(const SharedTable& table, std::optional<double> cutAt)
 }
 
 TablePicture differenceOf(const CompensationTable& newTable, const CompensationTable& oldTable,
-    std::optional<double> cutAt)
+    std::optional<double> cutAt, TableSources sources)
 {
+    const LargestChange largest = largestChange(newTable, &oldTable, sources);
+    if (largest.isBound)
+        return {nullptr, std::nullopt, newTable.grid, largest};
     CompensationTable drawn;
     drawn.unit = newTable.unit;
     const std::size_t dimensions = newTable.grid.axes.size();
@@ -64,8 +67,8 @@ TablePicture differenceOf(const CompensationTable& newTable, const CompensationT
             drawn.values.push_back(static_cast<float>(now.at(used) - before.at(used)));
         }
     }
-    return {std::make_shared<const CompensationTable>(std::move(drawn)), cutAt, newTable.grid,
-        largestChange(newTable, &oldTable)};
+    return {
+        std::make_shared<const CompensationTable>(std::move(drawn)), cutAt, newTable.grid, largest};
 }
 
 } // namespace
@@ -83,11 +86,7 @@ TableChange tableChange(
     change.before = pictureOf(oldTable, change.after.cutAt);
     if (!newTable || !oldTable)
         return change;
-    const bool isAtSamePlaces =
-        sources == TableSources::Same && newTable->grid.dimensions() == oldTable->grid.dimensions();
-    change.difference = isAtSamePlaces ? differenceOf(*newTable, *oldTable, change.after.cutAt)
-                                       : TablePicture{nullptr, std::nullopt, newTable->grid,
-                                           largestChange(*newTable, oldTable.get(), sources)};
+    change.difference = differenceOf(*newTable, *oldTable, change.after.cutAt, sources);
     return change;
 }
 
