@@ -262,8 +262,9 @@ void AxisCompensator::Private::putBack(
 Result<void> AxisCompensator::checkUnchanged(
     const AxisStatus& read, const OperationOptions& options)
 {
-    AXISCOMP_TRY(const auto watched, watch(read.axis.index, {}, options));
-    const AxisStatus& now = watched.status;
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(auto drive, d->identify(access, read.axis.index));
+    AXISCOMP_TRY(const auto now, readStatus(access, drive, read.axis.index, d->sources));
     if (now.drive.serialNumber != read.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", read.drive.serialNumber}, {"found", now.drive.serialNumber}});
@@ -314,7 +315,9 @@ Result<CompensationTable> AxisCompensator::readTable(
 Result<CompensationTable> AxisCompensator::readDescribedTable(
     int axis, const OperationOptions& options)
 {
-    AXISCOMP_TRY(const auto now, status(axis, options));
+    const RegisterAccess access = d->access(options);
+    AXISCOMP_TRY(auto drive, d->identify(access, axis));
+    AXISCOMP_TRY(const auto now, readStatus(access, drive, axis, d->sources));
     return readDescribedTable(now, options);
 }
 

@@ -145,7 +145,7 @@ public:
         const std::function<std::chrono::nanoseconds()>& now, const OperationOptions& options = {});
 
     /// That the axis still has the slot, the table and the sources that were read. Errors:
-    /// ChangedMeanwhile, OtherDrive, those of status.
+    /// ChangedMeanwhile, OtherDrive, those of status but for the journal, which is not read.
     [[nodiscard]] Result<void> checkUnchanged(
         const AxisStatus& read, const OperationOptions& options = {});
 
@@ -160,7 +160,8 @@ public:
         const AxisStatus& status, const OperationOptions& options = {});
     [[nodiscard]] Result<HeldTable> readHeldTable(
         const AxisStatus& status, const OperationOptions& options = {});
-    /// The same with its units and its target, as the drive states them (table_of_axis.h).
+    /// The same with its units and its target, as the drive states them (table_of_axis.h). The
+    /// journal is not read.
     [[nodiscard]] Result<CompensationTable> readDescribedTable(
         int axis, const OperationOptions& options = {});
     [[nodiscard]] Result<CompensationTable> readDescribedTable(

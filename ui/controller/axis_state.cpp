@@ -37,13 +37,13 @@ AxisState::AxisState(const WizardOptions& options, const DriveList& drives, Setu
     , m_live(options.liveInterval)
 {
     connect(&m_live, &LiveMonitor::read, this, [this](const WatchedStatus& now) {
+        m_watched = now.values;
         if (now.journalProblem) {
             takeReadProblem(*now.journalProblem);
             readAgainLater(); // as far as that goes
             return;
         }
         m_liveProblem.reset();
-        m_watched = now.values;
         take(now.status, false);
     });
     connect(&m_live, &LiveMonitor::failed, this, &AxisState::takeLiveFailure);

@@ -8,6 +8,8 @@
 #include <QFile>
 #include <QTest>
 
+#include <algorithm>
+
 namespace tst_wizardfaults {
 
 using namespace axiscomp;
@@ -139,6 +141,12 @@ private Q_SLOTS:
         QVERIFY2(bench->hint().contains(QStringLiteral("axiscomp.db")), qPrintable(bench->hint()));
         QVERIFY(!bench->action(Action::Write).isEnabled);
         QVERIFY(!bench->action(Action::RestoreDrive).isEnabled);
+        QTRY_VERIFY(bench->driveTable());
+        const auto isOfDatabase = [](const LogLine& line) {
+            return line.kind == LogLine::Kind::Error
+                && line.text().contains(QStringLiteral("axiscomp.db"));
+        };
+        QCOMPARE(std::ranges::count_if(bench->log(), isOfDatabase), 1);
         bench->deactivate();
         QVERIFY(bench.idle());
         QCOMPARE(bench->status()->axis.stateWord, "Disabled");
