@@ -177,6 +177,12 @@ std::optional<double> unitFactor(std::string_view from, std::string_view to)
         : numerator / degree.number * (std::numbers::pi / 180.0) / (denominator / radian.number);
 }
 
+std::optional<double> commonUnitFactor(std::string_view from, std::string_view to)
+{
+    return from.empty() || to.empty() || isSameUnit(from, to) ? std::optional(1.0)
+                                                              : unitFactor(from, to);
+}
+
 bool isPositionUnit(std::string_view unit)
 {
     return unitNamed(unit) != nullptr;

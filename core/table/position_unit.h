@@ -17,6 +17,10 @@ namespace axiscomp {
 /// one of them is not known, or when one is a length and the other an angle.
 [[nodiscard]] std::optional<double> unitFactor(std::string_view from, std::string_view to);
 
+/// The same where a unit that is not stated is taken to be the other one, and one that is not known
+/// is itself.
+[[nodiscard]] std::optional<double> commonUnitFactor(std::string_view from, std::string_view to);
+
 /// A length or an angle, as files write it or a drive names it.
 [[nodiscard]] bool isPositionUnit(std::string_view unit);
 /// "°C", "degC", "K" ...

@@ -14,9 +14,7 @@ VectorColumns vectorColumns(std::span<const CompensationTable> tables)
         const auto target = targetOf(tables[n]);
         if (!target || !target->source || axes.size() < 2)
             continue;
-        const std::string& unit = axes[*target->source].unit;
-        const bool isKnown = !tables[n].unit.empty() && !unit.empty();
-        if (isKnown && !isSameUnit(tables[n].unit, unit) && !unitFactor(tables[n].unit, unit))
+        if (!commonUnitFactor(tables[n].unit, axes[*target->source].unit))
             continue;
         columns.ofDimension.at(*target->source).push_back(n);
     }
@@ -25,7 +23,7 @@ VectorColumns vectorColumns(std::span<const CompensationTable> tables)
 
 double positionsPerValue(const CompensationTable& table, std::size_t dimension)
 {
-    return unitFactor(table.unit, table.grid.axes[dimension].unit).value_or(1.0);
+    return commonUnitFactor(table.unit, table.grid.axes[dimension].unit).value_or(1.0);
 }
 
 } // namespace axiscomp::ui

@@ -17,16 +17,10 @@ double spanOf(const GridAxis& axis)
     return axis.last() - axis.start;
 }
 
-/// How many `to` one `from` is; one without a unit is taken to be in the other one.
-std::optional<double> factorBetween(const std::string& from, const std::string& to)
-{
-    return from.empty() || to.empty() || isSameUnit(from, to) ? 1.0 : unitFactor(from, to);
-}
-
 /// How many of dimension 1's units one unit of the values is.
 double valueUnit(const CompensationTable& table)
 {
-    return factorBetween(table.unit, table.grid.axes[0].unit).value_or(1.0);
+    return commonUnitFactor(table.unit, table.grid.axes[0].unit).value_or(1.0);
 }
 
 /// The same for dimension 2. Without a common unit both sides of the floor are as long.
@@ -34,7 +28,7 @@ double secondUnit(const CompensationTable& table)
 {
     const GridAxis& x = table.grid.axes[0];
     const GridAxis& y = table.grid.axes[1];
-    return factorBetween(y.unit, x.unit).value_or(spanOf(x) / spanOf(y));
+    return commonUnitFactor(y.unit, x.unit).value_or(spanOf(x) / spanOf(y));
 }
 
 /// A point of the surface, in pixels, with the colour that its value has.
@@ -288,7 +282,8 @@ SurfaceProjection::Place SurfaceProjection::at(double x, double y, double value)
 bool hasOneScale(const CompensationTable& table)
 {
     const auto& axes = table.grid.axes;
-    return factorBetween(axes[1].unit, axes[0].unit) && factorBetween(table.unit, axes[0].unit);
+    return commonUnitFactor(axes[1].unit, axes[0].unit)
+        && commonUnitFactor(table.unit, axes[0].unit);
 }
 
 double fittingExaggeration(const CompensationTable& table, const std::array<double, 2>& heights)

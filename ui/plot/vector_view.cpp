@@ -216,14 +216,13 @@ struct VectorView::Private {
     [[nodiscard]] bool hasOneScale() const
     {
         const auto& axes = plane.grid().axes;
-        return axes[0].unit.empty() || axes[1].unit.empty()
-            || unitFactor(axes[0].unit, axes[1].unit).has_value();
+        return commonUnitFactor(axes[1].unit, axes[0].unit).has_value();
     }
     /// How many of dimension 1's units one unit of dimension 2 is.
     [[nodiscard]] double unitRatio() const
     {
         const auto& axes = plane.grid().axes;
-        return unitFactor(axes[1].unit, axes[0].unit).value_or(1.0);
+        return commonUnitFactor(axes[1].unit, axes[0].unit).value_or(1.0);
     }
 };
 
