@@ -225,8 +225,8 @@ private Q_SLOTS:
         bench.view.setSeries({});
         QTest::qWait(50);
         // Of a build that is not optimised; the goal for one that is are 16 ms.
-        QVERIFY2(heart.longest() < std::chrono::milliseconds(150),
-            qPrintable(QStringLiteral("%1 us").arg(heart.longest().count())));
+        QVERIFY2(heart.longestBusy() < std::chrono::milliseconds(150),
+            qPrintable(QStringLiteral("%1 us").arg(heart.longestBusy().count())));
     }
 
     void nearEnoughEveryPointIsDrawn()
