@@ -267,9 +267,11 @@ private Q_SLOTS:
         axis.choices.settings = settings;
         axis.choices.sign = SignConvention::Command;
         axis.choices.dropsWrap = true;
+        axis.sources = std::vector<std::string>{test::masterX};
         const auto read = [&](const StatedUnits& stated) {
             axis.choices.units = stated;
-            return readMachineTable(axis, folder, genericTableLayout(), std::nullopt);
+            return readMachineTable(
+                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
         };
         const MachineTable refused = read({.values = "um", .positions = "mm"});
         QVERIFY(!refused.table);
