@@ -8609,6 +8609,14 @@
         <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
         <translation>was ein Schreibvorgang, der nicht zu Ende kam, von Achse {axis} hinterlassen hat, ist nicht bekannt: die Sicherung ihres alten Zustands, {backup}, ist nicht lesbar. Neu schreiben oder eine andere Sicherung wiederherstellen, was ihn beendet</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the setting {key} says {unit}; leave one of them out</source>
+        <translation>Die Einheit {stated} ist angegeben, und die Einstellung {key} nennt {unit}; eines von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
+        <translation>Die Einstellung {key} ist &quot;{value}&quot;, erwartet wird eine Einheit; dass Zahlen in der Einheit des Antriebs sind, wird als {option} von {command} angegeben, oder als {key} neben den Einstellungen einer Maschinendatei</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

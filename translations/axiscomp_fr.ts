@@ -8609,6 +8609,14 @@
         <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
         <translation>ce qu&apos;une écriture interrompue a laissé de l&apos;axe {axis} n&apos;est pas connu&#xa0;: la sauvegarde de son ancien état, {backup}, ne peut pas être lue. Écrire à nouveau ou restaurer une autre sauvegarde, ce qui y met fin</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the setting {key} says {unit}; leave one of them out</source>
+        <translation>l&apos;unité {stated} est indiquée, et le réglage {key} dit {unit} ; en retirer un</translation>
+    </message>
+    <message>
+        <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
+        <translation>le réglage {key} vaut « {value} », une unité est attendue ; que les nombres sont dans l&apos;unité du variateur s&apos;indique par {option} de {command}, ou par {key} à côté des réglages d&apos;un fichier de machine</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

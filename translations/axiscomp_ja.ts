@@ -8568,6 +8568,14 @@
         <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
         <translation>未完了の書き込みにより軸 {axis} がどの状態にあるかは不明です。旧状態のバックアップ {backup} を読み取れません。もう一度書き込むか、別のバックアップを復元すると、未完了の書き込みは終了します</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the setting {key} says {unit}; leave one of them out</source>
+        <translation>単位 {stated} が指定されていますが、設定 {key} は {unit} です。どちらか一方を外してください</translation>
+    </message>
+    <message>
+        <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
+        <translation>設定 {key} は「{value}」ですが、単位が必要です。数値がドライブの単位であることは、{command} の {option}、またはマシンファイルの設定の外の {key} で指定します</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

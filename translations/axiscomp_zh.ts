@@ -8568,6 +8568,14 @@
         <source>what a write that did not end has left of axis {axis} is not known: the backup of its old state, {backup}, cannot be read. Write again or restore another backup, which puts an end to it</source>
         <translation>一次未完成的写入使轴 {axis} 处于何种状态不得而知：其旧状态的备份 {backup} 无法读取。请重新写入，或还原另一个备份，即可结束该写入</translation>
     </message>
+    <message>
+        <source>the unit {stated} is stated, and the setting {key} says {unit}; leave one of them out</source>
+        <translation>已指定单位 {stated}，而设置 {key} 为 {unit}；请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
+        <translation>设置 {key} 为“{value}”，应为单位；数值采用驱动器单位，应通过 {command} 的 {option} 或机床文件中设置之外的 {key} 指定</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -45,10 +45,10 @@ public:
         chooseFormat();
         if (m_result.refusal)
             return std::move(m_result);
-        if (!isTriamec(*m_result.format))
+        if (auto taken = takeSettings(); !taken)
+            refuse(taken.error());
+        else if (!isTriamec(*m_result.format))
             readOther();
-        else if (auto known = knownSettings(); !known)
-            refuse(known.error());
         else if (m_result.format == &calibration_csv::format())
             readCsv();
         else
@@ -59,11 +59,8 @@ public:
 private:
     void chooseFormat();
     [[nodiscard]] Result<Bytes> bytes(std::uint64_t limit);
-    /// Other formats check them where they read. Errors: InvalidArgument.
-    [[nodiscard]] Result<SettingValues> knownSettings() const
-    {
-        return SettingValues::of(m_result.format->facts, m_request.choices.settings, false);
-    }
+    /// With the units that are stated. Errors: InvalidArgument.
+    [[nodiscard]] Result<void> takeSettings();
     void readCsv();
     void readTamTable();
     void readOther();
@@ -84,6 +81,7 @@ private:
 
     const TableImportRequest& m_request;
     TableImport m_result;
+    FormatSettings m_settings;
     std::set<std::string> m_names; ///< of the tables so far
     std::optional<LookupAt> m_lookupAt; ///< for which the tables so far were made
     bool m_isOneOfSeveral = false; ///< the table that is converted
@@ -106,6 +104,17 @@ void Import::chooseFormat()
     if (formatOfExtension(name) == &calibration_csv::format())
         m_result.candidates.push_back(&calibration_csv::format());
     refuse(choice.error());
+}
+
+Result<void> Import::takeSettings()
+{
+    const FormatFacts& facts = m_result.format->facts;
+    const ImportChoices& choices = m_request.choices;
+    AXISCOMP_TRY(m_settings, withStatedUnits(facts, choices.settings, choices.units));
+    // Other formats check them where they read.
+    if (isTriamec(*m_result.format))
+        AXISCOMP_CHECK(SettingValues::of(facts, m_settings, false));
+    return {};
 }
 
 Result<Bytes> Import::bytes(std::uint64_t limit)
@@ -158,7 +167,7 @@ void Import::readCsv()
 {
     CsvOptions options;
     options.dimensions = m_request.dimensions;
-    options.units = statedUnits(m_request.choices.settings, m_request.choices.units);
+    options.units = statedUnits(m_settings, m_request.choices.units);
     options.missing = m_request.choices.missing;
     options.snap = m_request.choices.snap;
     options.stop = m_request.stop;
@@ -207,7 +216,7 @@ void Import::readTamTable()
     if (decoded->table.name.empty())
         decoded->table.name = m_request.file.stem().string();
     data.tables.push_back(std::move(decoded->table));
-    stateUnits(data, m_request.choices.settings);
+    stateUnits(data, m_settings);
     take(std::move(data));
 }
 
@@ -224,8 +233,7 @@ void Import::readOther()
     if (!content)
         return;
     TableReadOptions options;
-    options.settings =
-        withStatedUnits(format.facts, m_request.choices.settings, m_request.choices.units);
+    options.settings = m_settings;
     options.missing = m_request.choices.missing;
     options.snap = m_request.choices.snap;
     options.layout = m_request.layout;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/table_format.h"
+#include "core/table/position_unit.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -21,6 +22,16 @@ constexpr std::array unitSettings{
         .forReading = true,
         .forWriting = true},
 };
+
+bool isAmong(std::span<const FormatSetting> settings, std::string_view key)
+{
+    return std::ranges::find(settings, key, &FormatSetting::key) != settings.end();
+}
+
+tl::unexpected<Error> unusableSetting(Text reason)
+{
+    return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
+}
 
 bool isFor(const FormatSetting& setting, bool isWriting)
 {
@@ -84,8 +95,7 @@ Argument keyList(const std::vector<FormatSetting>& settings)
 bool takesAnyUnits(const FormatFacts& facts)
 {
     const auto isOfUnits = [](const FormatSetting& setting) {
-        return std::ranges::find(unitSettings, setting.key, &FormatSetting::key)
-            != unitSettings.end();
+        return isAmong(unitSettings, setting.key);
     };
     return !facts.holdsUnits && std::ranges::none_of(facts.settings, isOfUnits);
 }
@@ -101,42 +111,60 @@ std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriti
     return settings;
 }
 
-FormatSettings withStatedUnits(
+Result<FormatSettings> withStatedUnits(
     const FormatFacts& facts, FormatSettings settings, const StatedUnits& stated)
 {
     const std::vector<FormatSetting> known = formatSettings(facts, false);
-    const auto state = [&](std::string_view key, const std::string& unit) {
-        if (!unit.empty() && unit != unitOfDrive
-            && std::ranges::find(known, key, &FormatSetting::key) != known.end())
+    const auto state = [&](std::string_view key, const std::string& unit) -> Result<void> {
+        if (unit.empty() || !isAmong(known, key))
+            return {};
+        const auto given = settings.find(key);
+        if (given != settings.end() && !isSameUnit(given->second, unit))
+            return unusableSetting(AXISCOMP_TEXT("Error",
+                "the unit {stated} is stated, and the setting {key} says {unit}; leave one of them "
+                "out")
+                                       .with("stated", unit)
+                                       .with("key", key)
+                                       .with("unit", given->second));
+        if (unit != unitOfDrive)
             settings.emplace(key, unit);
+        return {};
     };
-    state("position-unit", stated.positions);
-    state("value-unit", stated.values);
+    AXISCOMP_CHECK(state("position-unit", stated.positions));
+    AXISCOMP_CHECK(state("value-unit", stated.values));
     return settings;
 }
 
 Result<SettingValues> SettingValues::of(
     const FormatFacts& facts, const FormatSettings& settings, bool isWriting)
 {
-    const auto refuse = [](Text reason) {
-        return fail(ErrorCode::InvalidArgument, {{"reason", std::move(reason)}});
-    };
     const std::vector<FormatSetting> known = formatSettings(facts, isWriting);
-    for (const auto& [key, value] : settings)
-        if (std::ranges::find(known, key, &FormatSetting::key) == known.end())
-            return refuse((isWriting
+    for (const auto& [key, value] : settings) {
+        if (!isAmong(known, key))
+            return unusableSetting((isWriting
                     ? AXISCOMP_TEXT("Error",
                         "the format {format} has no setting {key} for writing; it has: {known}")
                     : AXISCOMP_TEXT("Error",
                         "the format {format} has no setting {key} for reading; it has: {known}"))
-                              .with("format", facts.name)
-                              .with("key", key)
-                              .with("known", keyList(known)));
+                                       .with("format", facts.name)
+                                       .with("key", key)
+                                       .with("known", keyList(known)));
+        if (isAmong(unitSettings, key) && value == unitOfDrive)
+            return unusableSetting(AXISCOMP_TEXT("Error",
+                "the setting {key} is \"{value}\", expected a unit; that numbers are in the unit "
+                "of "
+                "the drive is stated as {option} of {command}, or as {key} beside the settings of "
+                "a machine file")
+                                       .with("key", key)
+                                       .with("value", value)
+                                       .with("option", Verbatim{"--" + key})
+                                       .with("command", Verbatim{"axiscomp write"}));
+    }
     SettingValues values;
     for (const FormatSetting& setting : known) {
         const auto given = settings.find(setting.key);
         if (given == settings.end() && setting.isNeeded)
-            return refuse(
+            return unusableSetting(
                 AXISCOMP_TEXT("Error", "the format {format} needs the setting {key} ({meaning})")
                     .with("format", facts.name)
                     .with("key", setting.key)
@@ -146,12 +174,12 @@ Result<SettingValues> SettingValues::of(
         const std::string value =
             given == settings.end() ? std::string(setting.standard) : given->second;
         if (!fits(setting, value))
-            return refuse(AXISCOMP_TEXT(
+            return unusableSetting(AXISCOMP_TEXT(
                 "Error", "the setting {key} is \"{value}\", expected {expected} ({meaning})")
-                              .with("key", setting.key)
-                              .with("value", value)
-                              .with("expected", expectedOf(setting))
-                              .with("meaning", setting.meaning));
+                                       .with("key", setting.key)
+                                       .with("value", value)
+                                       .with("expected", expectedOf(setting))
+                                       .with("meaning", setting.meaning));
         values.m_values.emplace(setting.key, value);
     }
     return values;
@@ -188,13 +216,11 @@ Result<void> checkAboveZero(
 {
     if (numberOf(value).value_or(0.0) > 0.0)
         return {};
-    return fail(ErrorCode::InvalidArgument,
-        {{"reason",
-            AXISCOMP_TEXT("Error",
-                "the setting {key} of the format {format} is {value}, expected a number above 0")
-                .with("key", key)
-                .with("format", facts.name)
-                .with("value", value)}});
+    return unusableSetting(AXISCOMP_TEXT(
+        "Error", "the setting {key} of the format {format} is {value}, expected a number above 0")
+                               .with("key", key)
+                               .with("format", facts.name)
+                               .with("value", value));
 }
 
 } // namespace axiscomp

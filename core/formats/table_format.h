@@ -191,14 +191,14 @@ struct FormatChoice {
 [[nodiscard]] std::vector<FormatSetting> formatSettings(const FormatFacts& facts, bool isWriting);
 
 /// The settings, and the units that a person states of the file as settings position-unit and
-/// value-unit, so that a format that has these checks them as it does its settings. A setting that
-/// is given stays, and unitOfDrive is none.
-[[nodiscard]] FormatSettings withStatedUnits(
+/// value-unit, so that a format that has these checks them as it does its settings; unitOfDrive is
+/// none. Errors: InvalidArgument for a unit of which a setting says something else.
+[[nodiscard]] Result<FormatSettings> withStatedUnits(
     const FormatFacts& facts, FormatSettings settings, const StatedUnits& stated);
 
 /// The value of a setting, or its standard value. Errors: InvalidArgument for a value that is not
-/// of the setting's kind, for one that is needed and missing, and for keys that the format does not
-/// have.
+/// of the setting's kind, for one that is needed and missing, for keys that the format does not
+/// have, and for unitOfDrive, which is no unit that numbers could be read in.
 class SettingValues {
 public:
     [[nodiscard]] static Result<SettingValues> of(

@@ -135,10 +135,14 @@ Result<void> finishTable(Environment& environment, const WriteOptions& options,
             AXISCOMP_TRY(const auto now, session.compensator().status(axis, session.operation()));
             sources = sourcePaths(now.setup);
         }
-        const std::string target =
-            pending.needsTarget ? axisTarget(session.profile(), axis, sources) : std::string();
-        AXISCOMP_CHECK(takeTable(
-            options, input, pending, target, lookupAtSources(session.profile(), axis, sources)));
+        const std::string target = axisTarget(session.profile(), axis, sources);
+        const auto lookupAt = lookupAtSources(session.profile(), axis, sources);
+        auto taken =
+            takeTable(options, input, pending, pending.needsTarget ? target : "", lookupAt);
+        // What can be taken as it is before the compensation needs its target behind it.
+        if (!taken && taken.error().code == ErrorCode::TargetNotKnown && !pending.needsTarget)
+            taken = takeTable(options, input, pending, target, lookupAt);
+        AXISCOMP_CHECK(taken);
     }
     noteReport(environment, pending.report);
     return {};

@@ -167,10 +167,9 @@ Result<TableInput> inspectTamTable(
     return input;
 }
 
-Result<TableInput> inspectOther(
-    Environment& environment, const TableFormat& format, const TableInputOptions& options)
+Result<TableInput> inspectOther(Environment& environment, const TableFormat& format,
+    const TableInputOptions& options, const FormatSettings& settings)
 {
-    AXISCOMP_TRY(auto settings, settingsOf(options.settings, options.command));
     if (format.read == nullptr)
         return wrongUsage(
             "the format " + std::string(format.facts.name) + " can be written, not read",
@@ -178,7 +177,7 @@ Result<TableInput> inspectOther(
     AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
     TableReadOptions readOptions;
     readOptions.dimensions = options.dimensions;
-    readOptions.settings = withStatedUnits(format.facts, std::move(settings), options.units);
+    readOptions.settings = settings;
     readOptions.missing = missingPoints(options);
     readOptions.snap = options.snap;
     readOptions.stop = environment.stopToken();
@@ -294,10 +293,12 @@ std::string displayName(const std::string& file)
 Result<TableInput> inspectInput(Environment& environment, const TableInputOptions& options)
 {
     AXISCOMP_TRY(const auto format, formatOf(environment, options));
-    AXISCOMP_TRY(const auto settings, settingsOf(options.settings, options.command));
+    AXISCOMP_TRY(auto given, settingsOf(options.settings, options.command));
+    AXISCOMP_TRY(
+        const auto settings, withStatedUnits(format->facts, std::move(given), options.units));
     AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
     if (!isTriamec(*format))
-        return inspectOther(environment, *format, options);
+        return inspectOther(environment, *format, options, settings);
     return format == &calibration_csv::format() ? inspectCsv(environment, options, settings)
                                                 : inspectTamTable(environment, options, settings);
 }
@@ -321,7 +322,9 @@ Result<FormatSettings> settingsOf(const std::vector<std::string>& pairs, const s
         const std::size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)
             return wrongUsage("\"" + pair + "\" is no KEY=VALUE", command);
-        settings[pair.substr(0, equals)] = pair.substr(equals + 1);
+        const std::string key = pair.substr(0, equals);
+        if (!settings.emplace(key, pair.substr(equals + 1)).second)
+            return wrongUsage("the setting " + key + " is given twice", command);
     }
     return settings;
 }

@@ -495,6 +495,58 @@ private Q_SLOTS:
         VERIFY_CODE(box.run(write + QStringList{"--value-unit", "mm"}), 0);
     }
 
+    /// As a setting the unit of the drive counted as no unit, and the values as mm.
+    void theUnitOfTheDriveIsNoSetting()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [um],E [um]\n0,0\n50000,2\n100000,-3\n");
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "x.csv", "--dims", "1", "--target", "#1",
+            "--source1", encoderOfX, "--drive", drive.url(), "--axis", "0", "--accept-large"};
+        const ProgramRun refused = box.run(write + QStringList{"--set-in", "value-unit=drive"});
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("value-unit is \"drive\", expected a unit"),
+            refused.err.constData());
+        QVERIFY2(refused.err.contains("--value-unit of axiscomp write"), refused.err.constData());
+        VERIFY_CODE(box.run(write + QStringList{"--value-unit", "drive"}), 0);
+        const ProgramRun read =
+            box.run({"read", "--drive", drive.url(), "--axis", "0"}); // as its mm
+        QVERIFY2(read.out.contains("\n50,2\n100,-3\n"), read.out.constData());
+    }
+
+    void oneUnitIsStatedOnce()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X,E\n0,0\n50,2\n100,-3\n");
+        const test::VirtualDriveProcess drive(box);
+        const QStringList write{"write", "--data", "x.csv", "--dims", "1", "--source1", encoderOfX,
+            "--drive", drive.url(), "--axis", "0", "--dry-run", "--set-in", "value-unit=nm"};
+        const ProgramRun both = box.run(write + QStringList{"--value-unit", "um"});
+        VERIFY_CODE(both, 2);
+        QVERIFY2(both.err.contains("the unit um is stated, and the setting value-unit says nm"),
+            both.err.constData());
+        const ProgramRun twice = box.run(write + QStringList{"--set-in", "value-unit=um"});
+        VERIFY_CODE(twice, 2);
+        QVERIFY2(
+            twice.err.contains("the setting value-unit is given twice"), twice.err.constData());
+        VERIFY_CODE(box.run(write + QStringList{"--value-unit", "nm"}), 0);
+    }
+
+    /// Before the compensation its values are as the file has them; behind it they have to be
+    /// converted, for which it has to be known what they correct.
+    void whatTheSetPositionCorrectsIsTakenFromTheAxis()
+    {
+        const Sandbox box;
+        box.file("x.txt", "1 3\n0 0\n100 0.0025\n200 -0.00125\n");
+        const test::VirtualDriveProcess drive(box);
+        VERIFY_CODE(box.run({"write", "--data", "x.txt", "--from", "softmc", "--sign", "feedback",
+                        "--source1", "Axes[0]/Signals/PathPlanner/Position", "--drive", drive.url(),
+                        "--axis", "0"}),
+            0);
+        const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
+        QVERIFY2(read.out.contains("\n100,0.0025"), read.out.constData());
+    }
+
     /// um added to positions whose unit nobody has said would be a wrong number.
     void valuesWithAUnitAreNotAddedToPositionsWithoutOne()
     {

@@ -226,13 +226,21 @@ private Q_SLOTS:
         QVERIFY2(sentence(*refused.problem).find("are said to be in the unit of the drive")
                 != std::string::npos,
             sentence(*refused.problem).c_str());
-        // What the file says itself is not overruled: its numbers may have been converted to that.
+        // Nor is a setting overruled.
         axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
         axis.choices.units = {"um", {}};
         const MachineTable contradicted = read();
         QVERIFY(contradicted.problem.has_value());
-        QVERIFY2(sentence(*contradicted.problem).find("were read in mm") != std::string::npos,
+        QVERIFY2(sentence(*contradicted.problem).find("the setting value-unit says mm")
+                != std::string::npos,
             sentence(*contradicted.problem).c_str());
+        // The unit of the drive is none of the file, and would be taken for none at all.
+        axis.choices.settings = {{"position-unit", "mm"}, {"value-unit", std::string(unitOfDrive)}};
+        axis.choices.units = {};
+        const MachineTable setting = read();
+        QVERIFY(setting.problem.has_value());
+        QVERIFY2(sentence(*setting.problem).find("value-unit is \"drive\"") != std::string::npos,
+            sentence(*setting.problem).c_str());
         axis.choices.settings = {};
         axis.choices.units = {std::string(unitOfDrive), std::string(unitOfDrive)};
         const MachineTable ofDrive = read();
