@@ -8617,6 +8617,18 @@
         <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
         <translation>Die Einstellung {key} ist &quot;{value}&quot;, erwartet wird eine Einheit; dass Zahlen in der Einheit des Antriebs sind, wird als {option} von {command} angegeben, oder als {key} neben den Einstellungen einer Maschinendatei</translation>
     </message>
+    <message>
+        <source>&quot;{note}&quot;, as another comment says; leave one of them out</source>
+        <translation>&quot;{note}&quot;, wie ein anderer Kommentar sagt; einen von beiden weglassen</translation>
+    </message>
+    <message>
+        <source>{axes} as the setting {key}</source>
+        <translation>{axes} als Einstellung {key}</translation>
+    </message>
+    <message>
+        <source>an axis of the file: {axes}</source>
+        <translation>eine Achse der Datei: {axes}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8617,6 +8617,18 @@
         <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
         <translation>le réglage {key} vaut « {value} », une unité est attendue ; que les nombres sont dans l&apos;unité du variateur s&apos;indique par {option} de {command}, ou par {key} à côté des réglages d&apos;un fichier de machine</translation>
     </message>
+    <message>
+        <source>&quot;{note}&quot;, as another comment says; leave one of them out</source>
+        <translation>« {note} », comme le dit un autre commentaire ; en retirer un</translation>
+    </message>
+    <message>
+        <source>{axes} as the setting {key}</source>
+        <translation>{axes} comme réglage {key}</translation>
+    </message>
+    <message>
+        <source>an axis of the file: {axes}</source>
+        <translation>un axe du fichier : {axes}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8576,6 +8576,18 @@
         <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
         <translation>設定 {key} は「{value}」ですが、単位が必要です。数値がドライブの単位であることは、{command} の {option}、またはマシンファイルの設定の外の {key} で指定します</translation>
     </message>
+    <message>
+        <source>&quot;{note}&quot;, as another comment says; leave one of them out</source>
+        <translation>別のコメントにある「{note}」。どちらか一方を外してください</translation>
+    </message>
+    <message>
+        <source>{axes} as the setting {key}</source>
+        <translation>設定 {key} の {axes}</translation>
+    </message>
+    <message>
+        <source>an axis of the file: {axes}</source>
+        <translation>ファイルにある軸: {axes}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

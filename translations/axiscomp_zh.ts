@@ -8576,6 +8576,18 @@
         <source>the setting {key} is &quot;{value}&quot;, expected a unit; that numbers are in the unit of the drive is stated as {option} of {command}, or as {key} beside the settings of a machine file</source>
         <translation>设置 {key} 为“{value}”，应为单位；数值采用驱动器单位，应通过 {command} 的 {option} 或机床文件中设置之外的 {key} 指定</translation>
     </message>
+    <message>
+        <source>&quot;{note}&quot;, as another comment says; leave one of them out</source>
+        <translation>另一条注释所说的“{note}”；请去掉其中一条</translation>
+    </message>
+    <message>
+        <source>{axes} as the setting {key}</source>
+        <translation>设置 {key} 为 {axes}</translation>
+    </message>
+    <message>
+        <source>an axis of the file: {axes}</source>
+        <translation>文件中的轴：{axes}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -54,7 +54,8 @@ std::vector<std::string> axisHeaders(const Grid& grid)
 }
 
 /// Takes up "target: Z" and "target: X, Y" among the notes, one for all tables or one for each;
-/// tables that are left are asked by their names.
+/// tables that are left are asked by their names. An error for another one that says something
+/// else.
 void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
 {
     const std::vector<std::string> headers = axisHeaders(data.grid);
@@ -64,7 +65,18 @@ void takeTargets(CalibrationData& data, DiagnosticList& diagnostics)
         data.notes, [](const std::string& line) { return targetInComment(line).has_value(); });
     if (note == data.notes.end())
         return;
-    std::vector<std::string> said = targetList(*targetInComment(*note));
+    const std::vector<std::string> first = targetList(*targetInComment(*note));
+    const auto other = std::find_if(std::next(note), data.notes.end(), [&](const auto& line) {
+        const auto target = targetInComment(line);
+        return target && !std::ranges::equal(targetList(*target), first, sameLetters);
+    });
+    if (other != data.notes.end()) {
+        diagnostics.error(DiagnosticCode::Contradiction, 0, 0, Verbatim{*other},
+            AXISCOMP_TEXT("Error", "\"{note}\", as another comment says; leave one of them out")
+                .with("note", *note));
+        return;
+    }
+    std::vector<std::string> said = first;
     if (said.size() == 1)
         said.resize(data.tables.size(), said.front());
     std::vector<std::string> meant;
@@ -113,6 +125,8 @@ std::optional<CalibrationData> readData(csv::Scan& scan, const CsvOptions& optio
         if (!table.filled.empty())
             data.notes.push_back(filledNote(table.name, table.filled.size(), table.values.size()));
     takeTargets(data, diagnostics);
+    if (diagnostics.hasErrors())
+        return std::nullopt;
     warnOfSign(data, diagnostics);
     if (options.acceptsUneven)
         knots = std::move(grid.knots);

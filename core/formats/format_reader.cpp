@@ -63,6 +63,34 @@ void complete(NeutralTable& table, MissingPoints missing, DiagnosticList& diagno
     }
 }
 
+/// A setting that names the rotary axes of a file means none where it names no axis of it.
+void checkRotaryAxes(const std::vector<NeutralTable>& tables, const SettingValues& settings,
+    DiagnosticList& diagnostics)
+{
+    constexpr std::string_view key = "rotary-axes";
+    const std::string given = settings.text(key);
+    std::vector<Token> rotary;
+    splitTokens({given, 0, 0}, ", ", rotary);
+    std::set<std::string> axes;
+    for (const NeutralTable& table : tables) {
+        for (const SourceAxis& axis : table.axes)
+            axes.insert(axis.name);
+        for (const CompensationColumn& column : table.columns)
+            axes.insert(targetName(table, column));
+    }
+    axes.erase("");
+    const auto isThere = [&axes](const Token& name) {
+        return std::ranges::any_of(
+            axes, [&name](const std::string& axis) { return sameLetters(axis, name.text); });
+    };
+    if (rotary.empty() || axes.empty() || std::ranges::any_of(rotary, isThere))
+        return;
+    diagnostics.error(DiagnosticCode::Contradiction, 0, 0,
+        AXISCOMP_TEXT("Error", "{axes} as the setting {key}").with("axes", given).with("key", key),
+        AXISCOMP_TEXT("Error", "an axis of the file: {axes}")
+            .with("axes", std::vector<std::string>(axes.begin(), axes.end())));
+}
+
 } // namespace
 
 void TextReading::error(std::string_view number, DiagnosticCode code, std::size_t line,
@@ -129,6 +157,7 @@ Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     if (isReadableText(text, facts.mostBytes, diagnostics)) {
         TextReading source{text, options, settings, diagnostics};
         reading.tables = parse(source);
+        checkRotaryAxes(reading.tables, settings, diagnostics);
         if (!diagnostics.hasErrors() && options.missing != MissingPoints::Refuse)
             for (NeutralTable& table : reading.tables)
                 complete(table, options.missing, diagnostics);

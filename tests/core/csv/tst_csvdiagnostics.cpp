@@ -53,6 +53,9 @@ private Q_SLOTS:
             {"1:0 TooFewColumns 1 column|at least 2 for "
              "dimensionality 1, 1 of positions and 1 of values; separate the columns with , or "
              "; instead of tabs"});
+        row("two targets", 1, "// target: other\n// target: X\nX,T\n0,1e-3\n1,2e-3\n",
+            {"0:0 Contradiction target: X|\"target: other\", as another comment says; leave one of "
+             "them out"});
         row("short line", 1, "X,T\n0,1e-3\n1\n2,1e-3,4\n",
             {"3:0 ColumnCount 1 column|2 as in the header (line 1)",
                 "4:0 ColumnCount 3 columns|2 as in the header (line 1); if the commas are decimal "

@@ -217,6 +217,16 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].unit, std::string("deg"));
     }
 
+    /// The letter of an axis is not its name; the file would be read in mm.
+    void rotaryAxesThatTheFileDoesNotHaveAreRefused()
+    {
+        const auto reading = format.read(program, test::readingWith({{"rotary-axes", "B, X"}}));
+        VERIFY_RESULT(reading);
+        QVERIFY(test::hasProblem(*reading, DiagnosticCode::Contradiction, 0));
+        QCOMPARE(reading->diagnostics.back().found.english(), "B, X as the setting rotary-axes");
+        QCOMPARE(reading->diagnostics.back().expected.english(), "an axis of the file: X1");
+    }
+
     void bothMeasuringSystemsOfAnAxisAreTables()
     {
         std::string second = program;
