@@ -544,7 +544,8 @@ private Q_SLOTS:
                         "--axis", "0"}),
             0);
         const ProgramRun read = box.run({"read", "--drive", drive.url(), "--axis", "0"});
-        QVERIFY2(read.out.contains("\n100,0.0025"), read.out.constData());
+        QVERIFY2(
+            read.out.contains("\n100,0.0024999375\n"), read.out.constData()); // 0.0025 / 1.000025
     }
 
     /// um added to positions whose unit nobody has said would be a wrong number.

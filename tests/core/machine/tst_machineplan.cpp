@@ -301,18 +301,23 @@ private Q_SLOTS:
         axis.file = "x.csv";
         axis.sources = std::vector<std::string>{test::masterX};
         axis.choices.format = &calibration_csv::format();
-        const auto problems = [&] {
-            return readMachineTable(axis, folder, genericTableLayout(), std::nullopt).problems;
+        const auto read = [&] {
+            return readMachineTable(axis, folder, genericTableLayout(), std::nullopt);
         };
+        const auto problems = [&] { return read().problems; };
         QCOMPARE(problems().size(), std::size_t{1});
         axis.choices.units = {"um", "m"};
         QVERIFY(problems().empty());
         axis.choices.units = {};
         axis.choices.settings = {{"position-unit", "m"}, {"value-unit", "um"}};
         QVERIFY(problems().empty());
-        // The units come before the settings.
+        // Neither overrules the other.
         axis.choices.units = {"m", {}};
-        QCOMPARE(problems().size(), std::size_t{1});
+        const MachineTable contradicted = read();
+        QVERIFY(contradicted.problem.has_value());
+        QVERIFY2(sentence(*contradicted.problem).find("the setting value-unit says um")
+                != std::string::npos,
+            sentence(*contradicted.problem).c_str());
     }
 
     /// "value_unit" left the numbers in the unit of the axis: 0.2 mm in place of 0.2 um.
