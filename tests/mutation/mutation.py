@@ -55,6 +55,8 @@ inline bool on(int fault)
 }}
 """
 STATEMENT = re.compile(r"\s*(if|for|while|switch|return)\b")
+OPERATOR_FIRST = re.compile(r"\s*(\|\||&&|[?:,=<>%/.)]|->)")
+OPERATOR_LAST = re.compile(r"(\|\||&&|[?:,=<>%/.(+*!-])\s*$")
 FAILURE = b"\nFAIL!"  # of Qt Test
 PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
 PATIENCE_FACTOR = 30  # a fault that makes it hang is found, a busy machine finds none
@@ -111,6 +113,15 @@ def locate(fault, text):
     return None
 
 
+def is_expression(fault, text):
+    """Whether what stands there can be put in brackets: no part of a name, a call or an operation."""
+    piece = text[fault.begin:fault.end]
+    return not (re.match(r"\w\w|\w\(", text[fault.end - 1:fault.end + 1])
+                or re.match(r"\w\w", text[max(fault.begin - 1, 0):fault.begin + 1])
+                or OPERATOR_FIRST.match(piece) or OPERATOR_LAST.search(piece)
+                or any(piece.count(one) != piece.count(other) for one, other in ("()", "[]", "{}")))
+
+
 def problems_of(root, faults):
     problems = []
     for name in {fault.name for fault in faults}:
@@ -121,9 +132,10 @@ def problems_of(root, faults):
         path = root / fault.file
         if not path.is_file() or path.relative_to(root).parts[0] not in MUTATED:
             problems.append(f"{fault.name}: there is no file {fault.file}")
-        elif problem := locate(fault, path.read_text(encoding="utf-8")):
+        elif problem := locate(fault, text := path.read_text(encoding="utf-8")):
             problems.append(problem)
-        elif STATEMENT.match(fault.original) and not fault.original.rstrip().endswith((";", "}")):
+        elif not (fault.original.rstrip().endswith(";") if STATEMENT.match(fault.original)
+                  else is_expression(fault, text)):
             problems.append(f"{fault.name}: a piece is whole statements or an expression: {fault.original}")
         if not fault.tests:
             problems.append(f"{fault.name}: it has no tests")
@@ -191,7 +203,7 @@ def build(copy, folder):
     launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     linker = ["-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold"] if shutil.which("mold") else []
     for command in (["cmake", "--preset", "mutation", "-B", folder, *launcher, *linker],
-                    ["cmake", "--build", folder]):
+                    ["cmake", "--build", folder, "--", "-k", "0"]):
         subprocess.run(command, cwd=copy, check=True)
 
 
