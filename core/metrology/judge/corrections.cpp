@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/corrections.h"
 
-#include "core/metrology/fine_quantity.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -151,27 +150,34 @@ Result<CorrectedMeasurement> corrected(
     return result;
 }
 
-std::vector<Text> correctionTexts(const CorrectionsBefore& corrections,
+std::vector<Text> correctionTexts(const AgainstFile& asked, const CorrectionsBefore& corrections,
     const std::optional<double>& largestByTemperature,
-    const std::optional<double>& largestByDeadPath)
+    const std::optional<double>& largestByDeadPath, UnitLetters letters)
 {
+    const bool isAscii = letters == UnitLetters::Ascii;
     // Corrections are of lengths.
-    const auto largest = [](const std::optional<double>& change) {
+    const auto largest = [isAscii](const std::optional<double>& change) {
         constexpr int decimals = 2;
         const std::optional<double> shown[] = {change};
         const FineUnit unit = fineUnit(shown, false);
-        return Quantity{unit.digits(change.value_or(0.0), decimals), unit.symbol};
+        return Quantity{
+            unit.digits(change.value_or(0.0), decimals), isAscii ? unit.name : unit.symbol};
     };
-    std::vector<Text> list;
+    const auto degrees = [isAscii](double celsius) {
+        return Quantity{roundedText(celsius), isAscii ? "C" : "°C"};
+    };
+    const auto coefficient = [isAscii](double perKelvin) {
+        return Quantity{roundedText(perKelvin / expansionUnit), isAscii ? "um/(m K)" : "µm/(m·K)"};
+    };
+    std::vector<Text> list = againstFileTexts(asked);
     if (const auto& temperature = corrections.temperature)
-        list.push_back(
-            AXISCOMP_TEXT("Report",
-                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
-                .with("material", Quantity{roundedText(temperature->materialCelsius), "°C"})
-                .with("expansion",
-                    Quantity{
-                        roundedText(temperature->expansionPerKelvin / expansionUnit), "µm/(m·K)"})
-                .with("largest", largest(largestByTemperature)));
+        list.push_back(AXISCOMP_TEXT("Report",
+            "to {standard} from {material} with {expansion}: values changed by up to "
+            "{largest}")
+                           .with("standard", degrees(standardCelsius))
+                           .with("material", degrees(temperature->materialCelsius))
+                           .with("expansion", coefficient(temperature->expansionPerKelvin))
+                           .with("largest", largest(largestByTemperature)));
     if (const auto& deadPath = corrections.deadPath)
         list.push_back(
             AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")

@@ -80,6 +80,9 @@ private Q_SLOTS:
             [](CalibrationRecord& r) { r.fit->settings.slope = SlopeRemoval::Ends; });
         row("drift", false,
             [](CalibrationRecord& r) { r.before->corrections.drift = DriftRemoval::Offset; });
+        row("inverted", false, [](CalibrationRecord& r) {
+            r.before->files[0].measurement.againstFile.invertsReference = true;
+        });
         row("temperature", false, [](CalibrationRecord& r) {
             r.before->corrections.temperature.emplace();
             r.before->corrections.temperature->expansionPerKelvin = 11.5e-6;
@@ -144,6 +147,35 @@ private Q_SLOTS:
         QCOMPARE(content->axis, std::string("X"));
         QCOMPARE(content->machine, std::string("M1"));
         QCOMPARE(content->serial, std::string("S2"));
+    }
+
+    void whatTurnedOrStraightenedTheValuesIsACorrection()
+    {
+        CalibrationRecord record = plainRecord();
+        record.before->swapsDirections = true;
+        record.before->files[0].measurement.againstFile.invertsReference = true;
+        record.before->files[0].measurement.againstFile.units = {{"reference", "nm", "um"}};
+        record.fit->settings.slope = SlopeRemoval::LeastSquares;
+        RecordedAfter after;
+        after.measurement = *record.before;
+        after.measurement.swapsDirections = false;
+        record.after = {after};
+        const auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        const auto said = [](const ReportMeasurement& one) {
+            std::vector<std::string> list;
+            for (const Text& text : one.corrections)
+                list.push_back(text.english());
+            return list;
+        };
+        QCOMPARE(said(*content->before),
+            (std::vector<std::string>{"up and down exchanged",
+                "reference taken with the opposite sign",
+                "unit of reference taken as nm, the file says um",
+                "slope taken out for the table, not for figures"}));
+        QCOMPARE(said(*content->after),
+            (std::vector<std::string>{"reference taken with the opposite sign",
+                "unit of reference taken as nm, the file says um"}));
     }
 
     void runsOfOneDirectionAreNoMeanOfBoth()
