@@ -66,6 +66,34 @@ double largestChange(const Measurement& before, const Measurement& after)
     return largest;
 }
 
+Quantity degrees(double celsius, UnitLetters letters)
+{
+    return {roundedText(celsius), letters == UnitLetters::Ascii ? "C" : "°C"};
+}
+
+/// Everything that the change follows from; the positions are those of the measurement.
+std::vector<Text> conditionTexts(const TemperatureCorrection& correction, UnitLetters letters)
+{
+    const auto coefficient = [letters](double perKelvin) {
+        return Quantity{roundedText(perKelvin / expansionUnit),
+            letters == UnitLetters::Ascii ? "um/(m K)" : "µm/(m·K)"};
+    };
+    std::vector<Text> conditions{
+        AXISCOMP_TEXT("Report", "scale at {temperature} with {expansion}")
+            .with("temperature", degrees(correction.materialCelsius, letters))
+            .with("expansion", coefficient(correction.expansionPerKelvin))};
+    if (correction.referenceExpansionPerKelvin != 0.0
+        || correction.referenceCelsius != standardCelsius)
+        conditions.push_back(
+            AXISCOMP_TEXT("Report", "reference at {temperature} with {expansion}")
+                .with("temperature", degrees(correction.referenceCelsius, letters))
+                .with("expansion", coefficient(correction.referenceExpansionPerKelvin)));
+    if (correction.datum)
+        conditions.push_back(AXISCOMP_TEXT("Report", "datum at {position}")
+                                 .with("position", placeOf(*correction.datum, false)));
+    return conditions;
+}
+
 } // namespace
 
 double datumOf(const TemperatureCorrection& correction, const Measurement& measurement)
@@ -154,29 +182,20 @@ std::vector<Text> correctionTexts(const AgainstFile& asked, const CorrectionsBef
     const std::optional<double>& largestByTemperature,
     const std::optional<double>& largestByDeadPath, UnitLetters letters)
 {
-    const bool isAscii = letters == UnitLetters::Ascii;
     // Corrections are of lengths.
-    const auto largest = [isAscii](const std::optional<double>& change) {
+    const auto largest = [letters](const std::optional<double>& change) {
         constexpr int decimals = 2;
         const std::optional<double> shown[] = {change};
         const FineUnit unit = fineUnit(shown, false);
-        return Quantity{
-            unit.digits(change.value_or(0.0), decimals), isAscii ? unit.name : unit.symbol};
-    };
-    const auto degrees = [isAscii](double celsius) {
-        return Quantity{roundedText(celsius), isAscii ? "C" : "°C"};
-    };
-    const auto coefficient = [isAscii](double perKelvin) {
-        return Quantity{roundedText(perKelvin / expansionUnit), isAscii ? "um/(m K)" : "µm/(m·K)"};
+        return Quantity{unit.digits(change.value_or(0.0), decimals),
+            letters == UnitLetters::Ascii ? unit.name : unit.symbol};
     };
     std::vector<Text> list = againstFileTexts(asked);
     if (const auto& temperature = corrections.temperature)
-        list.push_back(AXISCOMP_TEXT("Report",
-            "to {standard} from {material} with {expansion}: values changed by up to "
-            "{largest}")
-                           .with("standard", degrees(standardCelsius))
-                           .with("material", degrees(temperature->materialCelsius))
-                           .with("expansion", coefficient(temperature->expansionPerKelvin))
+        list.push_back(AXISCOMP_TEXT(
+            "Report", "to {standard}, {conditions}: values changed by up to {largest}")
+                           .with("standard", degrees(standardCelsius, letters))
+                           .with("conditions", conditionTexts(*temperature, letters))
                            .with("largest", largest(largestByTemperature)));
     if (const auto& deadPath = corrections.deadPath)
         list.push_back(
