@@ -265,16 +265,28 @@ private:
         if (!measurement.hasTargets() || measurement.targets.empty())
             return AXISCOMP_TEXT("Report", "no targets: {kind}")
                 .with("kind", measurementKindText(measurement.kind));
-        return AXISCOMP_COUNTED("Report",
-            "{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓",
-            "1 target from {from} to {to}, {up} runs ↑, {down} runs ↓")
-            .with("count", measurement.targets.size())
-            .with("from", quantityText(toText(measurement.targets.front()), ""))
-            .with("to",
-                quantityText(
-                    toText(measurement.targets.back()), positionSymbol(m_content.isAngular)))
-            .with("up", measurement.runCount(Approach::Up))
-            .with("down", measurement.runCount(Approach::Down));
+        return listText({AXISCOMP_COUNTED("Report", "{count} targets from {from} to {to}",
+                             "1 target from {from} to {to}")
+                             .with("count", measurement.targets.size())
+                             .with("from", quantityText(toText(measurement.targets.front()), ""))
+                             .with("to",
+                                 quantityText(toText(measurement.targets.back()),
+                                     positionSymbol(m_content.isAngular))),
+            passesText(measurement, Approach::Up), passesText(measurement, Approach::Down)});
+    }
+
+    /// Of how many runs a mean is, no file says.
+    [[nodiscard]] static Text passesText(const Measurement& measurement, Approach direction)
+    {
+        const int count = measurement.runCount(direction);
+        const char* const arrow = direction == Approach::Up ? "↑" : "↓";
+        if (measurement.kind != MeasurementKind::Averages)
+            return AXISCOMP_COUNTED("Report", "{count} runs {direction}", "1 run {direction}")
+                .with("count", count)
+                .with("direction", Verbatim{arrow});
+        return (count > 0 ? AXISCOMP_TEXT("Report", "means {direction}")
+                          : AXISCOMP_TEXT("Report", "no means {direction}"))
+            .with("direction", Verbatim{arrow});
     }
 
     [[nodiscard]] static std::vector<Text> exclusions(const Measurement& measurement)
@@ -335,7 +347,11 @@ private:
                 plots.plots.push_back(
                     deviationPlot(one->reported->measurement, one->curves, *range, size));
         m_document.blocks.emplace_back(std::move(plots));
-        m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth)}});
+        const bool haveRuns =
+            std::ranges::any_of(std::array{&m_before, &m_after}, [](const Judged* one) {
+                return hasPlot(*one) && hasPlottedRuns(one->reported->measurement);
+            });
+        m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth, haveRuns)}});
     }
 
     void addFigures()
