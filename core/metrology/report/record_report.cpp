@@ -217,6 +217,7 @@ Result<ReportContent> reportContent(
     }
     if (const RecordedAfter* after = lastAfter(record)) {
         AXISCOMP_TRY(content.after, measured(after->measurement, nullptr));
+        content.after->statedTable = after->tableCrc;
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);

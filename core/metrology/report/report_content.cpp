@@ -183,7 +183,7 @@ private:
         row(AXISCOMP_TEXT("Report", "Environment"),
             [&](const ReportMeasurement& one) { return environmentText(one.measurement); });
         row(AXISCOMP_TEXT("Report", "Compensation"),
-            [&](const ReportMeasurement& one) { return stateText(header(one).compensation); });
+            [&](const ReportMeasurement& one) { return stateText(one); });
         row(AXISCOMP_TEXT("Report", "Corrections"),
             [&](const ReportMeasurement& one) { return correctionsText(one); });
         row(AXISCOMP_TEXT("Report", "Targets and runs"),
@@ -232,15 +232,20 @@ private:
             .with("to", quantityText(digits(range.highest), "°C"));
     }
 
-    [[nodiscard]] static Text stateText(const MeasuredState& state)
+    /// By the file, which a person may have completed.
+    [[nodiscard]] static Text stateText(const ReportMeasurement& one)
     {
-        if (state.kind == MeasuredState::Kind::NotSaid)
-            return notStated();
+        const MeasuredState& state = one.measurement.header.compensation;
         if (state.kind == MeasuredState::Kind::Off)
             return AXISCOMP_TEXT("Report", "off");
-        if (!state.tableCrc)
+        if (state.tableCrc)
+            return AXISCOMP_TEXT("Report", "on, table {crc}").with("crc", crcText(*state.tableCrc));
+        if (one.statedTable)
+            return AXISCOMP_TEXT("Report", "on, table {crc}, as stated with the measurement")
+                .with("crc", crcText(*one.statedTable));
+        if (state.kind == MeasuredState::Kind::On)
             return AXISCOMP_TEXT("Report", "on, which table is not stated");
-        return AXISCOMP_TEXT("Report", "on, table {crc}").with("crc", crcText(*state.tableCrc));
+        return notStated();
     }
 
     [[nodiscard]] static Text correctionsText(const ReportMeasurement& one)

@@ -29,6 +29,8 @@ struct ReportMeasurement {
     std::vector<Text> corrections; ///< what was made of the values as read
     /// Whether it is on record what was corrected: without that an empty list says nothing.
     bool areCorrectionsKnown = false;
+    /// CRC-32 of the table that was active as a person has stated it; nothing: nobody has.
+    std::optional<std::uint32_t> statedTable = {};
 };
 
 struct ReportPrediction {

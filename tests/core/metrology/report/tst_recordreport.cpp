@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/record_report.h"
+#include "core/metrology/report/report_html.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -147,6 +148,32 @@ private Q_SLOTS:
         QCOMPARE(content->axis, std::string("X"));
         QCOMPARE(content->machine, std::string("M1"));
         QCOMPARE(content->serial, std::string("S2"));
+    }
+
+    /// Without it no second measurement comes into a record.
+    void theTableThatWasStatedToBeActiveIsOnThePage()
+    {
+        CalibrationRecord record = plainRecord();
+        record.tables[0].crc = 0x1c291ca3;
+        RecordedAfter after;
+        after.measurement = *record.before;
+        after.tableCrc = 0x1c291ca3;
+        record.after = {after};
+        MeasuredState& state = record.after[0].measurement.files[0].measurement.header.compensation;
+        const auto page = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? reportHtml(reportDocument(*content)) : sentence(content.error());
+        };
+        const auto has = [&](const char* said) { return page().find(said) != std::string::npos; };
+        state = {};
+        QVERIFY(has("on, table 1c291ca3, as stated with the measurement"));
+        state.kind = MeasuredState::Kind::On;
+        QVERIFY(has("on, table 1c291ca3, as stated with the measurement"));
+        state.tableCrc = 0x1c291ca3;
+        QVERIFY(has("on, table 1c291ca3<"));
+        state = {MeasuredState::Kind::On, std::nullopt};
+        record.after[0].tableCrc.reset(); // of an older program
+        QVERIFY(has("on, which table is not stated"));
     }
 
     void whatTurnedOrStraightenedTheValuesIsACorrection()
