@@ -166,7 +166,11 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
     if (!record.tables.empty()) {
         const RecordedTable& first = record.tables.front();
         table.grid = first.table.grid;
-        table.crc = first.crc;
+        if (record.tables.size() == 1)
+            table.crc = first.crc;
+        else
+            for (const RecordedTable& each : record.tables)
+                table.columns.push_back({each.table.name, each.table.target, each.crc});
         if (first.table.unit == "mm" || first.table.unit == "deg")
             content.sign = signText(first.table, record, measurement, content.isAngular);
     }

@@ -21,6 +21,7 @@ constexpr double pageWidth = 180.0; // mm, A4 without its margins
 constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
 constexpr std::size_t mostInputs = 4;
 constexpr std::size_t mostExclusions = 6;
+constexpr std::size_t mostTables = 4;
 
 /// A measurement as the page needs it.
 struct Judged {
@@ -458,18 +459,47 @@ private:
     {
         const ReportedTable& table = m_content.table;
         heading(AXISCOMP_TEXT("Report", "Table"));
-        m_document.blocks.emplace_back(ReportFacts{
-            {{AXISCOMP_TEXT("Report", "Grid"), gridText()},
-                {AXISCOMP_TEXT("Report", "Method"),
-                    table.method.isEmpty() ? notStated() : table.method},
-                {AXISCOMP_TEXT("Report", "CRC-32"), table.crc ? crcText(*table.crc) : notStated()},
-                {AXISCOMP_TEXT("Report", "Slot"), statedText(table.slot)},
-                {AXISCOMP_TEXT("Report", "Persistency"), persistencyText()},
-                {AXISCOMP_TEXT("Report", "End-to-end proof"),
-                    table.proof.isEmpty() ? notStated() : table.proof}},
-            2});
+        m_document.blocks.emplace_back(
+            ReportFacts{{{AXISCOMP_TEXT("Report", "Grid"), gridText()},
+                            {AXISCOMP_TEXT("Report", "Method"),
+                                table.method.isEmpty() ? notStated() : table.method},
+                            {AXISCOMP_TEXT("Report", "CRC-32"), tableCrcText()},
+                            {AXISCOMP_TEXT("Report", "Slot"), statedText(table.slot)},
+                            {AXISCOMP_TEXT("Report", "Persistency"), persistencyText()},
+                            {AXISCOMP_TEXT("Report", "End-to-end proof"),
+                                table.proof.isEmpty() ? notStated() : table.proof}},
+                2});
+        if (!table.columns.empty())
+            m_document.blocks.emplace_back(
+                ReportFacts{{{AXISCOMP_TEXT("Report", "Tables"), columnsText()}}});
         m_document.blocks.emplace_back(ReportFacts{{{AXISCOMP_TEXT("Report", "Sign"),
             m_content.sign.isEmpty() ? notStated() : m_content.sign}}});
+    }
+
+    [[nodiscard]] Text tableCrcText() const
+    {
+        if (m_content.table.crc)
+            return crcText(*m_content.table.crc);
+        return m_content.table.columns.empty()
+            ? notStated()
+            : Text(AXISCOMP_TEXT("Report", "that of each table, below"));
+    }
+
+    /// Each goes to an axis of its own.
+    [[nodiscard]] Text columnsText() const
+    {
+        std::vector<Text> list;
+        const auto& columns = m_content.table.columns;
+        for (std::size_t i = 0; i < std::min(columns.size(), mostTables); ++i)
+            list.push_back(AXISCOMP_TEXT("Report", "{name} for axis {axis}, CRC-32 {crc}")
+                               .with("name", statedText(columns[i].name))
+                               .with("axis", statedText(columns[i].target))
+                               .with("crc", crcText(columns[i].crc)));
+        if (columns.size() > mostTables)
+            list.push_back(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                               .with("count", columns.size() - mostTables));
+        return listText(std::move(list));
     }
 
     [[nodiscard]] Text gridText() const

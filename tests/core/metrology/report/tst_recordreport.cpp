@@ -129,6 +129,31 @@ private Q_SLOTS:
         QCOMPARE(content->table.crc, std::optional<std::uint32_t>(0x00c0ffee));
     }
 
+    /// Points of a plane make a table for each of its axes.
+    void everyTableOfARecordIsOnThePage()
+    {
+        CalibrationRecord record = plainRecord();
+        record.tables[0].table.name = "dX";
+        record.tables[0].table.target = "X";
+        record.tables[0].crc = 0x1c291ca3;
+        record.tables.push_back(record.tables[0]);
+        record.tables[1].table.name = "dY";
+        record.tables[1].table.target = "Y";
+        record.tables[1].crc = 0x00c0ffee;
+        const auto page = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? reportHtml(reportDocument(*content)) : sentence(content.error());
+        };
+        const auto has = [&](const char* said) { return page().find(said) != std::string::npos; };
+        QVERIFY(has("dX for axis X, CRC-32 1c291ca3, dY for axis Y, CRC-32 00c0ffee"));
+        QVERIFY(has("that of each table, below"));
+        record.tables.insert(record.tables.end(), 4, record.tables[1]);
+        QVERIFY(has("and 2 more in the record"));
+        record.tables.resize(1);
+        QVERIFY(!has("dX for axis X"));
+        QVERIFY(has("1c291ca3"));
+    }
+
     void whatTheFirstMeasurementDoesNotStateIsTakenFromTheSecond()
     {
         CalibrationRecord record = plainRecord();
