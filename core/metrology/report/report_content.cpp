@@ -271,14 +271,15 @@ private:
         if (!measurement.hasTargets() || measurement.targets.empty())
             return AXISCOMP_TEXT("Report", "no targets: {kind}")
                 .with("kind", measurementKindText(measurement.kind));
-        return listText({AXISCOMP_COUNTED("Report", "{count} targets from {from} to {to}",
-                             "1 target from {from} to {to}")
-                             .with("count", measurement.targets.size())
-                             .with("from", quantityText(toText(measurement.targets.front()), ""))
-                             .with("to",
-                                 quantityText(toText(measurement.targets.back()),
-                                     positionSymbol(m_content.isAngular))),
-            passesText(measurement, Approach::Up), passesText(measurement, Approach::Down)});
+        return listText(
+            {AXISCOMP_COUNTED(
+                 "Report", "{count} targets from {from} to {to}", "1 target from {from} to {to}")
+                    .with("count", measurement.targets.size())
+                    .with("from", quantityText(roundedText(measurement.targets.front()), ""))
+                    .with("to",
+                        quantityText(roundedText(measurement.targets.back()),
+                            positionSymbol(m_content.isAngular))),
+                passesText(measurement, Approach::Up), passesText(measurement, Approach::Down)});
     }
 
     /// Of how many runs a mean is, no file says.
@@ -600,7 +601,7 @@ private:
             AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
             Verbatim{"R"}};
         for (const TargetFigures& target : one.figures.targets)
-            table.rows.push_back({quantityText(toText(target.position), ""),
+            table.rows.push_back({quantityText(roundedText(target.position), ""),
                 numberText(static_cast<double>(target.up.n), 0), cell(unit, target.up.mean),
                 cell(unit, target.up.s), numberText(static_cast<double>(target.down.n), 0),
                 cell(unit, target.down.mean), cell(unit, target.down.s),

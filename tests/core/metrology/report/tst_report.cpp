@@ -195,6 +195,16 @@ private Q_SLOTS:
             (lines({"range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"})));
     }
 
+    /// 3 inch are 76.19999999999999 mm in doubles.
+    void targetsAreSaidWithoutTheRoundingOfDoubles()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.targets.back() = 3.0 * 25.4;
+        const QString page = htmlOf(content, {.wantsLists = true});
+        QVERIFY(page.contains(QStringLiteral("5 targets from 15 to 76.2 mm")));
+        QVERIFY(!page.contains(QStringLiteral("76.19")));
+    }
+
     void aMeanIsNoRun()
     {
         ReportContent content = wholeContent();
