@@ -9,6 +9,9 @@
 
 namespace axiscomp {
 
+/// How units are spelled: in letters of ASCII, or as on a page.
+enum class UnitLetters { Ascii, Page };
+
 /// The unit in which deviations and figures are shown.
 struct FineUnit {
     double factor = 1000.0; ///< from mm or deg

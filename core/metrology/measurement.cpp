@@ -3,6 +3,7 @@
 
 #include "core/neutral/drive_note.h"
 #include "core/text/crc_text.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <set>
@@ -49,6 +50,26 @@ TextPattern measurementKindText(MeasurementKind kind)
         break;
     }
     return AXISCOMP_TEXT("Measurement", "runs over targets");
+}
+
+std::vector<Text> againstFileTexts(const AgainstFile& asked)
+{
+    const auto shown = [](const std::string& ofFile) {
+        constexpr std::size_t mostBytes = 80;
+        return shownText(ofFile, mostBytes);
+    };
+    std::vector<Text> list;
+    if (asked.swapsDirections)
+        list.emplace_back(AXISCOMP_TEXT("Report", "up and down exchanged"));
+    if (asked.invertsReference)
+        list.emplace_back(AXISCOMP_TEXT("Report", "reference taken with the opposite sign"));
+    for (const StatedUnit& unit : asked.units)
+        list.push_back(
+            AXISCOMP_TEXT("Report", "unit of {what} taken as {stated}, the file says {unit}")
+                .with("what", Verbatim{shown(unit.what)})
+                .with("stated", Verbatim{unit.stated})
+                .with("unit", Verbatim{shown(unit.ofFile)}));
+    return list;
 }
 
 std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header)

@@ -126,6 +126,26 @@ struct PublishedFigure {
     friend bool operator==(const PublishedFigure&, const PublishedFigure&) = default;
 };
 
+/// A unit that was stated where the file says another one.
+struct StatedUnit {
+    std::string what; ///< a column, such as "deviation", or "targets" or "values"
+    std::string stated; ///< by which the values are taken
+    std::string ofFile;
+
+    friend bool operator==(const StatedUnit&, const StatedUnit&) = default;
+};
+
+/// What was asked for against what the file says: it turns values, or makes others of them.
+struct AgainstFile {
+    bool swapsDirections = false; ///< up is what the file calls down
+    bool invertsReference = false; ///< of joined files: of one of them at least
+    std::vector<StatedUnit> units = {};
+
+    friend bool operator==(const AgainstFile&, const AgainstFile&) = default;
+};
+/// A phrase for each: "up and down exchanged".
+[[nodiscard]] std::vector<Text> againstFileTexts(const AgainstFile& asked);
+
 struct Measurement {
     MeasurementKind kind = MeasurementKind::Runs;
     bool isAngular = false; ///< positions and values are degrees
@@ -138,6 +158,7 @@ struct Measurement {
     std::vector<PublishedFigure> published;
     /// How finely the file prints a value: half of its last digit, in mm or deg. 0: not rounded.
     double halfPrintedUnit = 0.0;
+    AgainstFile againstFile = {};
 
     [[nodiscard]] bool hasTargets() const
     {

@@ -235,6 +235,16 @@ void keepDifferences(Measurement& whole, const Measurement& other)
             whole.notes.push_back(note);
 }
 
+/// What was asked for one of the files is in the whole.
+void keepAgainstFile(AgainstFile& whole, const AgainstFile& other)
+{
+    whole.swapsDirections = whole.swapsDirections || other.swapsDirections;
+    whole.invertsReference = whole.invertsReference || other.invertsReference;
+    for (const StatedUnit& unit : other.units)
+        if (std::ranges::find(whole.units, unit) == whole.units.end())
+            whole.units.push_back(unit);
+}
+
 } // namespace
 
 Result<std::vector<Exclusion>> exclusionsFromText(std::string_view text)
@@ -323,6 +333,7 @@ void swapDirections(Measurement& measurement)
             figure.name.replace(figure.name.size() - 4, 4, "Up");
     }
     sortValues(measurement.values);
+    measurement.againstFile.swapsDirections = !measurement.againstFile.swapsDirections;
 }
 
 Result<Measurement> joined(std::span<const Measurement> measurements)
@@ -346,6 +357,7 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
         whole.halfPrintedUnit = std::max(whole.halfPrintedUnit, measurement.halfPrintedUnit);
         if (&measurement != &measurements.front())
             keepDifferences(whole, measurement);
+        keepAgainstFile(whole.againstFile, measurement.againstFile);
     }
     keepNumbers(whole, measurements);
     sortValues(whole.values);

@@ -221,11 +221,11 @@ void JudgePage::showCorrections()
     const RecordState& state = m_record.state();
     m_corrections->setEnabled(!state.files.empty() && !m_record.record().files.empty());
     QStringList made;
-    for (const Text& text : correctionTexts(
-             state.record.corrections, state.largestByTemperature, state.largestByDeadPath))
-        made += sentenceText(text);
-    m_correctionsText->setText(
-        state.measurement && !made.isEmpty() ? made.join(u' ') : tr("No corrections."));
+    if (state.measurement)
+        for (const Text& text : correctionTexts(state.measurement->againstFile,
+                 state.record.corrections, state.largestByTemperature, state.largestByDeadPath))
+            made += sentenceText(text);
+    m_correctionsText->setText(made.isEmpty() ? tr("No corrections.") : made.join(u' '));
 }
 
 /// Of the first file: as read, before anything was made of it. What is typed is of the files of

@@ -11,6 +11,7 @@
 #include <QTextLayout>
 
 #include <algorithm>
+#include <set>
 
 namespace axiscomp::ui {
 
@@ -347,6 +348,40 @@ void drawFirstPage(const ReportDocument& document, QPainter& painter)
     painter.restore();
 }
 
+/// Characters of a document that no font has, the first of them, each once.
+QString missingCharacters(const ReportDocument& document)
+{
+    constexpr qsizetype most = 20;
+    const QFontMetricsF metrics(fontOf(bodyFont)); // of all fonts that stand in for this one
+    // The picture of a control character (U+2400 and following) says no more than a box.
+    const auto isDrawn = [](char32_t c) {
+        const QChar::Category category = QChar::category(c);
+        return category != QChar::Other_Control && category != QChar::Other_Format
+            && (c < 0x2400 || c > 0x2426);
+    };
+    QString missing;
+    std::set<char32_t> known;
+    for (const char32_t c : QString::fromStdString(wordsOf(document)).toStdU32String())
+        if (missing.size() < most && isDrawn(c) && known.insert(c).second && !metrics.inFontUcs4(c))
+            missing += QString::fromUcs4(&c, 1);
+    return missing;
+}
+
+/// A page is made for archives, and nothing of it may be lost without a word.
+Result<void> checkCharacters(const ReportDocument& document)
+{
+    const QString missing = missingCharacters(document);
+    if (missing.isEmpty())
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "no installed font has {characters}, so that empty boxes would stand in the PDF: "
+                "install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or "
+                "write the report as HTML")
+                .with("characters", Verbatim{missing.toStdString()})}});
+}
+
 /// Where no font has a character, an empty box stands for it.
 Result<void> checkFonts(const std::string& language)
 {
@@ -373,6 +408,7 @@ Result<void> checkFonts(const std::string& language)
 Result<Bytes> reportPdf(const ReportDocument& document)
 {
     AXISCOMP_CHECK(checkFonts(document.language));
+    AXISCOMP_CHECK(checkCharacters(document));
     QByteArray pdf;
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);

@@ -4,6 +4,7 @@
 #include "ui/dialogs/file_filters.h"
 #include "ui/record/measurement_files_model.h"
 #include "ui/record/record_state.h"
+#include "ui/text/message_text.h"
 #include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
@@ -121,6 +122,8 @@ void FileFacts::show(const ReadMeasurement* reading)
     if (header.expansion)
         add(tr("Expansion"), numberText(*header.expansion) + QStringLiteral(" 1/K"));
     add(tr("Corrected to 20 °C"), correctedFact(header.corrected));
+    for (const Text& asked : againstFileTexts(measurement->againstFile))
+        add(tr("Note"), sentenceText(asked));
     for (std::size_t n = 0; n < std::min(mostNotes, measurement->notes.size()); ++n)
         add(tr("Note"), qString(measurement->notes[n]));
 }

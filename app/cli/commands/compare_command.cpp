@@ -69,10 +69,12 @@ Result<void> checkIsOfRecord(Environment& environment, const CompareOptions& opt
 Result<Side> sideOfRecord(const RecordedMeasurement& before)
 {
     Side side;
-    AXISCOMP_TRY(side.input.measurement, usedMeasurement(before));
+    AXISCOMP_TRY(auto made, correctedMeasurement(before));
+    side.corrections =
+        madeCorrections(made, {before.corrections.temperature, before.corrections.deadPath});
+    side.input.measurement = std::move(made.measurement);
     for (const RecordedFile& recorded : before.files)
         side.input.sources.push_back({recorded.file, recorded.format, recorded.sha256});
-    side.corrections.corrections = {before.corrections.temperature, before.corrections.deadPath};
     // The second measurement may begin elsewhere, and is to be corrected from the same position.
     if (auto& temperature = side.corrections.corrections.temperature)
         temperature->datum = datumOf(*temperature, side.input.measurement);
@@ -97,6 +99,7 @@ Result<Side> firstSide(
     reading.excluded.clear(); // of the second measurement
     Side side;
     AXISCOMP_TRY(side.input, readSide(environment, reading, files.front()));
+    AXISCOMP_TRY(side.corrections, correct(side.input.measurement, {}, options.input.command));
     return side;
 }
 
@@ -177,12 +180,13 @@ void tellComparison(Environment& environment, const Side& before, const Side& af
     const Measurement& second = after.input.measurement;
     for (const JudgeWarning& warning : comparison.warnings)
         environment.warn(warning.text.english());
-    environment.print("Before: " + sourcesText(before.input.sources)
-        + "\nAfter:  " + sourcesText(after.input.sources) + "\n" + after.corrections.text + "\n"
-        + comparisonText(second, comparison));
+    environment.print("Before: " + sourcesText(before.input.sources) + "\n"
+        + before.corrections.text + "After:  " + sourcesText(after.input.sources) + "\n"
+        + after.corrections.text + "\n" + comparisonText(second, comparison));
     Json document = comparisonJson(second, comparison);
     document["source"] = bothSources(before.input, after.input);
     document["corrections"] = after.corrections.document;
+    document["correctionsBefore"] = before.corrections.document;
     document["uncertainty"] = std::move(uncertainty);
     document["excluded"] = {
         {"before", excludedJson(before.input.measurement)}, {"after", excludedJson(second)}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands/command_line.h"
+#include "app/cli/input/judging_options.h"
 #include "app/cli/input/measurement_input.h"
 #include "app/cli/output/json_output.h"
 #include "app/cli/output/judgement_output.h"
@@ -72,6 +73,7 @@ std::string runsText(const MeasurementInput& input)
         text += source.file + ": " + source.format + "\n";
     text += std::string(measurementKindText(measurement.kind).words) + ": "
         + measurementSummary(measurement) + "\n";
+    text += correctionLines(againstFileTexts(measurement.againstFile));
     if (measurement.excludedCount() > 0)
         text += plural(measurement.excludedCount(), "value is", "values are") + " left out\n";
     if (const auto lines = statements(measurement.header); !lines.empty())
@@ -121,6 +123,7 @@ Json runsJson(const MeasurementInput& input)
         {"values", measurement.values.size()}, {"excluded", measurement.excludedCount()},
         {"samples", measurement.track.size()}, {"points", measurement.points.size()},
         {"statements", headerJson(measurement.header)}, {"notes", measurement.notes},
+        {"corrections", againstFileJson(measurement.againstFile)},
         {"warnings", std::move(warnings)}};
 }
 

@@ -2,7 +2,6 @@
 #include "app/cli/input/judging_options.h"
 
 #include "app/cli/output/environment.h"
-#include "app/cli/output/fine_text.h"
 #include "app/common/arguments.h"
 #include "app/common/number_checks.h"
 #include "core/io/local_file.h"
@@ -143,40 +142,64 @@ Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
     return options;
 }
 
-Result<MadeCorrections> correct(
-    Measurement& measurement, const CorrectionOptions& options, const std::string& command)
+std::string correctionLines(const std::vector<Text>& corrections)
 {
-    MadeCorrections made;
-    if (options.isEmpty())
-        return made;
-    AXISCOMP_TRY(made.corrections.temperature, temperatureOf(measurement, options, command));
-    if (!options.deadPath.empty()) {
-        AXISCOMP_TRY(
-            const auto bytes, loadFile(pathFromText(options.deadPath), maximumDeadPathSize));
-        AXISCOMP_TRY(made.corrections.deadPath, deadPathFromText(asText(bytes), options.deadPath));
-    }
-    auto outcome = corrected(std::move(measurement), made.corrections);
-    if (!outcome && outcome.error().code == ErrorCode::InvalidArgument)
-        return wrongUsage(textOf(outcome.error()).english(), command); // which has the options
-    AXISCOMP_TRY(auto result, std::move(outcome));
-    measurement = std::move(result.measurement);
-    if (const auto& deadPath = made.corrections.deadPath) {
-        made.document["deadPath"] = {
-            {"length", deadPath->lengthMm}, {"largest", *result.largestByDeadPath}};
-        made.text += "Corrected for a dead path of " + withUnit(shortText(deadPath->lengthMm), "mm")
-            + ": " + fineText(*result.largestByDeadPath, false) + " at most\n";
-    }
-    if (const auto& temperature = made.corrections.temperature) {
-        made.document["temperature"] = {{"material", temperature->materialCelsius},
+    std::string lines;
+    for (const Text& correction : corrections)
+        lines += "Correction: " + singleLine(correction.english()) + "\n";
+    return lines;
+}
+
+Json againstFileJson(const AgainstFile& asked)
+{
+    Json json = Json::object();
+    if (asked.swapsDirections)
+        json["swapDirections"] = true;
+    if (asked.invertsReference)
+        json["invertReference"] = true;
+    for (const StatedUnit& unit : asked.units)
+        json["units"].push_back(
+            {{"what", unit.what}, {"stated", unit.stated}, {"file", unit.ofFile}});
+    return json;
+}
+
+MadeCorrections madeCorrections(
+    const CorrectedMeasurement& made, const CorrectionsBefore& corrections)
+{
+    MadeCorrections result;
+    result.corrections = corrections;
+    const Measurement& measurement = made.measurement;
+    result.text = correctionLines(correctionTexts(measurement.againstFile, corrections,
+        made.largestByTemperature, made.largestByDeadPath, UnitLetters::Ascii));
+    result.document = againstFileJson(measurement.againstFile);
+    if (const auto& deadPath = corrections.deadPath)
+        result.document["deadPath"] = {
+            {"length", deadPath->lengthMm}, {"largest", *made.largestByDeadPath}};
+    if (const auto& temperature = corrections.temperature)
+        result.document["temperature"] = {{"material", temperature->materialCelsius},
             {"expansion", temperature->expansionPerKelvin},
             {"reference", temperature->referenceCelsius},
             {"referenceExpansion", temperature->referenceExpansionPerKelvin},
-            {"datum", datumOf(*temperature, measurement)},
-            {"largest", *result.largestByTemperature}};
-        made.text += "Corrected to 20 C from " + shortText(temperature->materialCelsius)
-            + " C with " + shortText(temperature->expansionPerKelvin)
-            + "/K: " + fineText(*result.largestByTemperature, false) + " at most\n";
+            {"datum", datumOf(*temperature, measurement)}, {"largest", *made.largestByTemperature}};
+    return result;
+}
+
+Result<MadeCorrections> correct(
+    Measurement& measurement, const CorrectionOptions& options, const std::string& command)
+{
+    CorrectionsBefore corrections;
+    AXISCOMP_TRY(corrections.temperature, temperatureOf(measurement, options, command));
+    if (!options.deadPath.empty()) {
+        AXISCOMP_TRY(
+            const auto bytes, loadFile(pathFromText(options.deadPath), maximumDeadPathSize));
+        AXISCOMP_TRY(corrections.deadPath, deadPathFromText(asText(bytes), options.deadPath));
     }
+    auto outcome = corrected(std::move(measurement), corrections);
+    if (!outcome && outcome.error().code == ErrorCode::InvalidArgument)
+        return wrongUsage(textOf(outcome.error()).english(), command); // which has the options
+    AXISCOMP_TRY(auto result, std::move(outcome));
+    MadeCorrections made = madeCorrections(result, corrections);
+    measurement = std::move(result.measurement);
     return made;
 }
 

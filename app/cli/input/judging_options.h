@@ -38,7 +38,7 @@ void addCorrectionOptions(CLI::App& command, CorrectionOptions& options);
 
 struct MadeCorrections {
     CorrectionsBefore corrections;
-    std::string text; ///< a line for each; empty without any
+    std::string text; ///< a line for each, and for what was asked against the file; may be empty
     Json document = Json::object(); ///< as --json has them
 };
 /// What makes a second measurement comparable with a first one that was corrected like this: its
@@ -46,6 +46,16 @@ struct MadeCorrections {
 /// measurement: the second, as it was read. Errors: InvalidArgument for what nobody states.
 [[nodiscard]] Result<CorrectionOptions> correctedLike(const CorrectionsBefore& first,
     const Measurement& measurement, CorrectionOptions options, const std::string& command);
+
+/// "Correction: up and down exchanged", a line for each; empty without any.
+[[nodiscard]] std::string correctionLines(const std::vector<Text>& corrections);
+/// {"swapDirections", "invertReference", "units": [{"what", "stated", "file"}]} with what was asked
+/// for.
+[[nodiscard]] Json againstFileJson(const AgainstFile& asked);
+
+/// Of what was corrected by these.
+[[nodiscard]] MadeCorrections madeCorrections(
+    const CorrectedMeasurement& made, const CorrectionsBefore& corrections);
 
 /// Corrects the measurement for dead path and temperature, where the user asked for it. Errors:
 /// InvalidArgument, FileNotReadable, FileTooLarge.

@@ -16,7 +16,7 @@ namespace axiscomp::app {
 [[nodiscard]] bool drawsPdf();
 
 /// The document as PDF, by the module that is loaded for it. Errors: FileNotReadable when the
-/// module is not installed; InvalidArgument where no font is.
+/// module is not installed; InvalidArgument where no font is, or none that has a character of it.
 [[nodiscard]] Result<Bytes> drawnAsPdf(const ReportDocument& document);
 
 } // namespace axiscomp::app

@@ -312,8 +312,7 @@ std::optional<MeasurementUnit> MeasurementCsv::unit(std::size_t column, const st
         return std::nullopt;
     }
     if (!stated.empty() && !name.unit.empty() && !isSameUnit(stated, name.unit))
-        m_measurement.notes.push_back(
-            "column " + name.name + ": unit stated as " + stated + ", the file says " + name.unit);
+        m_measurement.againstFile.units.push_back({name.name, stated, name.unit});
     const auto known = measurementUnit(symbol);
     if (!known)
         error(DiagnosticCode::UnitMissing, column,

@@ -42,6 +42,21 @@ bool isNoText(std::string_view beginning)
         || beginning.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos;
 }
 
+/// The CSV format that the columns would be of if they were not separated by tabs: its reader says
+/// that. Null: none.
+const MeasurementFormat* formatWithTabs(std::string_view beginning)
+{
+    std::string separated(beginning);
+    std::ranges::replace(separated, '\t', ',');
+    if (separated == beginning)
+        return nullptr;
+    for (const MeasurementFormat* format :
+        {&runs_csv::format(), &wide_csv::format(), &track_csv::format(), &points_csv::format()})
+        if (format->recognise(separated) != MeasurementRecognition::No)
+            return format;
+    return nullptr;
+}
+
 tl::unexpected<Error> wrongMapping(std::string_view text)
 {
     return fail(ErrorCode::InvalidArgument,
@@ -132,10 +147,13 @@ Result<const MeasurementFormat*> chooseMeasurementFormat(
     std::vector<const MeasurementFormat*>& found = certain.empty() ? possible : certain;
     if (found.size() == 1)
         return found.front();
-    if (found.empty())
+    if (found.empty()) {
+        if (const MeasurementFormat* const format = formatWithTabs(beginning))
+            return format;
         return fail(ErrorCode::UnknownFormat,
             {{"file", std::string(fileName)}, {"known", measurementFormatNames()},
                 {"measurement", Verbatim{"yes"}}});
+    }
     std::string names;
     for (const MeasurementFormat* format : found)
         names += (names.empty() ? "" : ", ") + std::string(format->facts.name);

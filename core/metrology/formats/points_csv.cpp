@@ -146,14 +146,14 @@ bool Reader::findValues()
             && std::ranges::find(m_axes, i + 1) == m_axes.end())
             addValues(i + 1, name, axisOfReference(name));
     }
+    const bool haveReference =
+        std::ranges::any_of(m_values, [](const ValueColumn& one) { return one.axis.has_value(); });
     if (m_values.empty())
         m_csv.error(DiagnosticCode::MissingColumn, 0, AXISCOMP_TEXT("Error", "no column of values"),
             AXISCOMP_TEXT("Error", "at least one behind the positions, such as dX [um]"));
     else
-        checkStatedValues(m_options,
-            std::ranges::any_of(
-                m_values, [](const ValueColumn& one) { return one.axis.has_value(); }),
-            m_diagnostics);
+        checkStatedValues(m_options, haveReference, m_diagnostics);
+    m_measurement.againstFile.invertsReference = m_options.invertsReference && haveReference;
     return !m_diagnostics.hasErrors();
 }
 

@@ -158,6 +158,7 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
         encoder.push_back(raw.value.encoder.value_or(raw.target));
         reference.push_back(*raw.reference);
     }
+    m_measurement.againstFile.invertsReference = m_options.invertsReference && !reference.empty();
     if (!values.empty())
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (checkEncoder(values) && !reference.empty())
@@ -353,8 +354,7 @@ std::optional<MeasurementUnit> unitOfFormat(std::string_view what, const std::st
             AXISCOMP_TEXT("Error", "the unit {unit}").with("unit", symbol),
             AXISCOMP_TEXT("Error", "a length or an angle: mm, um, m, inch, deg, arcsec, mrad"));
     else if (!stated.empty() && !isSameUnit(stated, ofFile))
-        measurement.notes.push_back(
-            std::string(what) + ": unit stated as " + stated + ", the file says " + ofFile);
+        measurement.againstFile.units.push_back({std::string(what), stated, ofFile});
     return unit;
 }
 

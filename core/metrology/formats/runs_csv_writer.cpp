@@ -36,8 +36,11 @@ std::string headerText(const Measurement& measurement)
     if (header.corrected != MeasurementHeader::Corrected::NotSaid)
         appendStatement(text, "corrected",
             header.corrected == MeasurementHeader::Corrected::None ? "none" : "20C");
+    std::vector<std::string> notes = measurement.notes;
+    for (const Text& asked : againstFileTexts(measurement.againstFile))
+        notes.push_back(asked.english());
     // What looks like a statement is not to become one.
-    for (const std::string& note : measurement.notes)
+    for (const std::string& note : notes)
         text.append(note.find(':') == std::string::npos ? "// " : "// note: ")
             .append(note)
             .append("\n");

@@ -118,6 +118,7 @@ bool Reader::findColumns()
         return false;
     m_encoderFactor = encoder->factor;
     m_referenceFactor = m_options.invertsReference ? -reference->factor : reference->factor;
+    m_measurement.againstFile.invertsReference = m_options.invertsReference;
     m_measurement.isAngular = encoder->isAngular;
     return true;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/judge/corrections.h"
 
-#include "core/metrology/fine_quantity.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -65,6 +64,34 @@ double largestChange(const Measurement& before, const Measurement& after)
             largest =
                 std::max(largest, std::abs(after.values[i].deviation - before.values[i].deviation));
     return largest;
+}
+
+Quantity degrees(double celsius, UnitLetters letters)
+{
+    return {roundedText(celsius), letters == UnitLetters::Ascii ? "C" : "°C"};
+}
+
+/// Everything that the change follows from; the positions are those of the measurement.
+std::vector<Text> conditionTexts(const TemperatureCorrection& correction, UnitLetters letters)
+{
+    const auto coefficient = [letters](double perKelvin) {
+        return Quantity{roundedText(perKelvin / expansionUnit),
+            letters == UnitLetters::Ascii ? "um/(m K)" : "µm/(m·K)"};
+    };
+    std::vector<Text> conditions{
+        AXISCOMP_TEXT("Report", "scale at {temperature} with {expansion}")
+            .with("temperature", degrees(correction.materialCelsius, letters))
+            .with("expansion", coefficient(correction.expansionPerKelvin))};
+    if (correction.referenceExpansionPerKelvin != 0.0
+        || correction.referenceCelsius != standardCelsius)
+        conditions.push_back(
+            AXISCOMP_TEXT("Report", "reference at {temperature} with {expansion}")
+                .with("temperature", degrees(correction.referenceCelsius, letters))
+                .with("expansion", coefficient(correction.referenceExpansionPerKelvin)));
+    if (correction.datum)
+        conditions.push_back(AXISCOMP_TEXT("Report", "datum at {position}")
+                                 .with("position", placeOf(*correction.datum, false)));
+    return conditions;
 }
 
 } // namespace
@@ -151,27 +178,25 @@ Result<CorrectedMeasurement> corrected(
     return result;
 }
 
-std::vector<Text> correctionTexts(const CorrectionsBefore& corrections,
+std::vector<Text> correctionTexts(const AgainstFile& asked, const CorrectionsBefore& corrections,
     const std::optional<double>& largestByTemperature,
-    const std::optional<double>& largestByDeadPath)
+    const std::optional<double>& largestByDeadPath, UnitLetters letters)
 {
     // Corrections are of lengths.
-    const auto largest = [](const std::optional<double>& change) {
+    const auto largest = [letters](const std::optional<double>& change) {
         constexpr int decimals = 2;
         const std::optional<double> shown[] = {change};
         const FineUnit unit = fineUnit(shown, false);
-        return Quantity{unit.digits(change.value_or(0.0), decimals), unit.symbol};
+        return Quantity{unit.digits(change.value_or(0.0), decimals),
+            letters == UnitLetters::Ascii ? unit.name : unit.symbol};
     };
-    std::vector<Text> list;
+    std::vector<Text> list = againstFileTexts(asked);
     if (const auto& temperature = corrections.temperature)
-        list.push_back(
-            AXISCOMP_TEXT("Report",
-                "to 20 °C from {material} with {expansion}: values changed by up to {largest}")
-                .with("material", Quantity{roundedText(temperature->materialCelsius), "°C"})
-                .with("expansion",
-                    Quantity{
-                        roundedText(temperature->expansionPerKelvin / expansionUnit), "µm/(m·K)"})
-                .with("largest", largest(largestByTemperature)));
+        list.push_back(AXISCOMP_TEXT(
+            "Report", "to {standard}, {conditions}: values changed by up to {largest}")
+                           .with("standard", degrees(standardCelsius, letters))
+                           .with("conditions", conditionTexts(*temperature, letters))
+                           .with("largest", largest(largestByTemperature)));
     if (const auto& deadPath = corrections.deadPath)
         list.push_back(
             AXISCOMP_TEXT("Report", "dead path of {length}: values changed by up to {largest}")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/measurement.h"
 
 #include <map>
@@ -81,10 +82,11 @@ struct CorrectedMeasurement {
 [[nodiscard]] Result<CorrectedMeasurement> corrected(
     Measurement measurement, const CorrectionsBefore& corrections);
 
-/// What was made of the values, a phrase for each correction: "to 20 °C from 22.5 °C with 11.5
-/// µm/(m·K): values changed by up to 3.1 µm". largest: of CorrectedMeasurement.
-[[nodiscard]] std::vector<Text> correctionTexts(const CorrectionsBefore& corrections,
-    const std::optional<double>& largestByTemperature,
-    const std::optional<double>& largestByDeadPath);
+/// What was made of the values, a phrase for each: "up and down exchanged", "to 20 °C, scale at
+/// 22.5 °C with 11.5 µm/(m·K), datum at 100 mm: values changed by up to 3.1 µm". asked: of the
+/// measurement. largest: of CorrectedMeasurement.
+[[nodiscard]] std::vector<Text> correctionTexts(const AgainstFile& asked,
+    const CorrectionsBefore& corrections, const std::optional<double>& largestByTemperature,
+    const std::optional<double>& largestByDeadPath, UnitLetters letters = UnitLetters::Page);
 
 } // namespace axiscomp

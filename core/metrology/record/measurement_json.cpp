@@ -274,6 +274,29 @@ std::vector<PublishedFigure> publishedFromJson(const JsonNode& node)
     return published;
 }
 
+/// As one file was read: directions are exchanged in all of them together, which stands elsewhere.
+OrderedJson toJson(const AgainstFile& asked)
+{
+    OrderedJson object = OrderedJson::object();
+    if (asked.invertsReference)
+        object["invertReference"] = true;
+    for (const StatedUnit& unit : asked.units)
+        object["units"].push_back(
+            {{"what", unit.what}, {"stated", unit.stated}, {"file", unit.ofFile}});
+    return object;
+}
+
+AgainstFile againstFileFromJson(const JsonNode& node)
+{
+    AgainstFile asked;
+    asked.invertsReference = maybeTrue(node, "invertReference");
+    if (isThere(node, "units"))
+        for (const JsonNode& item : node["units"].items())
+            asked.units.push_back(
+                {item["what"].text(), item["stated"].text(), item["file"].text()});
+    return asked;
+}
+
 std::vector<double> targetsFromJson(const JsonNode& node)
 {
     std::vector<double> targets = node.numbers();
@@ -317,6 +340,8 @@ OrderedJson toJson(const Measurement& measurement)
     if (!measurement.published.empty())
         object["published"] = publishedToJson(measurement.published);
     object["halfPrintedUnit"] = measurement.halfPrintedUnit;
+    if (auto asked = toJson(measurement.againstFile); !asked.empty())
+        object["againstFile"] = std::move(asked);
     return object;
 }
 
@@ -338,6 +363,8 @@ Measurement measurementFromJson(const JsonNode& node)
     if (isThere(node, "published"))
         measurement.published = publishedFromJson(node["published"]);
     measurement.halfPrintedUnit = node["halfPrintedUnit"].number();
+    if (isThere(node, "againstFile"))
+        measurement.againstFile = againstFileFromJson(node["againstFile"]);
     return measurement;
 }
 

@@ -153,6 +153,8 @@ private:
 
     void drawRuns()
     {
+        if (!hasPlottedRuns(m_measurement))
+            return;
         for (const DeviationCurves::Run& run : m_curves.runs)
             line(places(run.values), PlotInk::Run, 0.1);
     }
@@ -209,9 +211,12 @@ private:
 
     void describe()
     {
-        m_plot.description = AXISCOMP_TEXT("Report",
-            "Deviation over position: means of both directions with bands of 2 s, the mean of "
-            "both, single runs");
+        m_plot.description = hasPlottedRuns(m_measurement)
+            ? AXISCOMP_TEXT("Report",
+                "Deviation over position: means of both directions with bands of 2 s, the mean of "
+                "both, single runs")
+            : AXISCOMP_TEXT(
+                "Report", "Deviation over position: means of both directions, the mean of both");
     }
 
     const Measurement& m_measurement;
@@ -230,7 +235,12 @@ ReportPlot deviationPlot(const Measurement& measurement, const DeviationCurves& 
     return DeviationPlot(measurement, curves, range, size).drawn();
 }
 
-ReportPlot deviationLegend(double width)
+bool hasPlottedRuns(const Measurement& measurement)
+{
+    return measurement.kind != MeasurementKind::Averages;
+}
+
+ReportPlot deviationLegend(double width, bool haveRuns)
 {
     constexpr double height = 5.0;
     constexpr double middle = height / 2.0;
@@ -255,8 +265,9 @@ ReportPlot deviationLegend(double width)
         {{{band, 1.2}, {band + sample, 1.2}, {band + sample, height - 1.2}, {band, height - 1.2}},
             PlotInk::Up});
     line(4.0 * column, PlotInk::Down, 0.25, dotted);
-    line(5.0 * column, PlotInk::Run, 0.1);
-    for (std::size_t i = 0; i < deviationLineCount; ++i)
+    if (haveRuns)
+        line(5.0 * column, PlotInk::Run, 0.1);
+    for (std::size_t i = 0; i < deviationLineCount - (haveRuns ? 0 : 1); ++i)
         legend.labels.push_back(
             {{static_cast<double>(i) * column + sample + 1.0, middle + 0.35 * smallFont},
                 deviationLineText(static_cast<DeviationLine>(i)), PlotLabel::Side::Left, false,

@@ -17,7 +17,10 @@ struct PlotSize {
 [[nodiscard]] ReportPlot deviationPlot(const Measurement& measurement,
     const DeviationCurves& curves, const DeviationRange& range, const PlotSize& size);
 
-/// What the lines and markers mean.
-[[nodiscard]] ReportPlot deviationLegend(double width);
+/// Whether its plot has single runs: a mean is none.
+[[nodiscard]] bool hasPlottedRuns(const Measurement& measurement);
+
+/// What the lines and markers mean. haveRuns: of a plot beside it.
+[[nodiscard]] ReportPlot deviationLegend(double width, bool haveRuns);
 
 } // namespace axiscomp::report

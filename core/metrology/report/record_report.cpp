@@ -17,22 +17,26 @@ namespace {
 
 using namespace report;
 
-std::vector<Text> correctionTexts(
-    const RecordedCorrections& corrections, const CorrectedMeasurement& made)
+/// fit: of the table that was made of the measurement; null: none was.
+std::vector<Text> correctionsOnRecord(const RecordedCorrections& corrections,
+    const CorrectedMeasurement& made, const FitSettings* fit)
 {
-    std::vector<Text> list =
-        axiscomp::correctionTexts({corrections.temperature, corrections.deadPath},
-            made.largestByTemperature, made.largestByDeadPath);
+    std::vector<Text> list = correctionTexts(made.measurement.againstFile,
+        {corrections.temperature, corrections.deadPath}, made.largestByTemperature,
+        made.largestByDeadPath);
+    if (fit && fit->slope != SlopeRemoval::Keep && made.measurement.hasTargets())
+        list.emplace_back(
+            AXISCOMP_TEXT("Report", "slope taken out for the table, not for figures"));
     if (corrections.drift)
         list.push_back(AXISCOMP_TEXT("Report", "drift taken out for the table, not for figures"));
     return list;
 }
 
-Result<ReportMeasurement> measured(const RecordedMeasurement& recorded)
+Result<ReportMeasurement> measured(const RecordedMeasurement& recorded, const FitSettings* fit)
 {
     ReportMeasurement result;
     AXISCOMP_TRY(auto made, correctedMeasurement(recorded));
-    result.corrections = correctionTexts(recorded.corrections, made);
+    result.corrections = correctionsOnRecord(recorded.corrections, made, fit);
     result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
     return result;
@@ -113,6 +117,7 @@ bool wasSaid(const CalibrationRecord& record, const Measurement* measurement, do
 {
     return measurement && record.fit && record.before
         && !correctsAnotherAxis(record.tables.front().table.target, measurement->header.axis)
+        && !measurement->againstFile.invertsReference
         && isAsMeasured(*record.fit, record.before->corrections)
         && isTarget(*measurement, position);
 }
@@ -161,7 +166,11 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
     if (!record.tables.empty()) {
         const RecordedTable& first = record.tables.front();
         table.grid = first.table.grid;
-        table.crc = first.crc;
+        if (record.tables.size() == 1)
+            table.crc = first.crc;
+        else
+            for (const RecordedTable& each : record.tables)
+                table.columns.push_back({each.table.name, each.table.target, each.crc});
         if (first.table.unit == "mm" || first.table.unit == "deg")
             content.sign = signText(first.table, record, measurement, content.isAngular);
     }
@@ -206,11 +215,13 @@ Result<ReportContent> reportContent(
     ReportContent content;
     content.programVersion = programVersion;
     if (record.before) {
-        AXISCOMP_TRY(content.before, measured(*record.before));
+        AXISCOMP_TRY(
+            content.before, measured(*record.before, record.fit ? &record.fit->settings : nullptr));
         addInputs(content.inputs, *record.before);
     }
     if (const RecordedAfter* after = lastAfter(record)) {
-        AXISCOMP_TRY(content.after, measured(after->measurement));
+        AXISCOMP_TRY(content.after, measured(after->measurement, nullptr));
+        content.after->statedTable = after->tableCrc;
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);

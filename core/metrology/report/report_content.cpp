@@ -21,6 +21,7 @@ constexpr double pageWidth = 180.0; // mm, A4 without its margins
 constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
 constexpr std::size_t mostInputs = 4;
 constexpr std::size_t mostExclusions = 6;
+constexpr std::size_t mostTables = 4;
 
 /// A measurement as the page needs it.
 struct Judged {
@@ -183,7 +184,7 @@ private:
         row(AXISCOMP_TEXT("Report", "Environment"),
             [&](const ReportMeasurement& one) { return environmentText(one.measurement); });
         row(AXISCOMP_TEXT("Report", "Compensation"),
-            [&](const ReportMeasurement& one) { return stateText(header(one).compensation); });
+            [&](const ReportMeasurement& one) { return stateText(one); });
         row(AXISCOMP_TEXT("Report", "Corrections"),
             [&](const ReportMeasurement& one) { return correctionsText(one); });
         row(AXISCOMP_TEXT("Report", "Targets and runs"),
@@ -232,15 +233,20 @@ private:
             .with("to", quantityText(digits(range.highest), "°C"));
     }
 
-    [[nodiscard]] static Text stateText(const MeasuredState& state)
+    /// By the file, which a person may have completed.
+    [[nodiscard]] static Text stateText(const ReportMeasurement& one)
     {
-        if (state.kind == MeasuredState::Kind::NotSaid)
-            return notStated();
+        const MeasuredState& state = one.measurement.header.compensation;
         if (state.kind == MeasuredState::Kind::Off)
             return AXISCOMP_TEXT("Report", "off");
-        if (!state.tableCrc)
+        if (state.tableCrc)
+            return AXISCOMP_TEXT("Report", "on, table {crc}").with("crc", crcText(*state.tableCrc));
+        if (one.statedTable)
+            return AXISCOMP_TEXT("Report", "on, table {crc}, as stated with the measurement")
+                .with("crc", crcText(*one.statedTable));
+        if (state.kind == MeasuredState::Kind::On)
             return AXISCOMP_TEXT("Report", "on, which table is not stated");
-        return AXISCOMP_TEXT("Report", "on, table {crc}").with("crc", crcText(*state.tableCrc));
+        return notStated();
     }
 
     [[nodiscard]] static Text correctionsText(const ReportMeasurement& one)
@@ -265,16 +271,29 @@ private:
         if (!measurement.hasTargets() || measurement.targets.empty())
             return AXISCOMP_TEXT("Report", "no targets: {kind}")
                 .with("kind", measurementKindText(measurement.kind));
-        return AXISCOMP_COUNTED("Report",
-            "{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓",
-            "1 target from {from} to {to}, {up} runs ↑, {down} runs ↓")
-            .with("count", measurement.targets.size())
-            .with("from", quantityText(toText(measurement.targets.front()), ""))
-            .with("to",
-                quantityText(
-                    toText(measurement.targets.back()), positionSymbol(m_content.isAngular)))
-            .with("up", measurement.runCount(Approach::Up))
-            .with("down", measurement.runCount(Approach::Down));
+        return listText(
+            {AXISCOMP_COUNTED(
+                 "Report", "{count} targets from {from} to {to}", "1 target from {from} to {to}")
+                    .with("count", measurement.targets.size())
+                    .with("from", quantityText(roundedText(measurement.targets.front()), ""))
+                    .with("to",
+                        quantityText(roundedText(measurement.targets.back()),
+                            positionSymbol(m_content.isAngular))),
+                passesText(measurement, Approach::Up), passesText(measurement, Approach::Down)});
+    }
+
+    /// Of how many runs a mean is, no file says.
+    [[nodiscard]] static Text passesText(const Measurement& measurement, Approach direction)
+    {
+        const int count = measurement.runCount(direction);
+        const char* const arrow = direction == Approach::Up ? "↑" : "↓";
+        if (measurement.kind != MeasurementKind::Averages)
+            return AXISCOMP_COUNTED("Report", "{count} runs {direction}", "1 run {direction}")
+                .with("count", count)
+                .with("direction", Verbatim{arrow});
+        return (count > 0 ? AXISCOMP_TEXT("Report", "means {direction}")
+                          : AXISCOMP_TEXT("Report", "no means {direction}"))
+            .with("direction", Verbatim{arrow});
     }
 
     [[nodiscard]] static std::vector<Text> exclusions(const Measurement& measurement)
@@ -335,7 +354,11 @@ private:
                 plots.plots.push_back(
                     deviationPlot(one->reported->measurement, one->curves, *range, size));
         m_document.blocks.emplace_back(std::move(plots));
-        m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth)}});
+        const bool haveRuns =
+            std::ranges::any_of(std::array{&m_before, &m_after}, [](const Judged* one) {
+                return hasPlot(*one) && hasPlottedRuns(one->reported->measurement);
+            });
+        m_document.blocks.emplace_back(ReportPlots{{deviationLegend(pageWidth, haveRuns)}});
     }
 
     void addFigures()
@@ -437,18 +460,47 @@ private:
     {
         const ReportedTable& table = m_content.table;
         heading(AXISCOMP_TEXT("Report", "Table"));
-        m_document.blocks.emplace_back(ReportFacts{
-            {{AXISCOMP_TEXT("Report", "Grid"), gridText()},
-                {AXISCOMP_TEXT("Report", "Method"),
-                    table.method.isEmpty() ? notStated() : table.method},
-                {AXISCOMP_TEXT("Report", "CRC-32"), table.crc ? crcText(*table.crc) : notStated()},
-                {AXISCOMP_TEXT("Report", "Slot"), statedText(table.slot)},
-                {AXISCOMP_TEXT("Report", "Persistency"), persistencyText()},
-                {AXISCOMP_TEXT("Report", "End-to-end proof"),
-                    table.proof.isEmpty() ? notStated() : table.proof}},
-            2});
+        m_document.blocks.emplace_back(
+            ReportFacts{{{AXISCOMP_TEXT("Report", "Grid"), gridText()},
+                            {AXISCOMP_TEXT("Report", "Method"),
+                                table.method.isEmpty() ? notStated() : table.method},
+                            {AXISCOMP_TEXT("Report", "CRC-32"), tableCrcText()},
+                            {AXISCOMP_TEXT("Report", "Slot"), statedText(table.slot)},
+                            {AXISCOMP_TEXT("Report", "Persistency"), persistencyText()},
+                            {AXISCOMP_TEXT("Report", "End-to-end proof"),
+                                table.proof.isEmpty() ? notStated() : table.proof}},
+                2});
+        if (!table.columns.empty())
+            m_document.blocks.emplace_back(
+                ReportFacts{{{AXISCOMP_TEXT("Report", "Tables"), columnsText()}}});
         m_document.blocks.emplace_back(ReportFacts{{{AXISCOMP_TEXT("Report", "Sign"),
             m_content.sign.isEmpty() ? notStated() : m_content.sign}}});
+    }
+
+    [[nodiscard]] Text tableCrcText() const
+    {
+        if (m_content.table.crc)
+            return crcText(*m_content.table.crc);
+        return m_content.table.columns.empty()
+            ? notStated()
+            : Text(AXISCOMP_TEXT("Report", "that of each table, below"));
+    }
+
+    /// Each goes to an axis of its own.
+    [[nodiscard]] Text columnsText() const
+    {
+        std::vector<Text> list;
+        const auto& columns = m_content.table.columns;
+        for (std::size_t i = 0; i < std::min(columns.size(), mostTables); ++i)
+            list.push_back(AXISCOMP_TEXT("Report", "{name} for axis {axis}, CRC-32 {crc}")
+                               .with("name", statedText(columns[i].name))
+                               .with("axis", statedText(columns[i].target))
+                               .with("crc", crcText(columns[i].crc)));
+        if (columns.size() > mostTables)
+            list.push_back(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                               .with("count", columns.size() - mostTables));
+        return listText(std::move(list));
     }
 
     [[nodiscard]] Text gridText() const
@@ -549,7 +601,7 @@ private:
             AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
             Verbatim{"R"}};
         for (const TargetFigures& target : one.figures.targets)
-            table.rows.push_back({quantityText(toText(target.position), ""),
+            table.rows.push_back({quantityText(roundedText(target.position), ""),
                 numberText(static_cast<double>(target.up.n), 0), cell(unit, target.up.mean),
                 cell(unit, target.up.s), numberText(static_cast<double>(target.down.n), 0),
                 cell(unit, target.down.mean), cell(unit, target.down.s),

@@ -29,6 +29,8 @@ struct ReportMeasurement {
     std::vector<Text> corrections; ///< what was made of the values as read
     /// Whether it is on record what was corrected: without that an empty list says nothing.
     bool areCorrectionsKnown = false;
+    /// CRC-32 of the table that was active as a person has stated it; nothing: nobody has.
+    std::optional<std::uint32_t> statedTable = {};
 };
 
 struct ReportPrediction {
@@ -40,10 +42,18 @@ struct ReportPrediction {
     std::optional<double> heldOutM;
 };
 
+/// One of several tables that were made together.
+struct ReportedColumn {
+    std::string name; ///< "dX"
+    std::string target; ///< the axis that it corrects; empty: not on record
+    std::uint32_t crc = 0;
+};
+
 struct ReportedTable {
     Grid grid; ///< without axes: not on record
+    std::vector<ReportedColumn> columns; ///< empty where there is but one table
     Text method;
-    std::optional<std::uint32_t> crc;
+    std::optional<std::uint32_t> crc; ///< nothing: not on record, or that of each column
     std::string slot;
     std::optional<bool> isPersistent;
     Text proof; ///< what the end-to-end proof has come to

@@ -5,53 +5,53 @@ namespace axiscomp {
 
 namespace {
 
-class Translation {
-public:
-    explicit Translation(const Wording& wording) : m_wording(wording) { }
-
-    void operator()(ReportHeading& heading) const { translate(heading.text); }
-    void operator()(ReportParagraph& paragraph) const { translate(paragraph.text); }
-    void operator()(ReportFacts& facts) const
-    {
-        for (ReportFact& fact : facts.facts) {
-            translate(fact.name);
-            translate(fact.value);
+/// Every text of a block, which may be constant.
+template <typename Block, typename Visit> void visitTexts(Block& block, const Visit& visit)
+{
+    if constexpr (requires { block.text; }) {
+        visit(block.text);
+    } else if constexpr (requires { block.facts; }) {
+        for (auto& fact : block.facts) {
+            visit(fact.name);
+            visit(fact.value);
+        }
+    } else if constexpr (requires { block.header; }) {
+        for (auto& cell : block.header)
+            visit(cell);
+        for (auto& row : block.rows)
+            for (auto& cell : row)
+                visit(cell);
+    } else if constexpr (requires { block.plots; }) {
+        for (auto& plot : block.plots) {
+            visit(plot.description);
+            for (auto& label : plot.labels)
+                visit(label.text);
         }
     }
-    void operator()(ReportTable& table) const
-    {
-        for (Text& cell : table.header)
-            translate(cell);
-        for (std::vector<Text>& row : table.rows)
-            for (Text& cell : row)
-                translate(cell);
-    }
-    void operator()(ReportPlots& plots) const
-    {
-        for (ReportPlot& plot : plots.plots) {
-            translate(plot.description);
-            for (PlotLabel& label : plot.labels)
-                translate(label.text);
-        }
-    }
-    void operator()(ReportPageBreak& /*nothing*/) const { }
+}
 
-    void translate(Text& text) const { text = Verbatim{text.in(m_wording)}; }
-
-private:
-    const Wording& m_wording;
-};
+template <typename Document, typename Visit>
+void visitTextsOf(Document& document, const Visit& visit)
+{
+    visit(document.title);
+    for (auto& block : document.blocks)
+        std::visit([&visit](auto& one) { visitTexts(one, visit); }, block);
+}
 
 } // namespace
 
 ReportDocument worded(ReportDocument document, const Wording& wording, const std::string& language)
 {
-    const Translation translation(wording);
-    translation.translate(document.title);
-    for (ReportBlock& block : document.blocks)
-        std::visit(translation, block);
+    visitTextsOf(document, [&wording](Text& text) { text = Verbatim{text.in(wording)}; });
     document.language = language;
     return document;
+}
+
+std::string wordsOf(const ReportDocument& document)
+{
+    std::string words;
+    visitTextsOf(document, [&words](const Text& text) { words += text.english() + '\n'; });
+    return words;
 }
 
 } // namespace axiscomp

@@ -119,4 +119,7 @@ struct ReportDocument {
 [[nodiscard]] ReportDocument worded(
     ReportDocument document, const Wording& wording, const std::string& language);
 
+/// All that is written on it, a line for each text: for those who have to know its characters.
+[[nodiscard]] std::string wordsOf(const ReportDocument& document);
+
 } // namespace axiscomp

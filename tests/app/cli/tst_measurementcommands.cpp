@@ -448,6 +448,43 @@ private Q_SLOTS:
         QVERIFY2(unknown.err.contains("UnknownFormat"), unknown.err.constData());
     }
 
+    void whatTurnsValuesIsSaidWithTheFigures()
+    {
+        const Sandbox box;
+        box.file("a.csv", small);
+        box.file("b.csv", "// machine: M2\n" + small);
+        const QByteArray said = "Correction: up and down exchanged\n";
+        for (const char* command : {"judge", "runs"}) {
+            const ProgramRun run = box.run({command, "a.csv", "--swap-directions"});
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.out.contains(said), run.out.constData());
+            const ProgramRun json = box.run({command, "a.csv", "--swap-directions", "--json"});
+            VERIFY_CODE(json, 0);
+            QCOMPARE(
+                json.json().value("corrections").toObject().keys(), QStringList{"swapDirections"});
+            const ProgramRun plain = box.run({command, "a.csv"});
+            QVERIFY2(!plain.out.contains("Correction:"), plain.out.constData());
+        }
+        const ProgramRun unit = box.run({"judge", "a.csv", "--value-unit", "nm"});
+        VERIFY_CODE(unit, 0);
+        QVERIFY2(unit.out.contains("Correction: unit of deviation taken as nm, the file says um\n"),
+            unit.out.constData());
+        const ProgramRun both = box.run({"compare", "a.csv", "b.csv", "--swap-directions"});
+        VERIFY_CODE(both, 0);
+        QCOMPARE(both.out.count(said), 2);
+        const ProgramRun fitted = box.run({"fit", "a.csv", "--swap-directions", "--measured-with",
+            "off", "--lookup-at", "encoder", "--record", "a.axcal"});
+        VERIFY_CODE(fitted, 0);
+        QVERIFY2(fitted.out.contains(said), fitted.out.constData());
+        VERIFY_CODE(box.run({"report", "a.axcal", "-o", "a.html"}), 0);
+        QVERIFY(box.content("a.html").contains("up and down exchanged"));
+        const ProgramRun compared =
+            box.run({"compare", "b.csv", "--record", "a.axcal", "--measured-with", "on", "--json"});
+        QCOMPARE(compared.json().value("correctionsBefore").toObject().keys(),
+            QStringList{"swapDirections"});
+        QVERIFY(compared.json().value("corrections").toObject().isEmpty());
+    }
+
     void filesAreJoinedAndWritten()
     {
         const Sandbox box;
@@ -572,13 +609,15 @@ private Q_SLOTS:
         QCOMPARE(made.value("length").toDouble(), 1000.0);
         QVERIFY(std::abs(made.value("largest").toDouble() - 0.0009550276226510945) < 1e-12);
         const ProgramRun told = box.run({"judge", file, "--dead-path", whole});
-        QVERIFY2(told.out.contains("Corrected for a dead path of 1000 mm: 0.955 um at most\n"),
+        QVERIFY2(told.out.contains(
+                     "Correction: dead path of 1000 mm: values changed by up to 0.96 um\n"),
             told.out.constData());
         const QString record = box.path("x.axcal");
         const ProgramRun fitted = box.run({"fit", file, "--dead-path", whole, "--measured-with",
             "off", "--lookup-at", "encoder", "--record", record});
         VERIFY_CODE(fitted, 0);
-        QVERIFY2(fitted.out.contains("Corrected for a dead path of 1000 mm: 0.955 um at most\n"),
+        QVERIFY2(fitted.out.contains(
+                     "Correction: dead path of 1000 mm: values changed by up to 0.96 um\n"),
             fitted.out.constData());
         const QJsonObject kept = QJsonDocument::fromJson(box.content("x.axcal")).object();
         QCOMPARE(kept.value("before").toObject().value("corrections").toObject().keys(),

@@ -191,6 +191,24 @@ private Q_SLOTS:
         QVERIFY(json["predicted"].toObject()["R"].isNull());
     }
 
+    /// U+0378 is assigned to no character, so that no font has it.
+    void aCharacterThatNoFontHasIsRefusedInAPdf()
+    {
+        const Sandbox box;
+        CalibrationRecord record = wholeRecord();
+        record.drive->name = "M\u00fchle \u0378";
+        const QString file = recordIn(box, record);
+        const ProgramRun run = box.run({"report", file, "-o", "r.pdf"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("no installed font has \u0378, so that empty boxes"),
+            run.err.constData());
+        QVERIFY(!QFile::exists(box.path("r.pdf")));
+        VERIFY_CODE(box.run({"report", file, "-o", "r.html"}), 0);
+        QVERIFY(box.content("r.html").contains("\u0378"));
+        record.drive->name = "tab\tand line\n"; // no page has them
+        VERIFY_CODE(box.run({"report", recordIn(box, record), "-o", "r.pdf"}), 0);
+    }
+
     void whatIsNoReportIsRefused()
     {
         const Sandbox box;

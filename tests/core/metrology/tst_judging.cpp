@@ -327,6 +327,28 @@ private Q_SLOTS:
         QCOMPARE(corrected->values.back().deviation, 0.0);
     }
 
+    void aCorrectionToldNamesAllThatItFollowsFrom()
+    {
+        const auto told = [](const TemperatureCorrection& correction, UnitLetters letters) {
+            return correctionTexts({}, {.temperature = correction}, 0.01275, std::nullopt, letters)
+                .at(0)
+                .english();
+        };
+        TemperatureCorrection correction{.materialCelsius = 25.0, .expansionPerKelvin = 11.5e-6};
+        QCOMPARE(told(correction, UnitLetters::Ascii),
+            std::string("to 20 C, scale at 25 C with 11.5 um/(m K): values changed by up to "
+                        "12.75 um"));
+        correction.datum = 100.0;
+        QCOMPARE(told(correction, UnitLetters::Ascii),
+            std::string("to 20 C, scale at 25 C with 11.5 um/(m K), datum at 100 mm: values "
+                        "changed by up to 12.75 um"));
+        correction.referenceCelsius = 30.0;
+        correction.referenceExpansionPerKelvin = 1e-5;
+        QCOMPARE(told(correction, UnitLetters::Page),
+            std::string("to 20 °C, scale at 25 °C with 11.5 µm/(m·K), reference at 30 °C with "
+                        "10 µm/(m·K), datum at 100 mm: values changed by up to 12.75 µm"));
+    }
+
     void theDeadPathFollowsTheAir()
     {
         // By the modified Edlen equation 1.00027137 for 20 C, 101.325 kPa and 50 %.

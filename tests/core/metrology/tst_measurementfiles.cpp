@@ -546,8 +546,13 @@ private Q_SLOTS:
             "runs", "target [mm],direction,deviation [um]\n0,+,0.25\n100,+,0.5\n", options);
         VERIFY_MEASUREMENT(reading);
         QCOMPARE(reading.measurement->values.front().deviation, 0.25);
-        QCOMPARE(reading.measurement->notes,
-            std::vector<std::string>{"column deviation: unit stated as mm, the file says um"});
+        QVERIFY(reading.measurement->againstFile.units
+            == (std::vector<StatedUnit>{{"deviation", "mm", "um"}}));
+        const auto said = againstFileTexts(reading.measurement->againstFile);
+        QCOMPARE(said.size(), std::size_t{1});
+        QCOMPARE(said[0].english(), std::string("unit of deviation taken as mm, the file says um"));
+        QVERIFY(writeRunsCsv(*reading.measurement).find("// " + said[0].english() + "\n")
+            != std::string::npos);
     }
 
     /// Files that have units by their format: 1 inch is 25.4 mm, 2 of a value are 0.002 mm.
@@ -563,9 +568,8 @@ private Q_SLOTS:
         VERIFY_MEASUREMENT(means);
         QVERIFY(std::abs(means.measurement->targets.back() - 25.4) < 1e-12);
         QVERIFY(std::abs(means.measurement->values[1].deviation - 0.002) < 1e-15);
-        QCOMPARE(means.measurement->notes,
-            (std::vector<std::string>{"targets: unit stated as inch, the file says mm",
-                "values: unit stated as um, the file says mm"}));
+        QVERIFY(means.measurement->againstFile.units
+            == (std::vector<StatedUnit>{{"targets", "inch", "mm"}, {"values", "um", "mm"}}));
         options.valueUnit = "mm";
         const std::string rtl =
             "HEADER::\nFile type: rtl\nTARGET DATA::\nTarget-count: 2\nTargets : 0 10\n"
@@ -773,7 +777,9 @@ private Q_SLOTS:
             VERIFY_MEASUREMENT(whole);
             QVERIFY(std::abs(whole.measurement->targets.back() - 101.6) < 1e-12);
             QVERIFY(std::abs(valueAt(*whole.measurement, Approach::Up, 1, 1) - 0.00254) < 1e-12);
-            QVERIFY(whole.measurement->notes.back().starts_with("values: unit stated as mil, "));
+            QVERIFY(!whole.measurement->againstFile.units.empty());
+            QCOMPARE(whole.measurement->againstFile.units.back().what, std::string("values"));
+            QCOMPARE(whole.measurement->againstFile.units.back().stated, std::string("mil"));
         }
         for (const char* line : {"Units: mm\n", "Units Millimeter\n", "Unit 4\n"})
             VERIFY_MEASUREMENT(test::readAs("api-pos", line + blocks));
@@ -836,6 +842,42 @@ private Q_SLOTS:
         QCOMPARE(points.size(), std::size_t{4});
         QVERIFY(std::abs(points.values[0][1] + 0.001) < 1e-12);
         QCOMPARE(points.values[1][2], 0.007);
+    }
+
+    void whatWasAskedForAgainstAFileIsSaidOfTheWhole()
+    {
+        MeasurementReadOptions options;
+        options.invertsReference = true;
+        const MeasurementReading inverted = test::readAs("runs",
+            "target [mm],direction,reference [mm]\n0,+,0\n50,+,-50.001\n100,+,-100.001\n", options);
+        VERIFY_MEASUREMENT(inverted);
+        const MeasurementReading plain = test::readAs(
+            "runs", "target [mm],direction,reference [mm]\n0,+,0\n50,+,50.002\n100,+,100.002\n");
+        VERIFY_MEASUREMENT(plain);
+        QCOMPARE(plain.measurement->againstFile, AgainstFile());
+        const std::array both{*plain.measurement, *inverted.measurement};
+        const auto whole = selected(both, true, {});
+        VERIFY_RESULT(whole);
+        std::vector<std::string> said;
+        for (const Text& text : againstFileTexts(whole->againstFile))
+            said.push_back(text.english());
+        QCOMPARE(said,
+            (std::vector<std::string>{
+                "up and down exchanged", "reference taken with the opposite sign"}));
+        const std::string csv = writeRunsCsv(*whole);
+        QVERIFY2(csv.find("// up and down exchanged\n// reference taken") != std::string::npos,
+            csv.c_str());
+        std::string samples = "encoder [mm],reference [mm]\n";
+        for (int n = 0; n < 40; ++n)
+            samples += std::to_string(n) + ",-" + std::to_string(n) + "\n";
+        const MeasurementReading track = test::readAs("track", samples, options);
+        VERIFY_MEASUREMENT(track);
+        QVERIFY(track.measurement->againstFile.invertsReference);
+        const MeasurementReading points = test::readAs("points",
+            "X [mm],Y [mm],Xr [mm]\n0,0,0\n10,0,-10\n0,10,0\n10,10,-10\n20,0,-20\n20,10,-20\n",
+            options);
+        VERIFY_MEASUREMENT(points);
+        QVERIFY(points.measurement->againstFile.invertsReference);
     }
 
     void filesAreJoinedRunAfterRun()

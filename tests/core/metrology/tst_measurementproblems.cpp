@@ -366,6 +366,20 @@ private Q_SLOTS:
                 "1:0 MissingColumn 1 column|columns separated by , or ; instead of tabs"});
     }
 
+    /// Also without the line "// axiscomp runs": which columns there are is not the question.
+    void aFileWithTabsIsToldSoWhateverItsColumnsAre()
+    {
+        for (const char* text : {"target [mm]\tdirection\tdeviation [um]\n0\t+\t1,5\n10\t+\t2\n",
+                 "encoder [mm]\treference [mm]\n0\t0\n1\t1\n", "X [mm]\tY [mm]\tdX [um]\n0\t0\t1\n",
+                 "target [mm]\tup1 [um]\tdown1 [um]\n0\t1\t2\n"}) {
+            const auto format = chooseMeasurementFormat(text, "x.txt", {});
+            VERIFY_RESULT(format);
+            QCOMPARE(test::describe((*format)->read(text, {})),
+                QByteArrayList{
+                    "1:0 MissingColumn 1 column|columns separated by , or ; instead of tabs"});
+        }
+    }
+
     void aReferenceIsInvertedWhenAskedFor()
     {
         MeasurementReadOptions options;
@@ -455,6 +469,8 @@ private Q_SLOTS:
     void aFileOfNoFormatIsNotGuessed()
     {
         VERIFY_ERROR(chooseMeasurementFormat("a,b\n1,2\n", "x.csv", {}), ErrorCode::UnknownFormat);
+        VERIFY_ERROR(
+            chooseMeasurementFormat("a\tb\n1\t2\n", "x.csv", {}), ErrorCode::UnknownFormat);
         VERIFY_ERROR(measurementFormatNamed("excel"), ErrorCode::UnknownFormat);
         for (const char* bad : {"", "target", "=1", "target=", "target=1,,"})
             VERIFY_ERROR(columnMappingFromText(bad), ErrorCode::InvalidArgument);

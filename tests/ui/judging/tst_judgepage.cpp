@@ -359,6 +359,17 @@ private Q_SLOTS:
             bench.user.the<QLabel>("correctionsText").text(), QStringLiteral("No corrections."));
     }
 
+    void exchangedDirectionsAreSaidWithTheCorrections()
+    {
+        PageFixture bench;
+        QVERIFY(judge(bench, "b02_y"));
+        QTRY_COMPARE(
+            bench.user.the<QLabel>("correctionsText").text(), QStringLiteral("No corrections."));
+        bench.user.the<QAbstractButton>("swapDirections").click();
+        QTRY_COMPARE(bench.user.the<QLabel>("correctionsText").text(),
+            QStringLiteral("Up and down exchanged."));
+    }
+
     /// As when a capture ends, or a record that was being read is there.
     void correctionsOfOneMeasurementAreNotThoseOfAnother()
     {

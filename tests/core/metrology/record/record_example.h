@@ -39,6 +39,8 @@ inline CalibrationRecord fullRecord()
     runs.notes = {"Flags: 0 0 2 0"};
     runs.published = {{"E", 0.09065, 5e-6, 12}};
     runs.halfPrintedUnit = 5e-6;
+    runs.againstFile.invertsReference = true;
+    runs.againstFile.units = {{"reference", "nm", "um"}};
     runs.values[3].encoder = 12.34567890123456789;
     runs.values[4].output = -1e-3;
     runs.values[5].time = 1e9;

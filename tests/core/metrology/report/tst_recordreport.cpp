@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/report/record_report.h"
+#include "core/metrology/report/report_html.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -80,6 +81,9 @@ private Q_SLOTS:
             [](CalibrationRecord& r) { r.fit->settings.slope = SlopeRemoval::Ends; });
         row("drift", false,
             [](CalibrationRecord& r) { r.before->corrections.drift = DriftRemoval::Offset; });
+        row("inverted", false, [](CalibrationRecord& r) {
+            r.before->files[0].measurement.againstFile.invertsReference = true;
+        });
         row("temperature", false, [](CalibrationRecord& r) {
             r.before->corrections.temperature.emplace();
             r.before->corrections.temperature->expansionPerKelvin = 11.5e-6;
@@ -125,6 +129,31 @@ private Q_SLOTS:
         QCOMPARE(content->table.crc, std::optional<std::uint32_t>(0x00c0ffee));
     }
 
+    /// Points of a plane make a table for each of its axes.
+    void everyTableOfARecordIsOnThePage()
+    {
+        CalibrationRecord record = plainRecord();
+        record.tables[0].table.name = "dX";
+        record.tables[0].table.target = "X";
+        record.tables[0].crc = 0x1c291ca3;
+        record.tables.push_back(record.tables[0]);
+        record.tables[1].table.name = "dY";
+        record.tables[1].table.target = "Y";
+        record.tables[1].crc = 0x00c0ffee;
+        const auto page = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? reportHtml(reportDocument(*content)) : sentence(content.error());
+        };
+        const auto has = [&](const char* said) { return page().find(said) != std::string::npos; };
+        QVERIFY(has("dX for axis X, CRC-32 1c291ca3, dY for axis Y, CRC-32 00c0ffee"));
+        QVERIFY(has("that of each table, below"));
+        record.tables.insert(record.tables.end(), 4, record.tables[1]);
+        QVERIFY(has("and 2 more in the record"));
+        record.tables.resize(1);
+        QVERIFY(!has("dX for axis X"));
+        QVERIFY(has("1c291ca3"));
+    }
+
     void whatTheFirstMeasurementDoesNotStateIsTakenFromTheSecond()
     {
         CalibrationRecord record = plainRecord();
@@ -144,6 +173,61 @@ private Q_SLOTS:
         QCOMPARE(content->axis, std::string("X"));
         QCOMPARE(content->machine, std::string("M1"));
         QCOMPARE(content->serial, std::string("S2"));
+    }
+
+    /// Without it no second measurement comes into a record.
+    void theTableThatWasStatedToBeActiveIsOnThePage()
+    {
+        CalibrationRecord record = plainRecord();
+        record.tables[0].crc = 0x1c291ca3;
+        RecordedAfter after;
+        after.measurement = *record.before;
+        after.tableCrc = 0x1c291ca3;
+        record.after = {after};
+        MeasuredState& state = record.after[0].measurement.files[0].measurement.header.compensation;
+        const auto page = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? reportHtml(reportDocument(*content)) : sentence(content.error());
+        };
+        const auto has = [&](const char* said) { return page().find(said) != std::string::npos; };
+        state = {};
+        QVERIFY(has("on, table 1c291ca3, as stated with the measurement"));
+        state.kind = MeasuredState::Kind::On;
+        QVERIFY(has("on, table 1c291ca3, as stated with the measurement"));
+        state.tableCrc = 0x1c291ca3;
+        QVERIFY(has("on, table 1c291ca3<"));
+        state = {MeasuredState::Kind::On, std::nullopt};
+        record.after[0].tableCrc.reset(); // of an older program
+        QVERIFY(has("on, which table is not stated"));
+    }
+
+    void whatTurnedOrStraightenedTheValuesIsACorrection()
+    {
+        CalibrationRecord record = plainRecord();
+        record.before->swapsDirections = true;
+        record.before->files[0].measurement.againstFile.invertsReference = true;
+        record.before->files[0].measurement.againstFile.units = {{"reference", "nm", "um"}};
+        record.fit->settings.slope = SlopeRemoval::LeastSquares;
+        RecordedAfter after;
+        after.measurement = *record.before;
+        after.measurement.swapsDirections = false;
+        record.after = {after};
+        const auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        const auto said = [](const ReportMeasurement& one) {
+            std::vector<std::string> list;
+            for (const Text& text : one.corrections)
+                list.push_back(text.english());
+            return list;
+        };
+        QCOMPARE(said(*content->before),
+            (std::vector<std::string>{"up and down exchanged",
+                "reference taken with the opposite sign",
+                "unit of reference taken as nm, the file says um",
+                "slope taken out for the table, not for figures"}));
+        QCOMPARE(said(*content->after),
+            (std::vector<std::string>{"reference taken with the opposite sign",
+                "unit of reference taken as nm, the file says um"}));
     }
 
     void runsOfOneDirectionAreNoMeanOfBoth()

@@ -195,6 +195,39 @@ private Q_SLOTS:
             (lines({"range of the mean deviation M", "14.95", "not defined", "17.79", "1.50"})));
     }
 
+    /// 3 inch are 76.19999999999999 mm in doubles.
+    void targetsAreSaidWithoutTheRoundingOfDoubles()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.targets.back() = 3.0 * 25.4;
+        const QString page = htmlOf(content, {.wantsLists = true});
+        QVERIFY(page.contains(QStringLiteral("5 targets from 15 to 76.2 mm")));
+        QVERIFY(!page.contains(QStringLiteral("76.19")));
+    }
+
+    void aMeanIsNoRun()
+    {
+        ReportContent content = wholeContent();
+        content.after.reset();
+        Measurement& means = content.before->measurement;
+        std::erase_if(means.values, [](const RunValue& value) { return value.run > 1; });
+        for (RunValue& value : means.values)
+            value.isUsed = true;
+        QString page = htmlOf(content);
+        QCOMPARE(rowOf(page, QStringLiteral("Targets and runs")).at(1),
+            QStringLiteral("5 targets from 15 to 55.8 mm, 1 run ↑, 1 run ↓"));
+        QVERIFY(page.contains(QStringLiteral("single run")));
+        means.kind = MeasurementKind::Averages;
+        page = htmlOf(content);
+        QCOMPARE(rowOf(page, QStringLiteral("Targets and runs")).at(1),
+            QStringLiteral("5 targets from 15 to 55.8 mm, means ↑, means ↓"));
+        QVERIFY(!page.contains(QStringLiteral("single run")));
+        std::erase_if(
+            means.values, [](const RunValue& value) { return value.direction == Approach::Down; });
+        QCOMPARE(rowOf(htmlOf(content), QStringLiteral("Targets and runs")).at(1),
+            QStringLiteral("5 targets from 15 to 55.8 mm, means ↑, no means ↓"));
+    }
+
     void temperaturesOfTheValuesAreToldByTheirRange()
     {
         ReportContent content = wholeContent();
