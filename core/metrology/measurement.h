@@ -168,6 +168,21 @@ struct TemperatureRange {
 };
 [[nodiscard]] std::optional<TemperatureRange> temperaturesOfValues(const Measurement& measurement);
 
+/// From the first position to the last one, in mm or deg.
+struct MeasuredRange {
+    double first = 0.0;
+    double last = 0.0;
+
+    friend bool operator==(const MeasuredRange&, const MeasuredRange&) = default;
+};
+/// What a first and a second measurement of an axis cover.
+struct TwoRanges {
+    MeasuredRange before;
+    MeasuredRange after;
+
+    friend bool operator==(const TwoRanges&, const TwoRanges&) = default;
+};
+
 /// Each position once, ascending: those that are closer than 1e-9 of the range are one.
 [[nodiscard]] std::vector<double> distinctTargets(std::vector<double> positions);
 /// The target nearest to a position. Not for an empty list.

@@ -2,6 +2,7 @@
 #include "core/metrology/report/record_report.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/record/comparison.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
 #include "core/table/target_axis.h"
@@ -198,6 +199,16 @@ void addTolerances(ReportContent& content, const CalibrationRecord& record)
     content.uncertainty = judging.uncertainty;
 }
 
+/// Records of older programs have measurements that compareMeasurements refuses by now.
+void addWarnings(ReportContent& content)
+{
+    if (!content.before || !content.after)
+        return;
+    const auto lesser = lesserRange(content.before->measurement, content.after->measurement);
+    if (lesser)
+        content.warnings.push_back(lesserRangeText(*lesser, content.isAngular));
+}
+
 } // namespace
 
 Result<ReportContent> reportContent(
@@ -214,6 +225,7 @@ Result<ReportContent> reportContent(
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);
+    addWarnings(content);
     if (record.drive) {
         content.drive = record.drive->name;
         content.driveSerial = std::to_string(record.drive->serialNumber);
