@@ -3,9 +3,9 @@
 
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/record/comparison.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
-#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -86,38 +86,6 @@ Text proofText(const RecordedWrite& write)
     return AXISCOMP_TEXT("Report", "passed over {share} of the table").with("share", share);
 }
 
-/// Whether the values of the table are what was measured: nothing was taken out of them, put to
-/// them or smoothed.
-bool isAsMeasured(const RecordedFit& fit, const RecordedCorrections& corrections)
-{
-    const FitSettings& settings = fit.settings;
-    const bool isInterpolated = settings.method == FitMethod::Linear
-        || settings.method == FitMethod::Cubic || settings.method == FitMethod::Spline;
-    const bool isCorrected =
-        corrections.temperature || corrections.deadPath || corrections.drift || settings.drift;
-    return settings.zero == FitZero::Keep && settings.slope == SlopeRemoval::Keep
-        && settings.gain == 1.0 && fit.active.empty() && isInterpolated && !isCorrected;
-}
-
-/// Whether the encoder stood there when the reference was read; between the targets nothing was.
-bool isTarget(const Measurement& measurement, double position)
-{
-    if (!measurement.hasTargets() || hasRawReadings(measurement))
-        return false;
-    const double rounding = 1e-9 * (measurement.targets.back() - measurement.targets.front());
-    return std::ranges::any_of(measurement.values, [&](const RunValue& value) {
-        return value.isUsed && std::abs(measurement.targets[value.target] - position) <= rounding;
-    });
-}
-
-bool wasSaid(const CalibrationRecord& record, const Measurement* measurement, double position)
-{
-    return measurement && record.fit && record.before
-        && !correctsAnotherAxis(record.tables.front().table.target, measurement->header.axis)
-        && isAsMeasured(*record.fit, record.before->corrections)
-        && isTarget(*measurement, position);
-}
-
 /// At the largest value of a table of one dimension, whose values are in mm or deg.
 /// measurement: that it was made of; null: not on record.
 Text signText(const CompensationTable& table, const CalibrationRecord& record,
@@ -142,7 +110,7 @@ Text signText(const CompensationTable& table, const CalibrationRecord& record,
             "At the set position {position} the drive adds {added} to what the encoder reads.")
             .with("position", place(position))
             .with("added", amount);
-    if (!wasSaid(record, measurement, position))
+    if (!measurement || !isReferenceRead(record, *measurement, position))
         return AXISCOMP_TEXT("Report", "Where the encoder reads {reading}, the drive adds {added}.")
             .with("reading", place(position))
             .with("added", amount);
