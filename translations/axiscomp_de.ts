@@ -8629,6 +8629,18 @@
         <source>an axis of the file: {axes}</source>
         <translation>eine Achse der Datei: {axes}</translation>
     </message>
+    <message>
+        <source>{ranges}: nothing of what was measured first is measured again; measure over the targets of the first measurement</source>
+        <translation>{ranges}: nichts von dem, was zuerst gemessen wurde, ist noch einmal gemessen; über die Zielpositionen der ersten Messung messen</translation>
+    </message>
+    <message>
+        <source>1; some values are whole turns away, since the instrument begins again at 360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file</source>
+        <translation>1; einige Werte liegen ganze Umdrehungen daneben, da das Messgerät bei 360° von vorn beginnt: weiterzählen lassen oder in der Datei -0.0001 statt 359.9999 schreiben</translation>
+    </message>
+    <message>
+        <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
+        <translation>keine installierte Schrift enthält {characters}, im PDF stünden leere Kästchen: eine Schrift mit diesen Zeichen installieren, etwa fonts-noto-cjk für Chinesisch und Japanisch, oder den Bericht als HTML schreiben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10196,14 +10208,6 @@
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; der Antrieb wird {added} addieren</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
-        <translation>
-            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; für die Null der Tabelle wurden {removed} herausgenommen, also wird der Antrieb {added} addieren</numerusform>
-            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; für die Null der Tabelle wurden {removed} herausgenommen, also wird der Antrieb {added} addieren</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the error is {factor} times what it was before: the table has the wrong sign</source>
         <translation>der Fehler ist das {factor}-fache von vorher: die Tabelle hat das falsche Vorzeichen</translation>
@@ -10353,14 +10357,6 @@
         <translation>dieser Fehler ist vor allem Umkehrspanne, die keine Tabelle beseitigt: die Tabelle gilt für eine Richtung, und in der anderen bleiben bis zu {reversal}</translation>
     </message>
     <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
-    </message>
-    <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {removed} wurden für die Lage des Prüfkörpers und den Nullpunkt der Tabelle herausgenommen, also wird der Antrieb {added} addieren</translation>
-    </message>
-    <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>jeder Kennwert, vorher und vorhergesagt, ist der größte eines thermischen Zustands und aller Durchläufe zusammen</translation>
     </message>
@@ -10427,6 +10423,61 @@
             <numerusform>1 Wert von {table} passt nicht zu den anderen und zählt wenig: bei {place}, um {residual} daneben</numerusform>
             <numerusform>{count} Werte von {table} passen nicht zu den anderen und zählen wenig; der erste liegt bei {place}, um {residual} daneben</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>first measurement from {beforeFirst} to {beforeLast}, second one from {afterFirst} to {afterLast}</source>
+        <translation>erste Messung von {beforeFirst} bis {beforeLast}, zweite von {afterFirst} bis {afterLast}</translation>
+    </message>
+    <message>
+        <source>{ranges}: over a shorter travel the figures are smaller whatever the compensation does, and nothing is proved for the rest</source>
+        <translation>{ranges}: auf einem kürzeren Verfahrweg sind die Kennwerte kleiner, gleich was die Kompensation bewirkt, und für den Rest ist nichts nachgewiesen</translation>
+    </message>
+    <message>
+        <source>{figures}, over part of the travel</source>
+        <translation>{figures}, auf einem Teil des Verfahrwegs</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the zero of the table</source>
+        <translation>{removed} wurden für den Nullpunkt der Tabelle herausgenommen</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope and the zero of the table</source>
+        <translation>{removed} wurden für Steigung und Nullpunkt der Tabelle herausgenommen</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope</source>
+        <translation>{removed} wurden für die Steigung herausgenommen</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for how the artefact lay and for the zero of the table</source>
+        <translation>{removed} wurden für die Lage des Prüfkörpers und den Nullpunkt der Tabelle herausgenommen</translation>
+    </message>
+    <message>
+        <source>{evened} was taken out by gain, averaging, smoothing or grid</source>
+        <translation>{evened} wurden durch Faktor, Mittelung, Glättung oder Gitter herausgenommen</translation>
+    </message>
+    <message>
+        <source>{removed}, and {evened} by gain, averaging, smoothing or grid</source>
+        <translation>{removed}, und {evened} durch Faktor, Mittelung, Glättung oder Gitter</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
+        <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {taken}, also wird der Antrieb {added} addieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <translation>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; {taken}, also wird der Antrieb {added} addieren</numerusform>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; {taken}, also wird der Antrieb {added} addieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
+        <translation>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, das Mittel beider Richtungen mit {count} Werten; {taken}, also wird der Antrieb {added} addieren</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
+        <translation>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, das Mittel beider Richtungen mit {count} Werten; der Antrieb wird {added} addieren</translation>
     </message>
 </context>
 <context>
@@ -10929,10 +10980,6 @@
         <translation>ein Durchlauf</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
-        <translation>von {material} auf 20 °C mit {expansion}: Werte um bis zu {largest} geändert</translation>
-    </message>
-    <message>
         <source>dead path of {length}: values changed by up to {largest}</source>
         <translation>Totstrecke von {length}: Werte um bis zu {largest} geändert</translation>
     </message>
@@ -11319,6 +11366,86 @@
     <message>
         <source>{from} to {to}</source>
         <translation>{from} bis {to}</translation>
+    </message>
+    <message>
+        <source>Warning: {warning}.</source>
+        <translation>Warnung: {warning}.</translation>
+    </message>
+    <message>
+        <source>up and down exchanged</source>
+        <translation>aufwärts und abwärts getauscht</translation>
+    </message>
+    <message>
+        <source>reference taken with the opposite sign</source>
+        <translation>Referenz mit umgekehrtem Vorzeichen verwendet</translation>
+    </message>
+    <message>
+        <source>unit of {what} taken as {stated}, the file says {unit}</source>
+        <translation>Einheit von {what}: {stated} verwendet, in der Datei steht {unit}</translation>
+    </message>
+    <message>
+        <source>slope taken out for the table, not for figures</source>
+        <translation>Steigung für die Tabelle entfernt, nicht für Kennwerte</translation>
+    </message>
+    <message>
+        <source>to {standard}, {conditions}: values changed by up to {largest}</source>
+        <translation>auf {standard}, {conditions}: Werte um bis zu {largest} geändert</translation>
+    </message>
+    <message>
+        <source>scale at {temperature} with {expansion}</source>
+        <translation>Maßstab bei {temperature} mit {expansion}</translation>
+    </message>
+    <message>
+        <source>reference at {temperature} with {expansion}</source>
+        <translation>Referenz bei {temperature} mit {expansion}</translation>
+    </message>
+    <message>
+        <source>datum at {position}</source>
+        <translation>Bezugspunkt bei {position}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets from {from} to {to}</source>
+        <comment>1 target from {from} to {to}</comment>
+        <translation>
+            <numerusform>1 Zielposition von {from} bis {to}</numerusform>
+            <numerusform>{count} Zielpositionen von {from} bis {to}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} runs {direction}</source>
+        <comment>1 run {direction}</comment>
+        <translation>
+            <numerusform>1 Durchlauf {direction}</numerusform>
+            <numerusform>{count} Durchläufe {direction}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>means {direction}</source>
+        <translation>Mittelwerte {direction}</translation>
+    </message>
+    <message>
+        <source>no means {direction}</source>
+        <translation>keine Mittelwerte {direction}</translation>
+    </message>
+    <message>
+        <source>Deviation over position: means of both directions, the mean of both</source>
+        <translation>Abweichung über der Position: Mittelwerte beider Richtungen, das Mittel beider</translation>
+    </message>
+    <message>
+        <source>on, table {crc}, as stated with the measurement</source>
+        <translation>ein, Tabelle {crc}, wie zur Messung angegeben</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>that of each table, below</source>
+        <translation>die jeder Tabelle, unten</translation>
+    </message>
+    <message>
+        <source>{name} for axis {axis}, CRC-32 {crc}</source>
+        <translation>{name} für Achse {axis}, CRC-32 {crc}</translation>
     </message>
 </context>
 <context>
@@ -17495,6 +17622,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>There is no measurement to compare it with: add that one in Measure.</source>
         <translation>Es gibt keine Messung zum Vergleich: fügen Sie diese unter Messen hinzu.</translation>
+    </message>
+    <message>
+        <source>The second measurement covers only part of the first one&apos;s travel.</source>
+        <translation>Die zweite Messung deckt nur einen Teil des Verfahrwegs der ersten ab.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
+        <translation>Ob es wie vorhergesagt ist, bleibt offen, da weniger von der Achse gemessen wurde: M ist nachher %1, und bis %2 gilt als wie vorhergesagt.</translation>
     </message>
 </context>
 <context>

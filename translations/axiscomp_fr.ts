@@ -8629,6 +8629,18 @@
         <source>an axis of the file: {axes}</source>
         <translation>un axe du fichier : {axes}</translation>
     </message>
+    <message>
+        <source>{ranges}: nothing of what was measured first is measured again; measure over the targets of the first measurement</source>
+        <translation>{ranges}&#xa0;: rien de ce qui a été mesuré d&apos;abord n&apos;est mesuré de nouveau&#xa0;; mesurer sur les positions cibles de la première mesure</translation>
+    </message>
+    <message>
+        <source>1; some values are whole turns away, since the instrument begins again at 360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file</source>
+        <translation>1&#xa0;; des valeurs sont décalées de tours entiers, car l&apos;instrument recommence à 360°&#xa0;: le laisser continuer à compter, ou écrire -0.0001 au lieu de 359.9999 dans le fichier</translation>
+    </message>
+    <message>
+        <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
+        <translation>aucune police installée ne contient {characters}, le PDF aurait des cases vides à la place&#xa0;: installer une police qui les contient, par exemple fonts-noto-cjk pour le chinois et le japonais, ou écrire le rapport en HTML</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10196,14 +10208,6 @@
             <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; le variateur ajoutera {added}</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
-        <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {removed} a été retiré pour le zéro de la table, le variateur ajoutera donc {added}</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the error is {factor} times what it was before: the table has the wrong sign</source>
         <translation>l&apos;erreur vaut {factor} fois celle d&apos;avant&#xa0;: la table a le mauvais signe</translation>
@@ -10353,14 +10357,6 @@
         <translation>l&apos;essentiel de cette erreur est dû à l&apos;inversion, qu&apos;aucune table ne supprime&#xa0;: la table vaut pour un sens, et il reste jusqu&apos;à {reversal} dans l&apos;autre</translation>
     </message>
     <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {removed} ont été retirés pour le zéro de la table, le variateur ajoutera donc {added}</translation>
-    </message>
-    <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {removed} ont été retirés pour le placement de l&apos;étalon et le zéro de la table, le variateur ajoutera donc {added}</translation>
-    </message>
-    <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>chaque caractéristique, avant et prévue, est la plus grande d&apos;un état thermique et de toutes les passes ensemble</translation>
     </message>
@@ -10427,6 +10423,61 @@
             <numerusform>{count} valeur de {table} ne concorde pas avec les autres et compte peu&#xa0;: à {place}, écart de {residual}</numerusform>
             <numerusform>{count} valeurs de {table} ne concordent pas avec les autres et comptent peu&#xa0;; la première est à {place}, écart de {residual}</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>first measurement from {beforeFirst} to {beforeLast}, second one from {afterFirst} to {afterLast}</source>
+        <translation>première mesure de {beforeFirst} à {beforeLast}, deuxième de {afterFirst} à {afterLast}</translation>
+    </message>
+    <message>
+        <source>{ranges}: over a shorter travel the figures are smaller whatever the compensation does, and nothing is proved for the rest</source>
+        <translation>{ranges}&#xa0;: sur une course plus courte, les caractéristiques sont plus petites quoi que fasse la compensation, et rien n&apos;est prouvé pour le reste</translation>
+    </message>
+    <message>
+        <source>{figures}, over part of the travel</source>
+        <translation>{figures}, sur une partie de la course</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the zero of the table</source>
+        <translation>{removed} ont été retirés pour le zéro de la table</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope and the zero of the table</source>
+        <translation>{removed} ont été retirés pour la pente et le zéro de la table</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope</source>
+        <translation>{removed} ont été retirés pour la pente</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for how the artefact lay and for the zero of the table</source>
+        <translation>{removed} ont été retirés pour le placement de l&apos;étalon et le zéro de la table</translation>
+    </message>
+    <message>
+        <source>{evened} was taken out by gain, averaging, smoothing or grid</source>
+        <translation>{evened} ont été retirés par le gain, la moyenne, le lissage ou la grille</translation>
+    </message>
+    <message>
+        <source>{removed}, and {evened} by gain, averaging, smoothing or grid</source>
+        <translation>{removed}, et {evened} par le gain, la moyenne, le lissage ou la grille</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
+        <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {taken}, le variateur ajoutera donc {added}</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <translation>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
+        <translation>là où le codeur indique {reading}, la référence indiquait {reference}, moyenne des deux sens avec {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
+        <translation>là où le codeur indique {reading}, la référence indiquait {reference}, moyenne des deux sens avec {count} valeurs&#xa0;; le variateur ajoutera {added}</translation>
     </message>
 </context>
 <context>
@@ -10929,10 +10980,6 @@
         <translation>passe individuelle</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
-        <translation>de {material} à 20 °C avec {expansion}&#xa0;: valeurs modifiées de {largest} au plus</translation>
-    </message>
-    <message>
         <source>dead path of {length}: values changed by up to {largest}</source>
         <translation>trajet mort de {length}&#xa0;: valeurs modifiées de {largest} au plus</translation>
     </message>
@@ -11319,6 +11366,86 @@
     <message>
         <source>{from} to {to}</source>
         <translation>{from} à {to}</translation>
+    </message>
+    <message>
+        <source>Warning: {warning}.</source>
+        <translation>Avertissement&#xa0;: {warning}.</translation>
+    </message>
+    <message>
+        <source>up and down exchanged</source>
+        <translation>les deux sens permutés</translation>
+    </message>
+    <message>
+        <source>reference taken with the opposite sign</source>
+        <translation>référence prise avec le signe opposé</translation>
+    </message>
+    <message>
+        <source>unit of {what} taken as {stated}, the file says {unit}</source>
+        <translation>unité de {what}&#xa0;: {stated} utilisée, le fichier indique {unit}</translation>
+    </message>
+    <message>
+        <source>slope taken out for the table, not for figures</source>
+        <translation>pente retirée pour la table, non pour les caractéristiques</translation>
+    </message>
+    <message>
+        <source>to {standard}, {conditions}: values changed by up to {largest}</source>
+        <translation>à {standard}, {conditions}&#xa0;: valeurs modifiées de {largest} au plus</translation>
+    </message>
+    <message>
+        <source>scale at {temperature} with {expansion}</source>
+        <translation>règle à {temperature} avec {expansion}</translation>
+    </message>
+    <message>
+        <source>reference at {temperature} with {expansion}</source>
+        <translation>référence à {temperature} avec {expansion}</translation>
+    </message>
+    <message>
+        <source>datum at {position}</source>
+        <translation>origine fixe à {position}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets from {from} to {to}</source>
+        <comment>1 target from {from} to {to}</comment>
+        <translation>
+            <numerusform>{count} position cible de {from} à {to}</numerusform>
+            <numerusform>{count} positions cibles de {from} à {to}</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} runs {direction}</source>
+        <comment>1 run {direction}</comment>
+        <translation>
+            <numerusform>{count} passe {direction}</numerusform>
+            <numerusform>{count} passes {direction}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>means {direction}</source>
+        <translation>moyennes {direction}</translation>
+    </message>
+    <message>
+        <source>no means {direction}</source>
+        <translation>pas de moyennes {direction}</translation>
+    </message>
+    <message>
+        <source>Deviation over position: means of both directions, the mean of both</source>
+        <translation>Écart selon la position&#xa0;: moyennes des deux sens, moyenne des deux</translation>
+    </message>
+    <message>
+        <source>on, table {crc}, as stated with the measurement</source>
+        <translation>activée, table {crc}, comme indiqué avec la mesure</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>Tables</translation>
+    </message>
+    <message>
+        <source>that of each table, below</source>
+        <translation>celui de chaque table, ci-dessous</translation>
+    </message>
+    <message>
+        <source>{name} for axis {axis}, CRC-32 {crc}</source>
+        <translation>{name} pour l&apos;axe {axis}, CRC-32 {crc}</translation>
     </message>
 </context>
 <context>
@@ -17495,6 +17622,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>There is no measurement to compare it with: add that one in Measure.</source>
         <translation>Il n&apos;y a pas de mesure à laquelle la comparer&#xa0;: l&apos;ajouter dans Mesurer.</translation>
+    </message>
+    <message>
+        <source>The second measurement covers only part of the first one&apos;s travel.</source>
+        <translation>La deuxième mesure ne couvre qu&apos;une partie de la course de la première.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
+        <translation>La conformité à la prévision reste ouverte, car une moindre partie de l&apos;axe a été mesurée&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme.</translation>
     </message>
 </context>
 <context>

@@ -8588,6 +8588,18 @@
         <source>an axis of the file: {axes}</source>
         <translation>ファイルにある軸: {axes}</translation>
     </message>
+    <message>
+        <source>{ranges}: nothing of what was measured first is measured again; measure over the targets of the first measurement</source>
+        <translation>{ranges}: 1 回目に測定した範囲が 2 回目の測定に含まれていません。1 回目の測定の目標位置で測定してください</translation>
+    </message>
+    <message>
+        <source>1; some values are whole turns away, since the instrument begins again at 360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file</source>
+        <translation>1。測定器が 360° で最初に戻るため、一部の値が 1 回転の整数倍ずれています。続けて数えるように設定するか、ファイルの 359.9999 を -0.0001 と書いてください</translation>
+    </message>
+    <message>
+        <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
+        <translation>{characters} を含むフォントがインストールされていないため、PDF では空白の四角になります。これらの文字を含むフォント (中国語・日本語なら fonts-noto-cjk など) をインストールするか、報告書を HTML で書き出してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10150,13 +10162,6 @@
             <numerusform>エンコーダが {reading} のとき、基準は {count} 個の値の平均で {reference} でした。ドライブは {added} を加算します</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
-        <translation>
-            <numerusform>エンコーダが {reading} のとき、基準は {count} 個の値の平均で {reference} でした。テーブルのゼロ点のために {removed} を引いたので、ドライブは {added} を加算します</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the error is {factor} times what it was before: the table has the wrong sign</source>
         <translation>誤差が補正前の {factor} 倍です。テーブルの符号が逆です</translation>
@@ -10304,14 +10309,6 @@
         <translation>この誤差の大部分は反転値で、テーブルでは除去できません。テーブルは片方向用のため、逆方向には最大 {reversal} 残ります</translation>
     </message>
     <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。テーブルの零点のために {removed} を取り除いたので、ドライブは {added} を加算します</translation>
-    </message>
-    <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。標準器の置かれ方とテーブルの零点のために {removed} を取り除いたので、ドライブは {added} を加算します</translation>
-    </message>
-    <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>補正前と予測の各特性値は、各熱状態と全走行一括のうち最大の値です</translation>
     </message>
@@ -10377,6 +10374,60 @@
         <translation>
             <numerusform>{table} の {count} 個の値がほかの値と合わないため、重みを下げました。最初は {place} で、ずれは {residual} です</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>first measurement from {beforeFirst} to {beforeLast}, second one from {afterFirst} to {afterLast}</source>
+        <translation>1 回目の測定は {beforeFirst} から {beforeLast}、2 回目は {afterFirst} から {afterLast}</translation>
+    </message>
+    <message>
+        <source>{ranges}: over a shorter travel the figures are smaller whatever the compensation does, and nothing is proved for the rest</source>
+        <translation>{ranges}: ストロークが短いと、補正の効果にかかわらず特性値は小さくなり、残りの範囲は検証されません</translation>
+    </message>
+    <message>
+        <source>{figures}, over part of the travel</source>
+        <translation>{figures} (ストロークの一部)</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the zero of the table</source>
+        <translation>テーブルの零点のために {removed} を取り除いた</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope and the zero of the table</source>
+        <translation>テーブルの傾きと零点のために {removed} を取り除いた</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope</source>
+        <translation>傾きのために {removed} を取り除いた</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for how the artefact lay and for the zero of the table</source>
+        <translation>標準器の置かれ方とテーブルの零点のために {removed} を取り除いた</translation>
+    </message>
+    <message>
+        <source>{evened} was taken out by gain, averaging, smoothing or grid</source>
+        <translation>ゲイン、平均、平滑化または格子により {evened} が取り除かれた</translation>
+    </message>
+    <message>
+        <source>{removed}, and {evened} by gain, averaging, smoothing or grid</source>
+        <translation>{removed}うえに、ゲイン、平均、平滑化または格子により {evened} が取り除かれた</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
+        <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。{taken}ので、ドライブは {added} を加算します</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <translation>
+            <numerusform>エンコーダが {reading} のとき、基準は {count} 個の値の平均で {reference} でした。{taken}ので、ドライブは {added} を加算します</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
+        <translation>エンコーダが {reading} のとき、基準は両方向の平均 ({count} 個の値) で {reference} でした。{taken}ので、ドライブは {added} を加算します</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
+        <translation>エンコーダが {reading} のとき、基準は両方向の平均 ({count} 個の値) で {reference} でした。ドライブは {added} を加算します</translation>
     </message>
 </context>
 <context>
@@ -10879,10 +10930,6 @@
         <translation>個々の走行</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
-        <translation>{material} から 20 °C に換算 ({expansion}): 値の変化は最大 {largest}</translation>
-    </message>
-    <message>
         <source>dead path of {length}: values changed by up to {largest}</source>
         <translation>デッドパス {length}: 値の変化は最大 {largest}</translation>
     </message>
@@ -11267,6 +11314,84 @@
     <message>
         <source>{from} to {to}</source>
         <translation>{from}～{to}</translation>
+    </message>
+    <message>
+        <source>Warning: {warning}.</source>
+        <translation>警告: {warning}。</translation>
+    </message>
+    <message>
+        <source>up and down exchanged</source>
+        <translation>正方向と負方向を入れ替え</translation>
+    </message>
+    <message>
+        <source>reference taken with the opposite sign</source>
+        <translation>基準の符号を反転して使用</translation>
+    </message>
+    <message>
+        <source>unit of {what} taken as {stated}, the file says {unit}</source>
+        <translation>{what} の単位は {stated} として使用 (ファイルの記載は {unit})</translation>
+    </message>
+    <message>
+        <source>slope taken out for the table, not for figures</source>
+        <translation>テーブルでは傾きを除去、特性値では除去しない</translation>
+    </message>
+    <message>
+        <source>to {standard}, {conditions}: values changed by up to {largest}</source>
+        <translation>{standard} に換算、{conditions}: 値の変化は最大 {largest}</translation>
+    </message>
+    <message>
+        <source>scale at {temperature} with {expansion}</source>
+        <translation>スケール {temperature} ({expansion})</translation>
+    </message>
+    <message>
+        <source>reference at {temperature} with {expansion}</source>
+        <translation>基準 {temperature} ({expansion})</translation>
+    </message>
+    <message>
+        <source>datum at {position}</source>
+        <translation>不動点 {position}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets from {from} to {to}</source>
+        <comment>1 target from {from} to {to}</comment>
+        <translation>
+            <numerusform>目標位置 {count} か所 ({from} から {to})</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} runs {direction}</source>
+        <comment>1 run {direction}</comment>
+        <translation>
+            <numerusform>走行 {direction} {count} 回</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>means {direction}</source>
+        <translation>平均値 {direction}</translation>
+    </message>
+    <message>
+        <source>no means {direction}</source>
+        <translation>平均値 {direction} なし</translation>
+    </message>
+    <message>
+        <source>Deviation over position: means of both directions, the mean of both</source>
+        <translation>位置に対する偏差: 各方向の平均、両方向の平均</translation>
+    </message>
+    <message>
+        <source>on, table {crc}, as stated with the measurement</source>
+        <translation>オン、テーブル {crc} (測定時の指定による)</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>テーブル</translation>
+    </message>
+    <message>
+        <source>that of each table, below</source>
+        <translation>各テーブルの値は下記</translation>
+    </message>
+    <message>
+        <source>{name} for axis {axis}, CRC-32 {crc}</source>
+        <translation>{name} (軸 {axis})、CRC-32 {crc}</translation>
     </message>
 </context>
 <context>
@@ -17443,6 +17568,14 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>There is no measurement to compare it with: add that one in Measure.</source>
         <translation>比較する測定がありません。[測定] で追加してください。</translation>
+    </message>
+    <message>
+        <source>The second measurement covers only part of the first one&apos;s travel.</source>
+        <translation>2 回目の測定は、1 回目の測定のストロークの一部しか含んでいません。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
+        <translation>軸の一部しか測定していないため、予測どおりかどうかは判断できません。補正後の M は %1 で、%2 以下なら予測どおりです。</translation>
     </message>
 </context>
 <context>

@@ -8588,6 +8588,18 @@
         <source>an axis of the file: {axes}</source>
         <translation>文件中的轴：{axes}</translation>
     </message>
+    <message>
+        <source>{ranges}: nothing of what was measured first is measured again; measure over the targets of the first measurement</source>
+        <translation>{ranges}：第一次测量的范围没有被再次测量；请在第一次测量的目标位置上测量</translation>
+    </message>
+    <message>
+        <source>1; some values are whole turns away, since the instrument begins again at 360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file</source>
+        <translation>1；由于仪器在 360° 处重新开始，部分值相差整圈：请让其继续计数，或在文件中将 359.9999 写为 -0.0001</translation>
+    </message>
+    <message>
+        <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
+        <translation>已安装的字体都不包含 {characters}，PDF 中会出现空方框：请安装包含这些字符的字体（中文和日文可用 fonts-noto-cjk），或将报告写成 HTML</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10150,13 +10162,6 @@
             <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；驱动器将叠加 {added}</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {removed} was taken out for the zero of the table, so the drive will add {added}</comment>
-        <translation>
-            <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；因表的零点去除了 {removed}，驱动器将叠加 {added}</numerusform>
-        </translation>
-    </message>
     <message>
         <source>the error is {factor} times what it was before: the table has the wrong sign</source>
         <translation>误差为补偿前的 {factor} 倍：该表的符号错误</translation>
@@ -10304,14 +10309,6 @@
         <translation>此误差主要是反向差值，任何表都不能消除：该表用于一个方向，另一方向最多残留 {reversal}</translation>
     </message>
     <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for the zero of the table, so the drive will add {added}</source>
-        <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；为表的零点去除了 {removed}，因此驱动器将叠加 {added}</translation>
-    </message>
-    <message>
-        <source>at {position} the reference was {measured} beside the encoder in {table}; {removed} was taken out for how the artefact lay and for the zero of the table, so the drive will add {added}</source>
-        <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；为标准器的放置状态和表的零点去除了 {removed}，因此驱动器将叠加 {added}</translation>
-    </message>
-    <message>
         <source>each figure, before and foretold, is the largest of a thermal state and of all runs together</source>
         <translation>补偿前和预测的各项指标，均取各热状态以及全部各趟合计中的最大值</translation>
     </message>
@@ -10377,6 +10374,60 @@
         <translation>
             <numerusform>{table} 中有 {count} 个值与其余的值不符，权重降低；第一个在 {place}，相差 {residual}</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>first measurement from {beforeFirst} to {beforeLast}, second one from {afterFirst} to {afterLast}</source>
+        <translation>第一次测量从 {beforeFirst} 到 {beforeLast}，第二次从 {afterFirst} 到 {afterLast}</translation>
+    </message>
+    <message>
+        <source>{ranges}: over a shorter travel the figures are smaller whatever the compensation does, and nothing is proved for the rest</source>
+        <translation>{ranges}：行程较短时，无论补偿效果如何，指标都会变小，其余部分没有得到验证</translation>
+    </message>
+    <message>
+        <source>{figures}, over part of the travel</source>
+        <translation>{figures}（仅部分行程）</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the zero of the table</source>
+        <translation>为表的零点去除了 {removed}</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope and the zero of the table</source>
+        <translation>为表的斜率和零点去除了 {removed}</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for the slope</source>
+        <translation>为斜率去除了 {removed}</translation>
+    </message>
+    <message>
+        <source>{removed} was taken out for how the artefact lay and for the zero of the table</source>
+        <translation>为标准器的放置状态和表的零点去除了 {removed}</translation>
+    </message>
+    <message>
+        <source>{evened} was taken out by gain, averaging, smoothing or grid</source>
+        <translation>因系数、平均、平滑或网格去除了 {evened}</translation>
+    </message>
+    <message>
+        <source>{removed}, and {evened} by gain, averaging, smoothing or grid</source>
+        <translation>{removed}，并因系数、平均、平滑或网格去除了 {evened}</translation>
+    </message>
+    <message>
+        <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
+        <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；{taken}，因此驱动器将叠加 {added}</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <translation>
+            <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；{taken}，因此驱动器将叠加 {added}</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
+        <translation>编码器读数为 {reading} 处，基准为 {reference}（双向平均，{count} 个值）；{taken}，因此驱动器将叠加 {added}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
+        <translation>编码器读数为 {reading} 处，基准为 {reference}（双向平均，{count} 个值）；驱动器将叠加 {added}</translation>
     </message>
 </context>
 <context>
@@ -10879,10 +10930,6 @@
         <translation>单趟</translation>
     </message>
     <message>
-        <source>to 20 °C from {material} with {expansion}: values changed by up to {largest}</source>
-        <translation>由 {material} 修正到 20 °C，膨胀系数 {expansion}：值最多改变 {largest}</translation>
-    </message>
-    <message>
         <source>dead path of {length}: values changed by up to {largest}</source>
         <translation>死程 {length}：值最多改变 {largest}</translation>
     </message>
@@ -11267,6 +11314,84 @@
     <message>
         <source>{from} to {to}</source>
         <translation>{from} 至 {to}</translation>
+    </message>
+    <message>
+        <source>Warning: {warning}.</source>
+        <translation>警告：{warning}。</translation>
+    </message>
+    <message>
+        <source>up and down exchanged</source>
+        <translation>已对调正向和负向</translation>
+    </message>
+    <message>
+        <source>reference taken with the opposite sign</source>
+        <translation>基准以相反的符号使用</translation>
+    </message>
+    <message>
+        <source>unit of {what} taken as {stated}, the file says {unit}</source>
+        <translation>{what} 的单位按 {stated} 使用，文件中写的是 {unit}</translation>
+    </message>
+    <message>
+        <source>slope taken out for the table, not for figures</source>
+        <translation>仅为生成表去除了斜率，指标未去除</translation>
+    </message>
+    <message>
+        <source>to {standard}, {conditions}: values changed by up to {largest}</source>
+        <translation>修正到 {standard}，{conditions}：值最多改变 {largest}</translation>
+    </message>
+    <message>
+        <source>scale at {temperature} with {expansion}</source>
+        <translation>标尺 {temperature}，膨胀系数 {expansion}</translation>
+    </message>
+    <message>
+        <source>reference at {temperature} with {expansion}</source>
+        <translation>基准 {temperature}，膨胀系数 {expansion}</translation>
+    </message>
+    <message>
+        <source>datum at {position}</source>
+        <translation>固定点 {position}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} targets from {from} to {to}</source>
+        <comment>1 target from {from} to {to}</comment>
+        <translation>
+            <numerusform>从 {from} 到 {to} 的 {count} 个目标位置</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>{count} runs {direction}</source>
+        <comment>1 run {direction}</comment>
+        <translation>
+            <numerusform>{direction} {count} 趟</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>means {direction}</source>
+        <translation>平均值 {direction}</translation>
+    </message>
+    <message>
+        <source>no means {direction}</source>
+        <translation>无平均值 {direction}</translation>
+    </message>
+    <message>
+        <source>Deviation over position: means of both directions, the mean of both</source>
+        <translation>偏差随位置的变化：两个方向的平均值、双向平均值</translation>
+    </message>
+    <message>
+        <source>on, table {crc}, as stated with the measurement</source>
+        <translation>开启，表 {crc}（按测量时的说明）</translation>
+    </message>
+    <message>
+        <source>Tables</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>that of each table, below</source>
+        <translation>各表的校验和见下</translation>
+    </message>
+    <message>
+        <source>{name} for axis {axis}, CRC-32 {crc}</source>
+        <translation>{name} 用于轴 {axis}，CRC-32 {crc}</translation>
     </message>
 </context>
 <context>
@@ -17443,6 +17568,14 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>There is no measurement to compare it with: add that one in Measure.</source>
         <translation>没有可与之比较的测量：请在“测量”中添加。</translation>
+    </message>
+    <message>
+        <source>The second measurement covers only part of the first one&apos;s travel.</source>
+        <translation>第二次测量只覆盖第一次测量行程的一部分。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
+        <translation>由于只测量了轴的一部分，无法判断是否与预测相符：补偿后 M 为 %1，不超过 %2 即为相符。</translation>
     </message>
 </context>
 <context>

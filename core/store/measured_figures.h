@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/wall_time.h"
+#include "core/metrology/measurement.h"
 #include "core/table/table_identity.h"
 
 #include <cstddef>
@@ -33,6 +34,9 @@ struct MeasuredFigures {
     std::optional<Grid> grid = {};
     /// How many values of the measurements are left out; older programs did not note it.
     std::size_t excluded = 0;
+    /// Where the last measurement covers less of the axis than the first one; older programs did
+    /// not note it.
+    std::optional<TwoRanges> lesserRange = {};
 
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;

@@ -306,12 +306,16 @@ void putMeasured(
             "DELETE FROM " + std::string(table) + " WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
             serialNumber, axis, measured.crc)
             .run();
+    std::array<std::optional<double>, 4> ends;
+    if (const auto& ranges = measured.lesserRange)
+        ends = {ranges->before.first, ranges->before.last, ranges->after.first, ranges->after.last};
     Statement(database,
-        "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
+        "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out, "
+        "before_first, before_last, after_first, after_last) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)",
         serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
         measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string(),
-        static_cast<std::int64_t>(measured.excluded))
+        static_cast<std::int64_t>(measured.excluded), ends[0], ends[1], ends[2], ends[3])
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -336,7 +340,8 @@ std::optional<MeasuredFigures> measured(
     Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc)
 {
     Statement table(database,
-        "SELECT time, date, angular, grid, left_out FROM measured "
+        "SELECT time, date, angular, grid, left_out, before_first, before_last, after_first, "
+        "after_last FROM measured "
         "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
@@ -344,6 +349,9 @@ std::optional<MeasuredFigures> measured(
     MeasuredFigures measured{crc, timeOf(table.number(0)), table.text(1), table.number(2) != 0};
     measured.grid = gridOf(table.text(3));
     measured.excluded = static_cast<std::size_t>(std::max<std::int64_t>(table.number(4), 0));
+    if (const auto first = table.real(5))
+        measured.lesserRange = TwoRanges{{*first, table.real(6).value_or(*first)},
+            {table.real(7).value_or(*first), table.real(8).value_or(*first)}};
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

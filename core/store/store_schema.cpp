@@ -71,6 +71,13 @@ CREATE TABLE measured_figure ( -- in mm or deg, NULL: not known
     "ALTER TABLE measured ADD COLUMN grid TEXT NOT NULL DEFAULT ''",
     // Values that are left out.
     "ALTER TABLE measured ADD COLUMN left_out INTEGER NOT NULL DEFAULT 0",
+    // What two measurements cover, where the last one covers less; in mm or deg, NULL: as much.
+    R"(
+ALTER TABLE measured ADD COLUMN before_first REAL;
+ALTER TABLE measured ADD COLUMN before_last REAL;
+ALTER TABLE measured ADD COLUMN after_first REAL;
+ALTER TABLE measured ADD COLUMN after_last REAL;
+)",
 };
 
 } // namespace

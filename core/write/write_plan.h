@@ -51,6 +51,9 @@ struct WriteRequest {
     /// Serial number of the drive whose measurement the table was made of (measuredDriveInNotes);
     /// none: not known. Another drive is refused.
     std::optional<std::int32_t> measuredDrive = {};
+    /// It is known that its largest value is not what a reference said there, but has been
+    /// computed.
+    bool isComputed = false;
     UnstatedUnit unstatedUnit = UnstatedUnit::OfPositions; ///< of the table's values
     TableOrigin origin = TableOrigin::File;
     std::vector<Text> doubts = {}; ///< of whoever asks; they become warnings of the plan
@@ -83,6 +86,7 @@ struct WritePlan {
     FlashBudget flashBudget; ///< before the write
     std::vector<Text> warnings;
     std::optional<CompensationTable> table; ///< in the drive's units; none: the table stays
+    bool isComputed = false; ///< as in WriteRequest
     std::optional<LookupAt>
         lookupAt; ///< where the axis looks its table up then; nothing: not known
     std::optional<std::size_t>

@@ -280,6 +280,7 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
     // Once, so that the drive has what the plan says, and has it already the next time.
     converted.table.grid = storedGrid(std::move(converted.table.grid), m_access.profile().layout);
     m_write.plan.table = std::move(converted.table);
+    m_write.plan.isComputed = request.isComputed;
     m_write.plan.largeCorrections = largeCorrections(*m_write.plan.table);
     WriteRequest result = request;
     result.table = m_write.plan.table;

@@ -159,6 +159,18 @@ private Q_SLOTS:
                 "will add +0.0021 mm");
     }
 
+    /// What was smoothed, corrected or lies between the targets no reference has said.
+    void whatWasComputedNoReferenceSays()
+    {
+        CompensationTable table;
+        table.grid.axes = {{"X", "mm", 0.0, 40.0, 3}};
+        table.values = {0.0F, 0.0021F, 0.001F};
+        QCOMPARE(signSentence(table, "mm", {LookupAt::Encoder, true, true}),
+            "where the encoder reads 40 the drive will add +0.0021 mm");
+        QCOMPARE(signSentence(table, "mm", {LookupAt::Encoder, false, true}),
+            "where the source reads 40 the drive will add +0.0021 mm");
+    }
+
     void signSentenceNamesAllSources()
     {
         CompensationTable table;

@@ -82,6 +82,9 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         return {Tone::Warning,
             ProvePage::tr("The two are corrected differently for temperature or dead path, so that "
                           "they cannot be compared.")};
+    if (comparison.verdicts.empty() && comparison.lesserRange)
+        return {Tone::Warning,
+            ProvePage::tr("The second measurement covers only part of the first one's travel.")};
     if (comparison.verdicts.empty())
         return {comparison.isAsPredicted ? Tone::Success : Tone::Information,
             ProvePage::tr("No tolerance is given, so there is no verdict.")};
@@ -265,7 +268,7 @@ void ProvePage::sayPromise()
     for (const ComparisonHint& hint : comparison->hints)
         hints += sentenceText(hint.text);
     m_hints->setText(tr("What to look at: %1").arg(hints.join(u' ')));
-    if (!comparison->isAsPredicted) {
+    if (!comparison->largestAsPredicted) {
         m_promise->say(Tone::Information,
             tr("Nothing was predicted between the targets: before and after are compared alone."));
         return;
@@ -273,7 +276,12 @@ void ProvePage::sayPromise()
     const FineScale scale(m_comparison.state().unit);
     const QString found = scale.textWithUnit(*comparison->after[Iso230Figure::M].value);
     const QString limit = scale.textWithUnit(*comparison->largestAsPredicted);
-    if (*comparison->isAsPredicted)
+    if (!comparison->isAsPredicted)
+        m_promise->say(Tone::Warning,
+            tr("Whether it is as predicted is open, since less of the axis was measured: M is %1 "
+               "after, and up to %2 is as predicted.")
+                .arg(found, limit));
+    else if (*comparison->isAsPredicted)
         m_promise->say(m_comparison.state().isCorrectedOtherwise ? Tone::Warning : Tone::Success,
             tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, "
                "and what cannot be told).")

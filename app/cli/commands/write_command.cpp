@@ -13,6 +13,7 @@
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/table_units.h"
 #include "core/write/lookup_side.h"
@@ -408,6 +409,7 @@ Result<ExitCode> runWriteCommand(Environment& environment, const WriteOptions& o
         AXISCOMP_TRY(record, loadRecord(pathFromText(options.record)));
         AXISCOMP_TRY(input, inputOfRecord(record, options));
         AXISCOMP_CHECK(checkRecordAlone(record, options));
+        request.isComputed = !isReferenceReadAtLargest(record);
         pending.inputOptions = options.input;
         pending.inputOptions.file = options.record;
         AXISCOMP_CHECK(beginTable(options, input, pending));

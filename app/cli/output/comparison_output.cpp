@@ -73,13 +73,17 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
         + fineText(comparison.heldOut->range, isAngular) + ", largest "
         + fineText(comparison.heldOut->largest, isAngular) + ", rms "
         + fineText(comparison.heldOut->rms, isAngular) + "\n";
-    if (!comparison.isAsPredicted)
+    if (!comparison.largestAsPredicted)
         return text;
     const double spread = comparison.after[Iso230Figure::M].value.value_or(0.0);
     const auto [value, limit] =
         comparedQuantities(spread, *comparison.largestAsPredicted, isAngular);
-    return text + (*comparison.isAsPredicted ? "As predicted: " : "Not as predicted: ") + "M is "
-        + withUnit(value.digits, value.unit) + " after, and " + withUnit(limit.digits, limit.unit)
+    const std::string result = !comparison.isAsPredicted
+        ? "Whether it is as predicted is open, since less of the axis was measured: "
+        : *comparison.isAsPredicted ? "As predicted: "
+                                    : "Not as predicted: ";
+    return text + result + "M is " + withUnit(value.digits, value.unit) + " after, and "
+        + withUnit(limit.digits, limit.unit)
         + " or less is as predicted (1.2 times M held out, and what cannot be told)\n";
 }
 

@@ -77,9 +77,14 @@ Json toJson(const MeasuredFigures& measured)
         figures.push_back({{"figure", figure.name}, {"before", known(figure.before)},
             {"predicted", known(figure.predicted)}, {"after", known(figure.after)},
             {"tolerance", known(figure.tolerance)}, {"verdict", textOrNull(figure.result)}});
+    Json ranges = nullptr;
+    if (const auto& lesser = measured.lesserRange)
+        ranges = {{"before", {lesser->before.first, lesser->before.last}},
+            {"after", {lesser->after.first, lesser->after.last}}};
     return {{"crc", measured.crc}, {"noted", utcText(measured.time)},
         {"date", textOrNull(measured.date)}, {"unit", measured.isAngular ? "deg" : "mm"},
-        {"figures", std::move(figures)}, {"excluded", measured.excluded}};
+        {"figures", std::move(figures)}, {"excluded", measured.excluded},
+        {"lesserRange", std::move(ranges)}};
 }
 
 Json unfinishedToJson(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)

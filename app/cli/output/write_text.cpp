@@ -82,6 +82,9 @@ std::string signSentence(const CompensationTable& table, std::string_view unit, 
         if (at.lookupAt == LookupAt::Set)
             return "at the set position " + fixedText(position[0], decimals)
                 + " the drive will add " + added;
+        if (at.isComputed)
+            return "where the encoder reads " + shortText(position[0]) + " the drive will add "
+                + added;
         return "where the encoder reads " + fixedText(position[0], decimals)
             + " the reference says " + fixedText(position[0] + value, decimals)
             + ": the drive will add " + added;
@@ -89,8 +92,10 @@ std::string signSentence(const CompensationTable& table, std::string_view unit, 
     std::string place;
     for (std::size_t n = 0; n < position.size(); ++n)
         place += (n == 0 ? "" : n + 1 == position.size() ? " and " : ", ") + shortText(position[n]);
-    return (position.size() == 1 ? "where the source reads " : "where the sources read ") + place
-        + " the reference is " + withUnit(floatText(std::abs(value)), unit)
+    place = (position.size() == 1 ? "where the source reads " : "where the sources read ") + place;
+    if (at.isComputed)
+        return place + " the drive will add " + added;
+    return place + " the reference is " + withUnit(floatText(std::abs(value)), unit)
         + (value > 0 ? " above" : " below") + " the encoder: the drive will add " + added;
 }
 
@@ -113,7 +118,8 @@ std::string planText(const WritePlan& plan, const AxisInfo& axis)
         const std::string unit = unitSymbol(axis.unit);
         lines.emplace_back("Table", tableWords(plan, *plan.table, unit));
         lines.emplace_back("Sign",
-            signSentence(*plan.table, unit, {plan.lookupAt, plan.ownDimension.has_value()}));
+            signSentence(*plan.table, unit,
+                {plan.lookupAt, plan.ownDimension.has_value(), plan.isComputed}));
     }
     lines.emplace_back("Flash", flashWords(plan.flashOperations, plan.flashBudget));
     return text + "\n" + labelled(lines, "  ");

@@ -17,6 +17,7 @@ namespace axiscomp::app {
 struct SignPlace {
     std::optional<LookupAt> lookupAt{}; ///< of the axis's own source
     bool isOwnPosition = true; ///< one of the sources is the position of the axis itself
+    bool isComputed = false; ///< as in WritePlan: no reference said what the value would make of it
 };
 /// What the sign of the values means, at the largest of them: "where the encoder reads 40.0000 the
 /// reference says 40.0021: the drive will add +0.0021 mm". What the encoder reads is only known of

@@ -81,6 +81,20 @@ std::optional<double> wrongSlope(std::span<const double> x, std::span<const doub
     return slope && std::abs(*slope - 1.0) > scaleTolerance ? slope : std::nullopt;
 }
 
+/// Whether the reference is beside the axis but for whole turns: 359.9999 for 0.
+bool isWholeTurnsAway(std::span<const double> encoder, std::span<const double> reference)
+{
+    constexpr double turn = 360.0;
+    bool hasTurns = false;
+    for (std::size_t i = 0; i < encoder.size(); ++i) {
+        const double turns = std::round((reference[i] - encoder[i]) / turn);
+        if (!(std::abs(reference[i] - turns * turn - encoder[i]) <= scaleTolerance * turn))
+            return false;
+        hasTurns = hasTurns || turns != 0.0;
+    }
+    return hasTurns;
+}
+
 Text scaleExplanation(double slope, bool isInverted)
 {
     if (std::abs(slope + 1.0) < scaleTolerance && isInverted)
@@ -116,6 +130,7 @@ private:
     void takeReferences(std::vector<RawRunValue>& values);
     [[nodiscard]] bool checkEncoder(std::span<const RawRunValue> values);
     bool findTargets(const std::vector<RawRunValue>& values);
+    [[nodiscard]] bool checkFinite(double number, std::size_t line);
     void countRuns();
     void checkDuplicates();
     void checkCompleteness();
@@ -162,7 +177,8 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
     if (!values.empty())
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (checkEncoder(values) && !reference.empty())
-        checkInstrumentScale(encoder, reference, m_options, m_diagnostics);
+        checkInstrumentScale(
+            {encoder, reference, m_measurement.isAngular}, m_options, m_diagnostics);
 }
 
 /// Raw positions of another unit or sign would go into the table whole. A reference is not compared
@@ -188,30 +204,39 @@ bool Assembly::checkEncoder(std::span<const RawRunValue> values)
     return false;
 }
 
+bool Assembly::checkFinite(double number, std::size_t line)
+{
+    if (std::isfinite(number))
+        return true;
+    m_diagnostics.error(DiagnosticCode::NotFinite, line, 0, {},
+        AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
+    return false;
+}
+
+/// Those that were planned stay where no value was measured: they are missing in every run.
 bool Assembly::findTargets(const std::vector<RawRunValue>& values)
 {
     std::vector<double> positions;
-    double largest = 0.0;
     for (const RawRunValue& raw : values) {
+        for (const double number : {2.0 * raw.target, raw.value.deviation,
+                 raw.value.encoder.value_or(0.0), raw.value.output.value_or(0.0)})
+            if (!checkFinite(number, raw.value.line))
+                return false;
         positions.push_back(raw.target);
-        largest = std::max(largest, std::abs(raw.target));
-        const bool isFinite = std::isfinite(raw.target) && std::isfinite(raw.value.deviation)
-            && std::isfinite(raw.value.encoder.value_or(0.0))
-            && std::isfinite(raw.value.output.value_or(0.0)) && std::isfinite(2.0 * largest);
-        if (isFinite)
-            continue;
-        m_diagnostics.error(DiagnosticCode::NotFinite, raw.value.line, 0, {},
-            AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
+    }
+    for (const double planned : m_measurement.targets)
+        if (!checkFinite(2.0 * planned, 0))
+            return false;
+    const std::size_t measured = distinctTargets(positions).size();
+    if (measured < 2) {
+        m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
+            AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", measured),
+            AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
         return false;
     }
+    positions.insert(positions.end(), m_measurement.targets.begin(), m_measurement.targets.end());
     m_measurement.targets = distinctTargets(std::move(positions));
-    const std::vector<double>& targets = m_measurement.targets;
-    if (targets.size() >= 2)
-        return true;
-    m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
-        AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", targets.size()),
-        AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
-    return false;
+    return true;
 }
 
 /// Runs without a number are counted as they come, for each target and direction.
@@ -332,16 +357,21 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
         Assembly(options, measurement, diagnostics).run(std::move(values));
 }
 
-void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
-    const MeasurementReadOptions& options, DiagnosticList& diagnostics)
+void checkInstrumentScale(const FollowedPositions& positions, const MeasurementReadOptions& options,
+    DiagnosticList& diagnostics)
 {
-    const auto slope = wrongSlope(encoder, reference);
+    const auto slope = wrongSlope(positions.encoder, positions.reference);
     if (!slope)
         return;
+    const bool isTurn =
+        positions.areAngles && isWholeTurnsAway(positions.encoder, positions.reference);
     diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
             .with("slope", Quantity{shortNumber(*slope)}),
-        scaleExplanation(*slope, options.invertsReference));
+        isTurn ? Text(AXISCOMP_TEXT("Error",
+            "1; some values are whole turns away, since the instrument begins again at "
+            "360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file"))
+               : scaleExplanation(*slope, options.invertsReference));
 }
 
 std::optional<MeasurementUnit> unitOfFormat(std::string_view what, const std::string& stated,

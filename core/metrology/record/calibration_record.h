@@ -149,7 +149,7 @@ struct RecordedWrite {
 struct RecordedAfter {
     RecordedMeasurement measurement;
     FigureValues figures;
-    std::optional<bool> isAsPredicted = {}; ///< nothing: nothing was predicted
+    std::optional<bool> isAsPredicted = {}; ///< nothing: nothing was predicted, or it is open
     /// Of the table that was active; nothing: older programs did not note it.
     std::optional<std::uint32_t> tableCrc = {};
     OtherMembers others = {};

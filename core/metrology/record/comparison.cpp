@@ -79,6 +79,71 @@ Result<void> checkComparedDrives(
     return {};
 }
 
+/// Ascending: those with a value in use.
+Numbers targetsInUse(const Measurement& measurement)
+{
+    std::vector<bool> isInUse(measurement.targets.size());
+    for (const RunValue& value : measurement.values)
+        if (value.isUsed)
+            isInUse[value.target] = true;
+    Numbers targets;
+    for (std::size_t i = 0; i < isInUse.size(); ++i)
+        if (isInUse[i])
+            targets.push_back(measurement.targets[i]);
+    return targets;
+}
+
+constexpr double rangeRounding = 1e-9; ///< of a length
+
+/// Whether targets lie all round a rotary axis: they are over every position of it, wherever they
+/// begin.
+bool goRound(const Numbers& targets, bool isAngular)
+{
+    if (!isAngular || targets.size() < 2)
+        return false;
+    const auto gaps = static_cast<double>(targets.size() - 1);
+    const double turn = (targets.back() - targets.front()) * (gaps + 1.0) / gaps;
+    return turn >= 360.0 * (1.0 - rangeRounding);
+}
+
+/// How much of what the first measurement covers the second one covers, too.
+enum class SecondRange { Whole, Less, Apart };
+
+SecondRange secondRangeOf(const Numbers& before, const Numbers& after, bool isAngular)
+{
+    constexpr std::size_t fewestGaps = 4; // two targets are no measure of how near others may be
+    if (before.empty() || after.empty() || goRound(after, isAngular))
+        return SecondRange::Whole;
+    const double length = before.back() - before.front();
+    const double lengthAfter = after.back() - after.front();
+    const double common =
+        std::min(before.back(), after.back()) - std::max(before.front(), after.front());
+    const double rounding = rangeRounding * std::max(length, lengthAfter);
+    const bool isApart =
+        common < -rounding || (common <= rounding && std::min(length, lengthAfter) > rounding);
+    if (isApart && !goRound(before, isAngular))
+        return SecondRange::Apart;
+    const double gap = length / static_cast<double>(std::max(before.size() - 1, fewestGaps));
+    const double lacking = length - std::max(common, 0.0);
+    return lacking <= gap + rounding ? SecondRange::Whole : SecondRange::Less;
+}
+
+Result<void> checkComparedRanges(const Measurement& before, const Measurement& after)
+{
+    const Numbers first = targetsInUse(before);
+    const Numbers second = targetsInUse(after);
+    if (secondRangeOf(first, second, after.isAngular) != SecondRange::Apart)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error",
+                "{ranges}: nothing of what was measured first is measured again; measure over the "
+                "targets of the first measurement")
+                .with("ranges",
+                    rangesText({{first.front(), first.back()}, {second.front(), second.back()}},
+                        after.isAngular))}});
+}
+
 Result<void> checkComparable(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request)
 {
@@ -101,7 +166,8 @@ Result<void> checkComparable(
                     "they are not of the same axis")
                     .with("before", before.header.axis)
                     .with("after", after.header.axis)}});
-    return checkComparedDrives(before, after, request);
+    AXISCOMP_CHECK(checkComparedDrives(before, after, request));
+    return checkComparedRanges(before, after);
 }
 
 bool areOther(const std::string& one, const std::string& other)
@@ -127,6 +193,14 @@ void warnOfOtherMachine(
                 "the first measurement has the serial number {before}, the second {after}")
                 .with("before", before.serial)
                 .with("after", after.serial)});
+}
+
+void warnOfLesserRange(Comparison& comparison, const Measurement& before, const Measurement& after)
+{
+    comparison.lesserRange = lesserRange(before, after);
+    if (comparison.lesserRange)
+        comparison.warnings.push_back(
+            {"LesserRange", lesserRangeText(*comparison.lesserRange, after.isAngular)});
 }
 
 /// The mean of both directions, or of the one that there is.
@@ -296,7 +370,10 @@ void judgePrediction(Comparison& comparison, const ComparisonRequest& request)
         return;
     comparison.largestAsPredicted = allowance * request.heldOut->range
         + std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
-    comparison.isAsPredicted = *spread <= *comparison.largestAsPredicted;
+    const bool isWithin = *spread <= *comparison.largestAsPredicted;
+    // What was promised is of all of the travel: over less of it M is smaller by itself.
+    if (!isWithin || !comparison.lesserRange)
+        comparison.isAsPredicted = isWithin;
 }
 
 bool isSuspicious(const Comparison& comparison)
@@ -358,6 +435,38 @@ bool isByTemperature(const CalibrationRecord& record)
 }
 
 } // namespace
+
+std::optional<TwoRanges> lesserRange(const Measurement& before, const Measurement& after)
+{
+    const Numbers first = targetsInUse(before);
+    const Numbers second = targetsInUse(after);
+    if (secondRangeOf(first, second, after.isAngular) == SecondRange::Whole)
+        return std::nullopt;
+    return TwoRanges{{first.front(), first.back()}, {second.front(), second.back()}};
+}
+
+Text rangesText(const TwoRanges& ranges, bool isAngular)
+{
+    const auto number = [](double position) { return Quantity{roundedText(position)}; };
+    const auto withUnit = [isAngular](double position) {
+        return Quantity{roundedText(position), isAngular ? "deg" : "mm"};
+    };
+    return AXISCOMP_TEXT("Measurement",
+        "first measurement from {beforeFirst} to {beforeLast}, second one from {afterFirst} to "
+        "{afterLast}")
+        .with("beforeFirst", number(ranges.before.first))
+        .with("beforeLast", withUnit(ranges.before.last))
+        .with("afterFirst", number(ranges.after.first))
+        .with("afterLast", withUnit(ranges.after.last));
+}
+
+Text lesserRangeText(const TwoRanges& ranges, bool isAngular)
+{
+    return AXISCOMP_TEXT("Measurement",
+        "{ranges}: over a shorter travel the figures are smaller whatever the compensation does, "
+        "and nothing is proved for the rest")
+        .with("ranges", rangesText(ranges, isAngular));
+}
 
 std::optional<double> changeOf(
     const std::optional<double>& before, const std::optional<double>& after)
@@ -439,6 +548,7 @@ Result<Comparison> compareMeasurements(
     comparison.uncertainty = request.uncertainty;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
+    warnOfLesserRange(comparison, before, after);
     judgePrediction(comparison, request);
     if (isSuspicious(comparison))
         comparison.hints =

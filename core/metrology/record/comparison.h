@@ -54,6 +54,18 @@ enum class CorrectedAlike {
 [[nodiscard]] CorrectedAlike areCorrectedAlike(
     const CorrectedSide& before, const CorrectedSide& after);
 
+/// Where the second measurement covers less of the axis than the first one: what both cover. The
+/// figures are ranges over targets, so that over a shorter travel they are smaller by themselves.
+/// As much as the first one: what lacks at both ends together is no longer than the mean distance
+/// of its targets, nor than a quarter of it; or the targets lie all round a rotary axis. Targets
+/// without a value in use do not count. measurements: with targets.
+[[nodiscard]] std::optional<TwoRanges> lesserRange(
+    const Measurement& before, const Measurement& after);
+/// "first measurement from 0 to 500 mm, second one from 0 to 100 mm"
+[[nodiscard]] Text rangesText(const TwoRanges& ranges, bool isAngular);
+/// The same, with what it means.
+[[nodiscard]] Text lesserRangeText(const TwoRanges& ranges, bool isAngular);
+
 /// What is left of the error at a target.
 struct RemainingError {
     double position = 0.0;
@@ -81,7 +93,9 @@ struct Comparison {
     /// The largest M that counts as predicted: 1.2 M held out + max(U, 2 s / sqrt(2 n)), s the
     /// pooled standard deviation of the second measurement, n its runs in each direction.
     std::optional<double> largestAsPredicted = {};
-    std::optional<bool> isAsPredicted = {}; ///< nothing without a held-out figure, or without M
+    /// Nothing without a held-out figure, without M, or where M is that small over less of the
+    /// axis.
+    std::optional<bool> isAsPredicted = {};
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
     /// Only of a measurement of which values are left out; the figures above are then no evaluation
@@ -90,8 +104,9 @@ struct Comparison {
     std::optional<Iso230Figures> afterOfAllValues = {};
     std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
     /// "ValuesExcluded"; "OtherVerdict" where all values say otherwise than those in use;
-    /// "OtherMachine", "OtherSerial" where the two state different ones.
+    /// "OtherMachine", "OtherSerial" where the two state different ones; "LesserRange".
     std::vector<JudgeWarning> warnings = {};
+    std::optional<TwoRanges> lesserRange = {}; ///< of the two measurements
     std::optional<double> uncertainty = {}; ///< as in the request
     bool isByTemperature = false; ///< as in the request
 
@@ -107,9 +122,10 @@ struct Comparison {
 /// spline) and r what is left, all about their means: r = k b with |correlation| above 0.9 is a
 /// table that adds 1 - k times what it should (k = 2: the sign; k = 1: not active); r = d b' one
 /// that is shifted by d.
-/// Errors: InvalidArgument for measurements without targets, of lengths and angles, of two axes and
-/// of two drives, those of the request included; MeasurementState when tableCrc is given and the
-/// second measurement was not made with that table active.
+/// Errors: InvalidArgument for measurements without targets, of lengths and angles, of two axes, of
+/// two drives, those of the request included, and of two ranges that have nothing in common;
+/// MeasurementState when tableCrc is given and the second measurement was not made with that table
+/// active.
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 

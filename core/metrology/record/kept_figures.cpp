@@ -29,6 +29,16 @@ FigureValues figuresBefore(const CalibrationRecord& record)
     return used && used->hasTargets() ? figureValues(figuresBy(record, *used)) : FigureValues{};
 }
 
+/// Nothing, too, for a record whose measurements can be used no more.
+std::optional<TwoRanges> lesserRangeOf(const CalibrationRecord& record, const RecordedAfter* after)
+{
+    if (!record.before || !after)
+        return std::nullopt;
+    const auto first = usedMeasurement(*record.before);
+    const auto second = usedMeasurement(after->measurement);
+    return first && second ? lesserRange(*first, *second) : std::nullopt;
+}
+
 std::size_t excludedOf(const RecordedMeasurement& recorded)
 {
     const auto used = usedMeasurement(recorded);
@@ -117,6 +127,25 @@ Text clauseOf(const Figure& figure, bool isAngular)
         .with("result", result == results.end() ? Text() : Text(verdictText(*result)));
 }
 
+Text shortClauseOf(const Figure& figure, bool isAngular)
+{
+    const auto& last = figure.after ? figure.after : figure.before;
+    const Quantity value = fineQuantity(*last, isAngular);
+    const Text name = Verbatim{figure.name};
+    if (!figure.after)
+        return AXISCOMP_TEXT("Measurement", "{figure} {before} before")
+            .with("figure", name)
+            .with("before", value);
+    if (!figure.before)
+        return AXISCOMP_TEXT("Measurement", "{figure} {after}")
+            .with("figure", name)
+            .with("after", value);
+    return AXISCOMP_TEXT("Measurement", "{figure} {after}, {before} before")
+        .with("figure", name)
+        .with("after", value)
+        .with("before", fineQuantity(*figure.before, isAngular));
+}
+
 } // namespace
 
 std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, WallTime time)
@@ -139,6 +168,7 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
         kept.excluded += excludedOf(*record.before);
     if (after)
         kept.excluded += excludedOf(after->measurement);
+    kept.lesserRange = lesserRangeOf(record, after);
     const FigureValues before = figuresBefore(record);
     for (const Iso230Figure figure : allIso230Figures()) {
         Figure& one = kept.figures.emplace_back(Figure{std::string(figureName(figure))});
@@ -176,6 +206,8 @@ Text measuredFiguresText(const MeasuredFigures& measured)
         add(clauseOf(figure, measured.isAngular));
     if (!clauses.isEmpty() && measured.excluded > 0)
         add(excludedText(measured.excluded));
+    if (!clauses.isEmpty() && measured.lesserRange)
+        add(lesserRangeText(*measured.lesserRange, measured.isAngular));
     if (clauses.isEmpty() || measured.date.empty())
         return clauses;
     return AXISCOMP_TEXT("Measurement", "measured {date}: {figures}")
@@ -188,22 +220,11 @@ Text measuredFiguresCell(const MeasuredFigures& measured)
     const auto shown = shownFigures(measured);
     if (shown.empty())
         return {};
-    const Figure& figure = shown.front();
-    const auto& last = figure.after ? figure.after : figure.before;
-    const Quantity value = fineQuantity(*last, measured.isAngular);
-    const Text name = Verbatim{figure.name};
-    if (!figure.after)
-        return AXISCOMP_TEXT("Measurement", "{figure} {before} before")
-            .with("figure", name)
-            .with("before", value);
-    if (!figure.before)
-        return AXISCOMP_TEXT("Measurement", "{figure} {after}")
-            .with("figure", name)
-            .with("after", value);
-    return AXISCOMP_TEXT("Measurement", "{figure} {after}, {before} before")
-        .with("figure", name)
-        .with("after", value)
-        .with("before", fineQuantity(*figure.before, measured.isAngular));
+    Text cell = shortClauseOf(shown.front(), measured.isAngular);
+    if (!measured.lesserRange)
+        return cell;
+    return AXISCOMP_TEXT("Measurement", "{figures}, over part of the travel")
+        .with("figures", std::move(cell));
 }
 
 } // namespace axiscomp

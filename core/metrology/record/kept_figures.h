@@ -24,7 +24,7 @@ namespace axiscomp {
 
 /// "measured 2026-11-20: accuracy A 14.3 um before, 3.2 um after (tolerance 5 um: passed)": each
 /// figure that has a tolerance; where none has, A, or what there is of it. Behind them that values
-/// are excluded.
+/// are excluded, and that the last measurement covers less of the axis than the first one.
 [[nodiscard]] Text measuredFiguresText(const MeasuredFigures& measured);
 /// The first of them in short: "A 3.2 um, 14.3 um before".
 [[nodiscard]] Text measuredFiguresCell(const MeasuredFigures& measured);

@@ -51,20 +51,19 @@ struct Scale {
 class DeviationPlot {
 public:
     DeviationPlot(const Measurement& measurement, const DeviationCurves& curves,
-        const DeviationRange& range, const PlotSize& size)
+        const PlotRange& range, const PlotSize& size)
         : m_measurement(measurement)
         , m_curves(curves)
-        , m_unit(unitOf(range, measurement.isAngular))
+        , m_unit(unitOf(range.deviations, measurement.isAngular))
     {
         m_plot.width = size.width;
         m_plot.height = size.height;
-        const double first = measurement.targets.front();
-        const double last = measurement.targets.back();
+        const auto [first, last] = range.positions;
         const double border = last > first ? 0.03 * (last - first) : 0.5;
         m_x = {first - border, last + border, leftMargin, size.width - rightMargin};
-        const double height = range.high - range.low;
-        const double room = height > 0.0 ? 0.06 * height : 0.5 / m_unit.factor;
-        m_y = {(range.low - room) * m_unit.factor, (range.high + room) * m_unit.factor,
+        const auto [low, high] = range.deviations;
+        const double room = high > low ? 0.06 * (high - low) : 0.5 / m_unit.factor;
+        m_y = {(low - room) * m_unit.factor, (high + room) * m_unit.factor,
             size.height - bottomMargin, topMargin};
     }
 
@@ -229,8 +228,20 @@ private:
 
 } // namespace
 
+PlotRange plotRange(const Measurement& measurement, const DeviationCurves& curves)
+{
+    return {*curves.all, {measurement.targets.front(), measurement.targets.back()}};
+}
+
+PlotRange united(const PlotRange& a, const PlotRange& b)
+{
+    return {axiscomp::united(a.deviations, b.deviations),
+        {std::min(a.positions.first, b.positions.first),
+            std::max(a.positions.last, b.positions.last)}};
+}
+
 ReportPlot deviationPlot(const Measurement& measurement, const DeviationCurves& curves,
-    const DeviationRange& range, const PlotSize& size)
+    const PlotRange& range, const PlotSize& size)
 {
     return DeviationPlot(measurement, curves, range, size).drawn();
 }

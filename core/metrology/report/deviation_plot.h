@@ -11,11 +11,20 @@ struct PlotSize {
     double height = 0.0; ///< mm
 };
 
+/// What two plots that are read side by side have in common.
+struct PlotRange {
+    DeviationRange deviations;
+    MeasuredRange positions;
+};
+/// measurement: with targets and at least one value in use; curves: its own.
+[[nodiscard]] PlotRange plotRange(const Measurement& measurement, const DeviationCurves& curves);
+[[nodiscard]] PlotRange united(const PlotRange& a, const PlotRange& b);
+
 /// The plot of ISO 230-2: deviation over position, the means of both directions with their bands of
 /// 2 s, the mean of both, every run, and A, E, M and B where they arise. measurement: with targets
 /// and at least one value in use; curves: its own. Two plots of one range have the same scale.
 [[nodiscard]] ReportPlot deviationPlot(const Measurement& measurement,
-    const DeviationCurves& curves, const DeviationRange& range, const PlotSize& size);
+    const DeviationCurves& curves, const PlotRange& range, const PlotSize& size);
 
 /// Whether its plot has single runs: a mean is none.
 [[nodiscard]] bool hasPlottedRuns(const Measurement& measurement);

@@ -2,9 +2,10 @@
 #include "core/metrology/report/record_report.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/record/comparison.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
-#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -89,39 +90,6 @@ Text proofText(const RecordedWrite& write)
     return AXISCOMP_TEXT("Report", "passed over {share} of the table").with("share", share);
 }
 
-/// Whether the values of the table are what was measured: nothing was taken out of them, put to
-/// them or smoothed.
-bool isAsMeasured(const RecordedFit& fit, const RecordedCorrections& corrections)
-{
-    const FitSettings& settings = fit.settings;
-    const bool isInterpolated = settings.method == FitMethod::Linear
-        || settings.method == FitMethod::Cubic || settings.method == FitMethod::Spline;
-    const bool isCorrected =
-        corrections.temperature || corrections.deadPath || corrections.drift || settings.drift;
-    return settings.zero == FitZero::Keep && settings.slope == SlopeRemoval::Keep
-        && settings.gain == 1.0 && fit.active.empty() && isInterpolated && !isCorrected;
-}
-
-/// Whether the encoder stood there when the reference was read; between the targets nothing was.
-bool isTarget(const Measurement& measurement, double position)
-{
-    if (!measurement.hasTargets() || hasRawReadings(measurement))
-        return false;
-    const double rounding = 1e-9 * (measurement.targets.back() - measurement.targets.front());
-    return std::ranges::any_of(measurement.values, [&](const RunValue& value) {
-        return value.isUsed && std::abs(measurement.targets[value.target] - position) <= rounding;
-    });
-}
-
-bool wasSaid(const CalibrationRecord& record, const Measurement* measurement, double position)
-{
-    return measurement && record.fit && record.before
-        && !correctsAnotherAxis(record.tables.front().table.target, measurement->header.axis)
-        && !measurement->againstFile.invertsReference
-        && isAsMeasured(*record.fit, record.before->corrections)
-        && isTarget(*measurement, position);
-}
-
 /// At the largest value of a table of one dimension, whose values are in mm or deg.
 /// measurement: that it was made of; null: not on record.
 Text signText(const CompensationTable& table, const CalibrationRecord& record,
@@ -146,7 +114,7 @@ Text signText(const CompensationTable& table, const CalibrationRecord& record,
             "At the set position {position} the drive adds {added} to what the encoder reads.")
             .with("position", place(position))
             .with("added", amount);
-    if (!wasSaid(record, measurement, position))
+    if (!measurement || !isReferenceRead(record, *measurement, position))
         return AXISCOMP_TEXT("Report", "Where the encoder reads {reading}, the drive adds {added}.")
             .with("reading", place(position))
             .with("added", amount);
@@ -207,6 +175,16 @@ void addTolerances(ReportContent& content, const CalibrationRecord& record)
     content.uncertainty = judging.uncertainty;
 }
 
+/// Records of older programs have measurements that compareMeasurements refuses by now.
+void addWarnings(ReportContent& content)
+{
+    if (!content.before || !content.after)
+        return;
+    const auto lesser = lesserRange(content.before->measurement, content.after->measurement);
+    if (lesser)
+        content.warnings.push_back(lesserRangeText(*lesser, content.isAngular));
+}
+
 } // namespace
 
 Result<ReportContent> reportContent(
@@ -225,6 +203,7 @@ Result<ReportContent> reportContent(
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);
+    addWarnings(content);
     if (record.drive) {
         content.drive = record.drive->name;
         content.driveSerial = std::to_string(record.drive->serialNumber);

@@ -123,6 +123,9 @@ private:
             paragraph(AXISCOMP_TEXT("Report", "The accuracy A before is not defined."), true);
         if (m_after.reported && !(before && after))
             addDefinedOutcome();
+        for (const Text& warning : m_content.warnings)
+            paragraph(
+                AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning), true);
     }
 
     /// With one run alone A is not defined, and what is systematic still is.
@@ -332,11 +335,11 @@ private:
         const bool hasBoth = hasPlot(m_before) && hasPlot(m_after);
         if (!hasPlot(m_before) && !hasPlot(m_after))
             return;
-        std::optional<DeviationRange> range;
+        std::optional<PlotRange> range;
         for (const Judged* one : {&m_before, &m_after}) {
             if (!hasPlot(*one))
                 continue;
-            const DeviationRange& own = *one->curves.all;
+            const PlotRange own = plotRange(one->reported->measurement, one->curves);
             range = range ? united(*range, own) : own;
         }
         if (hasBoth)

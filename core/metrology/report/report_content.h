@@ -75,6 +75,7 @@ struct ReportContent {
     Text sign; ///< what the drive will add where, in numbers
     std::vector<Tolerance> tolerances;
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
+    std::vector<Text> warnings; ///< without which no figure is to be read
     std::vector<Text> notes;
     std::vector<ReportInput> inputs;
     std::string programVersion;

@@ -269,6 +269,39 @@ private Q_SLOTS:
         QCOMPARE(datum(own), 200.0);
     }
 
+    void aSecondMeasurementOverLessOfTheAxisIsSaidAndOneBesideItRefused()
+    {
+        const Sandbox box;
+        const auto over = [](const char* first, const char* last) {
+            QByteArray text = "target [mm],direction,run,deviation [um]\n";
+            for (const char* const target : {first, last})
+                for (const char* const run :
+                    {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
+                    text += QByteArray(target) + run;
+            return text;
+        };
+        box.file("before.csv", peak("// compensation: off\n", 4.0, 0.0, 0.0));
+        box.file("short.csv", over("0", "1"));
+        box.file("far.csv", over("600", "700"));
+        VERIFY_CODE(
+            box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at", "encoder"}), 0);
+        const QStringList proof{"--record", "x.axcal", "--measured-with", "on", "--keep"};
+        const ProgramRun shorter = box.run(QStringList{"compare", "short.csv"} + proof);
+        VERIFY_CODE(shorter, 0);
+        const QByteArray ranges = "first measurement from 0 to 100 mm, second one from ";
+        QVERIFY2(shorter.out.contains(ranges + "0 to 1 mm")
+                && shorter.err.contains(ranges + "0 to 1 mm"),
+            shorter.out.constData());
+        QVERIFY2(
+            shorter.out.contains("Whether it is as predicted is open"), shorter.out.constData());
+        QVERIFY(!box.content("x.axcal").contains("asPredicted"));
+        const ProgramRun far = box.run(QStringList{"compare", "far.csv"} + proof);
+        VERIFY_CODE(far, 2);
+        QVERIFY2(far.err.contains(ranges + "600 to 700 mm"), far.err.constData());
+        VERIFY_CODE(box.run({"report", "x.axcal", "-o", "x.html"}), 0);
+        QVERIFY(box.content("x.html").contains("Warning: " + ranges + "0 to 1 mm"));
+    }
+
     void theFirstMeasurementIsTheOneOfTheRecord()
     {
         const Sandbox box;

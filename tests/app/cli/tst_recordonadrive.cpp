@@ -179,6 +179,16 @@ private Q_SLOTS:
         VERIFY_CODE(bench.write(), 0);
     }
 
+    /// It has no measurement: nobody knows what a reference said.
+    void whatTheReferenceSaidIsToldOnlyWhereItIsOnRecord()
+    {
+        const Fixture bench(LookupAt::Encoder);
+        const ProgramRun run = bench.run({"write", "--record", "job.axcal", "--own-position"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("where the encoder reads 40 the drive will add +0.0021 mm"),
+            run.out.constData());
+    }
+
     /// Its values belong to other positions on the other side of the compensation.
     void aTableForTheEncoderIsNotLookedUpAtTheSetPosition()
     {

@@ -513,6 +513,7 @@ void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
         {{"A", 0.1 + 0.2, 1e-300, std::nullopt, -0.0, "undecided"}, {"B"}}};
     MeasuredFigures second{4'000'000'000, start + 1s, "", false, {{"A", 1.0, {}, 2.0, 3.0}}};
     second.excluded = 3;
+    second.lesserRange = TwoRanges{{-0.1, 500.0}, {0.0, 1.0 / 3.0}};
     second.grid = Grid{{{"", "", -0.1, 1.0 / 3.0, 5}, {"", "", 7.0, 2.0, 2}}};
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));

@@ -219,6 +219,27 @@ private Q_SLOTS:
         QCOMPARE(bench.user.the<QTableView>("proveFigures").model()->rowCount(), 0);
     }
 
+    /// Two of the nine targets: whatever the table does, its error over 40 mm is not seen.
+    void overLessOfTheAxisNothingIsGreen()
+    {
+        PageFixture bench;
+        CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QByteArray after = "// compensation: " + test::stateOf(record)
+            + "\ntarget [mm],direction,run,deviation [um]\n";
+        for (const char* const run : {",+,1,0.1\n", ",+,2,0.2\n", ",-,1,0.1\n", ",-,2,0.2\n"})
+            after += QByteArray("0") + run + "5" + run;
+        QVERIFY(addAfter(bench, after));
+        QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
+        QVERIFY(bench.user.the<QLabel>("proveWarnings")
+                    .text()
+                    .contains(QStringLiteral("second one from 0 to 5 mm: over a shorter")));
+        QVERIFY(bench.user.the<QLabel>("provePromise")
+                    .text()
+                    .startsWith(QStringLiteral("Whether it is as predicted is open")));
+        QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
+    }
+
     void aToleranceThatIsNotMetIsNeverGreen()
     {
         PageFixture bench;

@@ -38,6 +38,28 @@ Measurement measured(const Curve& curve, double spread = 0.0, double reversal = 
     return measurement;
 }
 
+/// Up and down over these targets; 1 um of reversal alone.
+Measurement over(const std::vector<double>& targets, bool isAngular = false)
+{
+    Measurement measurement;
+    measurement.isAngular = isAngular;
+    measurement.targets = targets;
+    for (const Approach direction : {Approach::Up, Approach::Down})
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            measurement.values.push_back(
+                {i, direction, 1, direction == Approach::Up ? 0.0005 : -0.0005});
+    return measurement;
+}
+
+/// count targets at even distances.
+std::vector<double> spaced(double first, double last, int count)
+{
+    std::vector<double> targets;
+    for (int i = 0; i < count; ++i)
+        targets.push_back(first + (last - first) * i / (count - 1));
+    return targets;
+}
+
 ComparisonRequest promised(double range)
 {
     ComparisonRequest request;
@@ -210,6 +232,83 @@ private Q_SLOTS:
             != std::string::npos);
         after.header.axis = "X1";
         VERIFY_RESULT(compareMeasurements(before, after, promised(1e-3)));
+    }
+
+    /// Its figures would be those of another piece of the axis, which has no error of this one.
+    void nothingMeasuredAgainIsNotCompared()
+    {
+        const Measurement before = over(spaced(0.0, 500.0, 11));
+        for (const auto& targets : {spaced(600.0, 700.0, 2), spaced(500.0, 900.0, 5)}) {
+            const auto refused = compareMeasurements(before, over(targets), promised(1e-3));
+            VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+            const auto said = QByteArray::fromStdString(sentence(refused.error()));
+            QVERIFY2(said.contains("first measurement from 0 to 500 mm, second one from "
+                         + QByteArray::number(targets.front()) + " to "
+                         + QByteArray::number(targets.back())
+                         + " mm: nothing of what was measured first is measured again"),
+                said.constData());
+        }
+    }
+
+    void aSecondMeasurementOverLessOfTheAxisIsSaid_data()
+    {
+        QTest::addColumn<QList<double>>("targets"); // first, last, how many
+        QTest::addColumn<bool>("isAngular");
+        QTest::addColumn<bool>("isLess");
+        QTest::newRow("same targets") << QList{0.0, 500.0, 11.0} << false << false;
+        QTest::newRow("beyond") << QList{-10.0, 510.0, 5.0} << false << false;
+        QTest::newRow("midpoints") << QList{25.0, 475.0, 10.0} << false << false;
+        QTest::newRow("one target less") << QList{0.0, 450.0, 10.0} << false << false;
+        QTest::newRow("two targets less") << QList{50.0, 450.0, 9.0} << false << true;
+        QTest::newRow("a fifth") << QList{0.0, 100.0, 6.0} << false << true;
+        QTest::newRow("a millimetre") << QList{0.0, 1.0, 2.0} << false << true;
+        QTest::newRow("moved") << QList{250.0, 750.0, 11.0} << false << true;
+        QTest::newRow("all round") << QList{-180.0, 150.0, 12.0} << true << false;
+        QTest::newRow("half a turn") << QList{-180.0, 0.0, 7.0} << true << true;
+    }
+    void aSecondMeasurementOverLessOfTheAxisIsSaid()
+    {
+        QFETCH(QList<double>, targets);
+        QFETCH(bool, isAngular);
+        QFETCH(bool, isLess);
+        const Measurement before =
+            over(isAngular ? spaced(0.0, 330.0, 12) : spaced(0.0, 500.0, 11), isAngular);
+        const Measurement after =
+            over(spaced(targets[0], targets[1], static_cast<int>(targets[2])), isAngular);
+        const auto result = compareMeasurements(before, after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->lesserRange.has_value(), isLess);
+        QCOMPARE(result->warnings.size(), std::size_t{isLess ? 1U : 0U});
+        // M is 0: as predicted, if it were of all of the axis.
+        QCOMPARE(result->isAsPredicted, isLess ? std::nullopt : std::optional(true));
+        QVERIFY(result->largestAsPredicted.has_value());
+    }
+
+    void theWarningOfAShorterTravelNamesBothRanges()
+    {
+        Measurement after = over(spaced(0.0, 500.0, 11));
+        for (RunValue& value : after.values)
+            value.isUsed = value.target < 5; // what is left out is not covered
+        const auto result =
+            compareMeasurements(over(spaced(0.0, 500.0, 11)), after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->warnings.front().name, std::string_view("LesserRange"));
+        QCOMPARE(result->warnings.front().text.english(),
+            std::string("first measurement from 0 to 500 mm, second one from 0 to 200 mm: over a "
+                        "shorter travel the figures are smaller whatever the compensation does, "
+                        "and nothing is proved for the rest"));
+    }
+
+    /// Over all of the axis M is no smaller.
+    void aMachineThatIsNotAsPredictedOverPartOfTheAxisIsNot()
+    {
+        Measurement after = over(spaced(0.0, 100.0, 6));
+        for (RunValue& value : after.values)
+            value.deviation += value.target == 3 ? 0.01 : 0.0;
+        const auto result =
+            compareMeasurements(over(spaced(0.0, 500.0, 11)), after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->isAsPredicted, std::optional(false));
     }
 
     void measurementsOfTwoDrivesAreNotCompared()

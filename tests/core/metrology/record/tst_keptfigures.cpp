@@ -103,6 +103,25 @@ private Q_SLOTS:
                         "values excluded, not an evaluation by ISO 230-2"));
     }
 
+    void aShorterTravelIsSaid()
+    {
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0032, writtenCrc);
+        QVERIFY(!figuresToKeep(record, {})->lesserRange);
+        Measurement& second = record.after.front().measurement.files.front().measurement;
+        for (double& target : second.targets)
+            target /= 2.0;
+        const auto kept = figuresToKeep(record, {});
+        QCOMPARE(kept->lesserRange->after.last, second.targets.back());
+        const std::string said = sentenceOf(record);
+        QVERIFY2(said.starts_with("measured 2026-11-24: accuracy A 14.300 um before, 3.200 um "
+                                  "after; first measurement from -20 to 20 mm, second one from -10 "
+                                  "to 10 mm: over a shorter travel"),
+            said.c_str());
+        QCOMPARE(measuredFiguresCell(*kept).english(),
+            std::string("A 3.200 um, 14.300 um before, over part of the travel"));
+    }
+
     void aToleranceThatIsMissedByLittleReadsSo()
     {
         CalibrationRecord record = writtenRecord();

@@ -61,6 +61,23 @@ private Q_SLOTS:
         QVERIFY(std::abs(*figuresBy(*content, measurement)[Iso230Figure::M].value - 16e-4) < 1e-9);
     }
 
+    /// Also where nothing is measured again, as programs before this one kept it.
+    void aSecondMeasurementOverLessOfTheAxisIsSaid()
+    {
+        CalibrationRecord record = plainRecord();
+        record.after = {RecordedAfter{*record.before, {}}};
+        auto content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QVERIFY(content->warnings.empty());
+        for (double& target : record.after[0].measurement.files[0].measurement.targets)
+            target += 1000.0;
+        content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->warnings.size(), std::size_t{1});
+        const std::string said = content->warnings[0].english();
+        QVERIFY2(said.find("second one from 10") != std::string::npos, said.c_str());
+    }
+
     void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable_data()
     {
         using Change = std::function<void(CalibrationRecord&)>;

@@ -228,6 +228,25 @@ private Q_SLOTS:
             QStringLiteral("5 targets from 15 to 55.8 mm, means ↑, no means ↓"));
     }
 
+    void aWarningStandsBesideTheOutcome()
+    {
+        ReportContent content = wholeContent();
+        content.warnings = {words("measured over less of the axis")};
+        const QStringList texts = textsOf(htmlOf(content));
+        const auto warning =
+            texts.indexOf(QStringLiteral("Warning: measured over less of the axis."));
+        QVERIFY(warning > 0 && warning < texts.indexOf(QStringLiteral("Measurements")));
+    }
+
+    /// To one scale: from 15 to 111.6 mm, of which the first one measured 15 to 55.8.
+    void bothPlotsHaveTheSamePositions()
+    {
+        ReportContent content = wholeContent();
+        for (double& target : content.after->measurement.targets)
+            target *= 2.0;
+        QCOMPARE(textsOf(htmlOf(content)).count(QStringLiteral("100")), qsizetype{2});
+    }
+
     void temperaturesOfTheValuesAreToldByTheirRange()
     {
         ReportContent content = wholeContent();
