@@ -144,6 +144,18 @@ std::string measuredStateText(const MeasuredState& state)
     return state.tableCrc ? "crc:" + crcText(*state.tableCrc) : "on";
 }
 
+std::vector<double> targetsWithoutValues(const Measurement& measurement)
+{
+    std::vector<bool> isMeasured(measurement.targets.size());
+    for (const RunValue& value : measurement.values)
+        isMeasured[value.target] = true;
+    std::vector<double> targets;
+    for (std::size_t i = 0; i < isMeasured.size(); ++i)
+        if (!isMeasured[i])
+            targets.push_back(measurement.targets[i]);
+    return targets;
+}
+
 std::span<const RunValue> valuesAt(
     const Measurement& measurement, Approach direction, std::size_t target)
 {

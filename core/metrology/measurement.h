@@ -131,7 +131,7 @@ struct Measurement {
     bool isAngular = false; ///< positions and values are degrees
     MeasurementHeader header;
     std::vector<std::string> notes; ///< everything else that the file says
-    std::vector<double> targets; ///< ascending, of runs and averages
+    std::vector<double> targets; ///< ascending, of runs and averages; also those without a value
     std::vector<RunValue> values; ///< sorted by direction, target, run
     std::vector<TrackSample> track; ///< in the order of the file
     MeasuredPoints points;
@@ -187,6 +187,10 @@ struct TwoRanges {
 [[nodiscard]] std::vector<double> distinctTargets(std::vector<double> positions);
 /// The target nearest to a position. Not for an empty list.
 [[nodiscard]] std::size_t targetIndex(const std::vector<double>& targets, double position);
+
+/// Those that were planned and never measured, ascending: they have no value at all, neither in use
+/// nor left out.
+[[nodiscard]] std::vector<double> targetsWithoutValues(const Measurement& measurement);
 
 /// The values of a target in one direction, by run. In a measurement whose values stand in order.
 [[nodiscard]] std::span<const RunValue> valuesAt(

@@ -188,6 +188,8 @@ std::vector<RawRunValue> Reader::values()
     if (!unit || !valueUnit || !areSameKind(*unit, *valueUnit, m_diagnostics))
         return {};
     m_measurement.isAngular = unit->isAngular;
+    for (const auto& [number, target] : m_targets)
+        m_measurement.targets.push_back(target * unit->factor);
     std::vector<RawRunValue> values;
     for (const Reading& reading : m_readings) {
         const auto target = m_targets.find(reading.target);

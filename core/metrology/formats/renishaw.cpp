@@ -428,6 +428,8 @@ std::vector<RawRunValue> Reader::values()
     m_measurement.isAngular = targetUnit->isAngular;
     const double ofType = isRta ? 1e-3 * 180.0 / std::numbers::pi : 1e-3;
     const double factor = m_options.valueUnit.empty() ? ofType : valueUnit->factor;
+    for (const double target : m_targets)
+        m_measurement.targets.push_back(target * targetUnit->factor);
     // Targets whose order falls with their number turn every run round.
     const bool isFalling = m_targets.size() > 1 && m_targets.back() < m_targets.front();
     std::map<std::int64_t, std::vector<Deviation>> runs;

@@ -10,6 +10,7 @@
 #include <map>
 #include <new>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 namespace axiscomp {
@@ -116,6 +117,7 @@ private:
     void takeReferences(std::vector<RawRunValue>& values);
     [[nodiscard]] bool checkEncoder(std::span<const RawRunValue> values);
     bool findTargets(const std::vector<RawRunValue>& values);
+    [[nodiscard]] bool checkFinite(double number, std::size_t line);
     void countRuns();
     void checkDuplicates();
     void checkCompleteness();
@@ -187,28 +189,38 @@ bool Assembly::checkEncoder(std::span<const RawRunValue> values)
     return false;
 }
 
+bool Assembly::checkFinite(double number, std::size_t line)
+{
+    if (std::isfinite(number))
+        return true;
+    m_diagnostics.error(DiagnosticCode::NotFinite, line, 0, {},
+        AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
+    return false;
+}
+
+/// Those that were planned stay where no value was measured: they are missing in every run.
 bool Assembly::findTargets(const std::vector<RawRunValue>& values)
 {
     std::vector<double> positions;
-    double largest = 0.0;
     for (const RawRunValue& raw : values) {
+        for (const double number : {2.0 * raw.target, raw.value.deviation,
+                 raw.value.encoder.value_or(0.0), raw.value.output.value_or(0.0)})
+            if (!checkFinite(number, raw.value.line))
+                return false;
         positions.push_back(raw.target);
-        largest = std::max(largest, std::abs(raw.target));
-        const bool isFinite = std::isfinite(raw.target) && std::isfinite(raw.value.deviation)
-            && std::isfinite(raw.value.encoder.value_or(0.0))
-            && std::isfinite(raw.value.output.value_or(0.0)) && std::isfinite(2.0 * largest);
-        if (isFinite)
-            continue;
-        m_diagnostics.error(DiagnosticCode::NotFinite, raw.value.line, 0, {},
-            AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
-        return false;
     }
+    for (const double planned : m_measurement.targets)
+        if (!checkFinite(2.0 * planned, 0))
+            return false;
+    positions.insert(positions.end(), m_measurement.targets.begin(), m_measurement.targets.end());
     m_measurement.targets = distinctTargets(std::move(positions));
-    const std::vector<double>& targets = m_measurement.targets;
-    if (targets.size() >= 2)
+    std::set<std::size_t> measured;
+    for (const RawRunValue& raw : values)
+        measured.insert(targetIndex(m_measurement.targets, raw.target));
+    if (measured.size() >= 2)
         return true;
     m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
-        AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", targets.size()),
+        AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", measured.size()),
         AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
     return false;
 }

@@ -17,7 +17,8 @@ struct RawRunValue {
 
 /// Puts the values of a file together: finds the targets, counts runs, and looks for everything
 /// that can be wrong with runs, whatever the format. measurement has kind, header and notes
-/// already. Without errors it is complete.
+/// already, and as targets those that were planned, in any order, where the file names targets
+/// without values. Without errors it is complete.
 void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions& options,
     Measurement& measurement, DiagnosticList& diagnostics);
 

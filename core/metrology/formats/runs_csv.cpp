@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, 7> rules{
     "A deviation is the reference position minus the target: positive when the axis went too far.",
     "Units stand in brackets behind the name, or are stated with --unit and --value-unit.",
     "run counts from 1 for each direction. Without the column, the n-th line of a target and "
-    "direction is its run n.",
+    "direction is its run n. With the column, an empty deviation or reference is a value that is "
+    "missing.",
     "Comments // KEY: VALUE say what was measured: machine, axis, instrument, serial, operator, "
     "date, feed, dwell, drive (its name, then \"serial number\" and the number), compensation "
     "(off, on, or crc: and the checksum of the table), air "
@@ -165,7 +166,12 @@ std::optional<RawRunValue> Reader::readLine()
     raw.value.line = m_csv.line();
     raw.value.run = 0;
     const auto target = m_csv.number(m_target);
-    const auto number = m_csv.number(m_value);
+    // Where runs are counted by their lines, what is missing would change their numbers.
+    const bool isMissing =
+        m_run != 0 && !m_options.takesDirectionFromOrder && m_csv.isEmpty(m_value);
+    if (isMissing && target)
+        m_measurement.targets.push_back(*target * m_targetFactor);
+    const auto number = isMissing ? std::nullopt : m_csv.number(m_value);
     const bool hasDirection = m_options.takesDirectionFromOrder || readDirection(raw.value);
     const bool hasRun = m_options.takesDirectionFromOrder || readRun(raw.value);
     readFurther(raw.value);

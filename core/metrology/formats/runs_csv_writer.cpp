@@ -80,6 +80,10 @@ std::string writeRunsCsv(const Measurement& measurement)
             text += value.isUsed ? ",1" : ",0";
         text += '\n';
     }
+    // Otherwise the figures of the written file would be those of a measurement without them.
+    for (const double target : targetsWithoutValues(measurement))
+        text += shortestText(target) + ",+,1,"
+            + std::string(further.size() + (marksUse ? 1 : 0), ',') + "\n";
     return text;
 }
 

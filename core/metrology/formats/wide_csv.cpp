@@ -170,6 +170,8 @@ std::vector<RawRunValue> valuesOf(std::string_view text, const MeasurementReadOp
     while (csv.next()) {
         warnOfDoubtful(doubtful, csv, diagnostics);
         const auto position = csv.number(target);
+        if (position)
+            measurement.targets.push_back(*position * targetUnit->factor);
         for (const RunColumn& column : columns) {
             const auto number = csv.optionalNumber(column.column);
             if (!position || !number)

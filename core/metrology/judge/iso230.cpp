@@ -235,6 +235,9 @@ Iso230Figures iso230Figures(const Measurement& measurement)
         result.targets.push_back(targets[i]);
     }
     judgeAxis(result);
+    if (!targetsWithoutValues(measurement).empty())
+        for (AxisFigure& figure : result.axis)
+            figure.value.reset();
     return result;
 }
 

@@ -88,7 +88,8 @@ struct Iso230Figures {
 
 /// Of the values in use of a measurement with targets. A figure that needs values that are not
 /// there is not defined: with a single value somewhere s, R and A; with one direction alone B, its
-/// mean, M, E, R and A; of a direction that lacks a target everything.
+/// mean, M, E, R and A; of a direction that lacks a target everything, so that with a target that
+/// was planned and never measured there are none.
 [[nodiscard]] Iso230Figures iso230Figures(const Measurement& measurement);
 
 /// The figures of an axis alone. Nothing: not defined.

@@ -287,6 +287,78 @@ private Q_SLOTS:
         QCOMPARE(reading.diagnostics.front().severity, Severity::Warning);
     }
 
+    void aTargetWithoutAnyValueIsMissing_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        const auto row = [](const char* format, const std::string& text) {
+            QTest::newRow(format) << QString::fromLatin1(format) << QByteArray::fromStdString(text);
+        };
+        row("wide",
+            "// values: deviation\ntarget [mm],up1 [um],up2 [um],down1 [um],down2 [um]\n"
+            "0,0,1,2,3\n10,5,6,7,8\n20,,,,\n30,9,10,11,12\n");
+        row("renishaw",
+            rtlOf("Target-count: 4\nTargets : 0 10 20 30\n",
+                "1 1 0\n1 2 5\n1 4 9\n2 4 11\n2 2 7\n2 1 2\n"
+                "3 1 1\n3 2 6\n3 4 10\n4 4 12\n4 2 8\n4 1 3\n"));
+        std::string ecmc = "CYCLES=2\nPOSITIONS=4\nTGT_DATA[1]=0\nTGT_DATA[2]=10\nTGT_DATA[3]=20\n"
+                           "TGT_DATA[4]=30\n";
+        for (const char* const direction : {"FWD", "BWD"})
+            for (const char* const cycle : {"1", "2"})
+                for (const auto& [number, position] :
+                    {std::pair("1", "0.001"), std::pair("2", "10.002"), std::pair("4", "30.003")})
+                    ecmc += std::string("REF_DATA_") + direction + "[" + number + "," + cycle
+                        + "]=" + position + "\n";
+        row("ecmc", ecmc);
+        row("runs",
+            head
+                + "0,+,1,0\n10,+,1,5\n20,+,1,\n30,+,1,9\n0,+,2,1\n10,+,2,6\n30,+,2,10\n"
+                  "0,-,1,2\n10,-,1,7\n30,-,1,11\n0,-,2,3\n10,-,2,8\n30,-,2,12\n");
+    }
+    void aTargetWithoutAnyValueIsMissing()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        const MeasurementReading reading = test::readAs(format.toStdString(), text.toStdString());
+        VERIFY_MEASUREMENT(reading);
+        const QByteArrayList found = test::describe(reading);
+        QVERIFY2(found.size() == 2
+                && found[0].startsWith(
+                    "0:0 IncompleteRuns no value for up:3:1, up:3:2 (2 are missing)|")
+                && found[1].startsWith(
+                    "0:0 IncompleteRuns no value for down:3:1, down:3:2 (2 are missing)|"),
+            found.join('\n').constData());
+        // The numbers of the others are those of the file, and so it is when it is written.
+        const Measurement& measurement = *reading.measurement;
+        QCOMPARE(measurement.targets, (std::vector<double>{0.0, 10.0, 20.0, 30.0}));
+        const auto again = test::readAs("runs", writeRunsCsv(measurement));
+        VERIFY_MEASUREMENT(again);
+        QCOMPARE(again.measurement->targets, measurement.targets);
+        for (const AxisFigure& figure : iso230Figures(measurement).axis)
+            QVERIFY(!figure.value);
+        QCOMPARE(iso230Figures(measurement).targets.size(), std::size_t{3});
+    }
+
+    /// Where runs are counted by their lines, an empty cell would change their numbers.
+    void aMissingValueOfARunWithoutANumberIsRefused()
+    {
+        const auto reading = test::readAs(
+            "runs", "target [mm],direction,deviation [um]\n0,+,1\n9,+,\n0,+,2\n9,+,1\n");
+        QVERIFY(!reading.measurement);
+        QVERIFY(test::describe(reading).front().startsWith("3:3 NotANumber"));
+    }
+
+    /// What is left out by a person is another thing: the figures are those of the others.
+    void aTargetThatIsLeftOutLeavesTheFiguresOfTheOthers()
+    {
+        auto reading =
+            test::readAs("runs", head + "0,+,1,1\n9,+,1,2\n20,+,1,5\n20,-,1,5\n9,-,1,2\n0,-,1,1\n");
+        VERIFY_MEASUREMENT(reading);
+        for (RunValue& value : reading.measurement->values)
+            value.isUsed = value.target != 2;
+        QVERIFY(iso230Figures(*reading.measurement)[Iso230Figure::M].value.has_value());
+    }
+
     void aWrongScaleIsExplained_data()
     {
         QTest::addColumn<double>("factor");
