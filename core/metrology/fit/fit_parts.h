@@ -71,15 +71,27 @@ struct AxisNames {
 /// Tracks, and points of two or three axes.
 [[nodiscard]] Result<FitReport> fitScattered(const FitInput& input);
 
+/// What is between what was measured and what the drive will add, so that the sentence adds up.
+struct TakenOut {
+    double removed = 0.0; ///< for what the next three say
+    bool hasZero = true; ///< part of it is for the zero of the table
+    bool hasSlope = false;
+    bool hasBody = false; ///< part of it is how the artefact lay
+    double evened = 0.0; ///< beside it: by a gain, averages, smoothing, the points of a grid
+};
+/// removed: with what is part of it.
+[[nodiscard]] TakenOut takenOut(double measured, double added, TakenOut removed);
+/// Nothing: both are the same.
+[[nodiscard]] std::optional<Text> takenOutText(const TakenOut& taken, bool isAngular);
+
 /// The same of the values of an axis beside its own encoder, at a position of others.
 struct SignBeside {
     std::vector<Text> position; ///< of each axis
     double measured = 0.0;
     double correction = 0.0; ///< what corrections have put to it
     std::string table;
-    double removed = 0.0;
+    TakenOut removed = {}; ///< without what was evened
     double added = 0.0;
-    bool isBodyRemoved = false; ///< part of what was removed is how the artefact lay
 };
 [[nodiscard]] Text positionAlong(const std::string& axis, double position, bool isAngular);
 [[nodiscard]] Text signBeside(SignBeside sign, bool isAngular);

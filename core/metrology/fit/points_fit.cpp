@@ -373,9 +373,10 @@ Text signOf(const FitInput& input, const Scatter& scatter, const FittedTable& ma
     for (std::size_t axis = 0; axis < scatter.dimensions(); ++axis)
         position.push_back(
             positionAlong(scatter.axes[axis], scatter.positions[axis][largest], isAngular));
+    const bool hasBody = input.settings.remove != BodyRemoval::None;
     return signBeside({std::move(position), column.read[largest], 0.0, made.table.name,
-                          column.body[largest] + made.removedConstant, lookup.at(place(largest)),
-                          input.settings.remove != BodyRemoval::None},
+                          {column.body[largest] + made.removedConstant, true, false, hasBody},
+                          lookup.at(place(largest))},
         isAngular);
 }
 
@@ -476,26 +477,57 @@ Argument readAndCorrected(Quantity read, Quantity corrected)
         .with("corrected", std::move(corrected));
 }
 
+TakenOut takenOut(double measured, double added, TakenOut removed)
+{
+    constexpr double unseen = 1e-3; // of what is added: less is the rounding of the numbers
+    removed.evened = measured - removed.removed - added;
+    if (std::abs(removed.evened) <= unseen * std::abs(added))
+        removed.evened = 0.0;
+    return removed;
+}
+
+std::optional<Text> takenOutText(const TakenOut& taken, bool isAngular)
+{
+    if (taken.removed == 0.0 && taken.evened == 0.0)
+        return std::nullopt;
+    const Quantity evened = fineQuantity(taken.evened, isAngular);
+    if (taken.removed == 0.0)
+        return AXISCOMP_TEXT(
+            "Measurement", "{evened} was taken out by gain, averaging, smoothing or grid")
+            .with("evened", evened);
+    const TextPattern pattern = taken.hasBody
+        ? AXISCOMP_TEXT("Measurement",
+            "{removed} was taken out for how the artefact lay and for the zero of the table")
+        : taken.hasSlope && !taken.hasZero
+        ? AXISCOMP_TEXT("Measurement", "{removed} was taken out for the slope")
+        : taken.hasSlope
+        ? AXISCOMP_TEXT(
+            "Measurement", "{removed} was taken out for the slope and the zero of the table")
+        : AXISCOMP_TEXT("Measurement", "{removed} was taken out for the zero of the table");
+    Text removed = pattern.with("removed", fineQuantity(taken.removed, isAngular));
+    if (taken.evened == 0.0)
+        return removed;
+    return AXISCOMP_TEXT(
+        "Measurement", "{removed}, and {evened} by gain, averaging, smoothing or grid")
+        .with("removed", std::move(removed))
+        .with("evened", evened);
+}
+
 Text signBeside(SignBeside sign, bool isAngular)
 {
-    const TextPattern pattern = sign.removed == 0.0
-        ? AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; the drive "
-            "will add {added}")
-        : !sign.isBodyRemoved
-        ? AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
-            "was taken out for the zero of the table, so the drive will add {added}")
-        : AXISCOMP_TEXT("Measurement",
-            "at {position} the reference was {measured} beside the encoder in {table}; {removed} "
-            "was taken out for how the artefact lay and for the zero of the table, so the drive "
-            "will add {added}");
+    auto taken = takenOutText(takenOut(sign.measured, sign.added, sign.removed), isAngular);
+    const TextPattern pattern = taken ? AXISCOMP_TEXT("Measurement",
+                                    "at {position} the reference was {measured} beside the encoder "
+                                    "in {table}; {taken}, so the drive will add {added}")
+                                      : AXISCOMP_TEXT("Measurement",
+                                          "at {position} the reference was {measured} beside the "
+                                          "encoder in {table}; the drive will add {added}");
     return pattern.with("position", std::move(sign.position))
         .with("measured",
             readAndCorrected(fineQuantity(sign.measured - sign.correction, isAngular),
                 fineQuantity(sign.measured, isAngular)))
         .with("table", std::move(sign.table))
-        .with("removed", fineQuantity(sign.removed, isAngular))
+        .with("taken", std::move(taken).value_or(Text()))
         .with("added", fineQuantity(sign.added, isAngular));
 }
 

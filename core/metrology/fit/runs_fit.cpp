@@ -543,6 +543,29 @@ double correctionAt(const FitInput& input, const FitKnot& knot)
     return corrections.at(measurement.values[index].target);
 }
 
+TextPattern patternOfRuns(const FitKnot& knot, bool isTakenOut)
+{
+    if (knot.hasUnequalRuns)
+        return isTakenOut
+            ? AXISCOMP_TEXT("Measurement",
+                "where the encoder reads {reading} the reference said {reference}, the mean of "
+                "both directions with {count} values; {taken}, so the drive will add {added}")
+            : AXISCOMP_TEXT("Measurement",
+                "where the encoder reads {reading} the reference said {reference}, the mean of "
+                "both directions with {count} values; the drive will add {added}");
+    return isTakenOut
+        ? AXISCOMP_COUNTED("Measurement",
+            "where the encoder reads {reading} the reference said {reference} on average of "
+            "{count} values; {taken}, so the drive will add {added}",
+            "where the encoder reads {reading} the reference said {reference}, measured once; "
+            "{taken}, so the drive will add {added}")
+        : AXISCOMP_COUNTED("Measurement",
+            "where the encoder reads {reading} the reference said {reference} on average of "
+            "{count} values; the drive will add {added}",
+            "where the encoder reads {reading} the reference said {reference}, measured once; the "
+            "drive will add {added}");
+}
+
 } // namespace
 
 Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTable& table)
@@ -554,7 +577,8 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
         if (std::abs(lookup.at(knot.position)) > std::abs(lookup.at(largest->position)))
             largest = &knot;
     const double added = lookup.at(largest->position);
-    const double removed = fit.removed.constant + fit.removed.slope * largest->position;
+    const TakenOut removed{fit.removed.constant + fit.removed.slope * largest->position,
+        fit.removed.constant != 0.0, fit.removed.slope != 0.0};
     const bool isEncoder = input.lookupAt == LookupAt::Encoder;
     // With gain 1 the value of a knot leads from the raw position to the reference.
     double whole = largest->value;
@@ -577,24 +601,14 @@ Text signOfRuns(const FitInput& input, const TableFit& fit, const CompensationTa
     Quantity signedAmount = fineQuantity(added, isAngular);
     if (added > 0.0)
         signedAmount.digits = "+" + signedAmount.digits;
-    const TextPattern pattern = removed == 0.0
-        ? AXISCOMP_COUNTED("Measurement",
-            "where the encoder reads {reading} the reference said {reference} on average of "
-            "{count} values; the drive will add {added}",
-            "where the encoder reads {reading} the reference said {reference}, measured once; the "
-            "drive will add {added}")
-        : AXISCOMP_COUNTED("Measurement",
-            "where the encoder reads {reading} the reference said {reference} on average of "
-            "{count} values; {removed} was taken out for the zero of the table, so the drive will "
-            "add {added}",
-            "where the encoder reads {reading} the reference said {reference}, measured once; "
-            "{removed} was taken out for the zero of the table, so the drive will add {added}");
-    return pattern.with("reading", placeOf(reading, isAngular))
+    auto taken = takenOutText(takenOut(whole, added, removed), isAngular);
+    return patternOfRuns(*largest, taken.has_value())
+        .with("reading", placeOf(reading, isAngular))
         .with("reference",
             readAndCorrected(
                 placeOf(reference - correction, isAngular), placeOf(reference, isAngular)))
         .with("count", static_cast<std::int64_t>(largest->weight))
-        .with("removed", fineQuantity(removed, isAngular))
+        .with("taken", std::move(taken).value_or(Text()))
         .with("added", std::move(signedAmount));
 }
 

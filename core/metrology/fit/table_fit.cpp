@@ -92,8 +92,9 @@ Result<std::vector<FitKnot>> meansOf(
         const double down = needsDown ? plainMean(target.down) : up;
         const std::size_t count =
             (needsUp ? target.up.size() : 0) + (needsDown ? target.down.size() : 0);
-        knots.push_back(
-            {target.target, target.target, 0.5 * (up + down), static_cast<double>(count)});
+        const bool isUnequal = needsUp && needsDown && target.up.size() != target.down.size();
+        knots.push_back({target.target, target.target, 0.5 * (up + down),
+            static_cast<double>(count), isUnequal});
     }
     return knots;
 }

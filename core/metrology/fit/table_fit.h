@@ -99,6 +99,9 @@ struct FitKnot {
     double position = 0.0;
     double value = 0.0; ///< what the table should say there, before slope and zero
     double weight = 1.0; ///< number of values
+    /// Of both directions, and not as many in each: the mean of both means is not that of all
+    /// values.
+    bool hasUnequalRuns = false;
 };
 
 struct TableFit {

@@ -712,6 +712,69 @@ private Q_SLOTS:
             report->sign.english().c_str());
     }
 
+    /// Whoever adds the numbers up finds the last one.
+    void theSignSentenceNamesTheSlopeThatWasTakenOut()
+    {
+        const Measurement runs = runsOver(
+            0.0, 10.0, 11, [](double u) { return 0.0005 + 1e-5 * u + (u == 60.0 ? 0.002 : 0.0); });
+        FitSettings settings = keeping();
+        settings.slope = SlopeRemoval::LeastSquares;
+        const auto signOf = [&] {
+            const auto report = fitMeasurement(runs, settings, measuredOff());
+            return report ? report->sign.english() : sentence(report.error());
+        };
+        const std::string kept = signOf();
+        QVERIFY2(kept.find(" was taken out for the slope") != std::string::npos, kept.c_str());
+        settings.zero = FitZero::First;
+        const std::string sign = signOf();
+        QVERIFY2(sign.find(" was taken out for the slope and the zero of the table, so the drive "
+                           "will add ")
+                != std::string::npos,
+            sign.c_str());
+    }
+
+    /// Up 1 and 1 um, down 4 um: the mean of the three is 2 um, and that of both directions 2.5 um.
+    void theSignSentenceSaysOfWhichMeansTheReferenceIs()
+    {
+        Measurement runs;
+        runs.targets = {0.0, 10.0, 20.0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            runs.values.push_back({i, Approach::Up, 1, i == 1 ? 0.001 : 0.0});
+            runs.values.push_back({i, Approach::Up, 2, i == 1 ? 0.001 : 0.0});
+            runs.values.push_back({i, Approach::Down, 1, i == 1 ? 0.004 : 0.0});
+        }
+        sortValues(runs.values);
+        const auto report = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY2(report->sign.english().find(
+                     "where the encoder reads 10 mm the reference said 10.0025 mm, the mean of "
+                     "both directions with 3 values; the drive will add +2.500 um")
+                != std::string::npos,
+            report->sign.english().c_str());
+    }
+
+    /// Half a um beside each other in both directions: one sample is not what the table has.
+    void theSignSentenceOfATrackAddsUp()
+    {
+        Measurement track;
+        track.kind = MeasurementKind::Track;
+        for (int i = 0; i <= 100; ++i)
+            track.track.push_back(
+                {.encoder = 2.0 * i, .reference = 2.0 * i + 1e-5 * i, .direction = Approach::Up});
+        for (int i = 100; i >= 0; --i)
+            track.track.push_back({.encoder = 2.0 * i,
+                .reference = 2.0 * i + 1e-5 * i - 0.0005,
+                .direction = Approach::Down});
+        FitSettings settings = keeping();
+        settings.grid = {{.points = 5}};
+        const auto report = fitMeasurement(track, settings, measuredOff());
+        VERIFY_RESULT(report);
+        QVERIFY2(report->sign.english().find(
+                     "was taken out by gain, averaging, smoothing or grid, so the drive will add ")
+                != std::string::npos,
+            report->sign.english().c_str());
+    }
+
     /// 5 K too warm: 100.001 mm as read are 100.001 / (1 + 57.5e-6) at 20 deg C. The sentence is
     /// compared with the machine, which shows what was read.
     void theSignSentenceNamesTheReferenceBeforeCorrections()
