@@ -243,7 +243,8 @@ void Reader::checkValues()
             std::vector<double> reference = values;
             for (std::size_t i = 0; i < reference.size(); ++i)
                 reference[i] += encoder[i];
-            checkInstrumentScale(encoder, reference, m_options, m_diagnostics);
+            checkInstrumentScale(
+                {encoder, reference, m_measurement.isAngular}, m_options, m_diagnostics);
         }
         if (!m_diagnostics.hasErrors())
             checkValueSizes({.positions = m_points.positions,

@@ -82,6 +82,20 @@ std::optional<double> wrongSlope(std::span<const double> x, std::span<const doub
     return slope && std::abs(*slope - 1.0) > scaleTolerance ? slope : std::nullopt;
 }
 
+/// Whether the reference is beside the axis but for whole turns: 359.9999 for 0.
+bool isWholeTurnsAway(std::span<const double> encoder, std::span<const double> reference)
+{
+    constexpr double turn = 360.0;
+    bool hasTurns = false;
+    for (std::size_t i = 0; i < encoder.size(); ++i) {
+        const double turns = std::round((reference[i] - encoder[i]) / turn);
+        if (!(std::abs(reference[i] - turns * turn - encoder[i]) <= scaleTolerance * turn))
+            return false;
+        hasTurns = hasTurns || turns != 0.0;
+    }
+    return hasTurns;
+}
+
 Text scaleExplanation(double slope, bool isInverted)
 {
     if (std::abs(slope + 1.0) < scaleTolerance && isInverted)
@@ -163,7 +177,8 @@ void Assembly::takeReferences(std::vector<RawRunValue>& values)
     if (!values.empty())
         checkStatedValues(m_options, !reference.empty(), m_diagnostics);
     if (checkEncoder(values) && !reference.empty())
-        checkInstrumentScale(encoder, reference, m_options, m_diagnostics);
+        checkInstrumentScale(
+            {encoder, reference, m_measurement.isAngular}, m_options, m_diagnostics);
 }
 
 /// Raw positions of another unit or sign would go into the table whole. A reference is not compared
@@ -343,16 +358,21 @@ void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions&
         Assembly(options, measurement, diagnostics).run(std::move(values));
 }
 
-void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
-    const MeasurementReadOptions& options, DiagnosticList& diagnostics)
+void checkInstrumentScale(const FollowedPositions& positions, const MeasurementReadOptions& options,
+    DiagnosticList& diagnostics)
 {
-    const auto slope = wrongSlope(encoder, reference);
+    const auto slope = wrongSlope(positions.encoder, positions.reference);
     if (!slope)
         return;
+    const bool isTurn =
+        positions.areAngles && isWholeTurnsAway(positions.encoder, positions.reference);
     diagnostics.error(DiagnosticCode::InstrumentScale, 0, 0,
         AXISCOMP_TEXT("Error", "the reference moves {slope} times as far as the axis")
             .with("slope", Quantity{shortNumber(*slope)}),
-        scaleExplanation(*slope, options.invertsReference));
+        isTurn ? Text(AXISCOMP_TEXT("Error",
+            "1; some values are whole turns away, since the instrument begins again at "
+            "360 deg: let it count on, or write -0.0001 in place of 359.9999 in the file"))
+               : scaleExplanation(*slope, options.invertsReference));
 }
 
 std::optional<MeasurementUnit> unitOfFormat(std::string_view what, const std::string& stated,

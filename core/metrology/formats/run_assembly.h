@@ -22,11 +22,16 @@ struct RawRunValue {
 void assembleRuns(std::vector<RawRunValue> values, const MeasurementReadOptions& options,
     Measurement& measurement, DiagnosticList& diagnostics);
 
+/// Positions of the same moments, in mm or deg.
+struct FollowedPositions {
+    std::span<const double> encoder;
+    std::span<const double> reference; ///< inverted already where the options say it
+    bool areAngles = false;
+};
 /// The reference must follow the encoder one to one, within 1 % (least squares); anything else is
-/// InstrumentScale, with what would explain it. Positions in the same unit; reference: inverted
-/// already where the options say it.
-void checkInstrumentScale(std::span<const double> encoder, std::span<const double> reference,
-    const MeasurementReadOptions& options, DiagnosticList& diagnostics);
+/// InstrumentScale, with what would explain it.
+void checkInstrumentScale(const FollowedPositions& positions, const MeasurementReadOptions& options,
+    DiagnosticList& diagnostics);
 
 /// Values at positions along one or more axes, all in one unit.
 struct SizedValues {

@@ -177,7 +177,7 @@ void Reader::finish(std::vector<TrackSample> samples)
         encoder.push_back(one.encoder);
         reference.push_back(one.reference);
     }
-    checkInstrumentScale(encoder, reference, m_options, m_diagnostics);
+    checkInstrumentScale({encoder, reference, m_measurement.isAngular}, m_options, m_diagnostics);
     if (m_direction == 0) {
         const double overrun = m_options.overrun > 0.0 ? m_options.overrun : 0.01 * range;
         const std::size_t dropped = takeDirections(samples, overrun);

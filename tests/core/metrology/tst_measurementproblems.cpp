@@ -390,6 +390,27 @@ private Q_SLOTS:
         QCOMPARE(measurementError("m.csv", reading).code, ErrorCode::InstrumentScale);
     }
 
+    /// Approached from below, the target 0 is at 359.9999 for an instrument that counts one turn.
+    void anInstrumentThatBeginsAgainAfterATurnIsNamed()
+    {
+        const auto explanationOf = [](const std::string& first, const std::string& unit) {
+            std::string text = "target [" + unit + "],direction,run,reference [" + unit
+                + "]\n0,+,1," + first + "\n";
+            for (int i = 1; i < 12; ++i)
+                text += std::to_string(30 * i) + ",+,1," + std::to_string(30 * i) + ".0001\n";
+            const MeasurementReading reading = test::readAs("runs", text);
+            return reading.measurement ? QByteArray() : test::describe(reading).front();
+        };
+        const QByteArray turn = "since the instrument begins again at 360 deg: let it count on";
+        QVERIFY2(explanationOf("359.9999", "deg").contains(turn),
+            explanationOf("359.9999", "deg").constData());
+        // Of another value, or of a length, it is no turn.
+        for (const QByteArray& other :
+            {explanationOf("300", "deg"), explanationOf("359.9999", "mm")})
+            QVERIFY2(other.contains("InstrumentScale") && !other.contains(turn), other.constData());
+        QVERIFY(explanationOf("-0.0001", "deg").isEmpty());
+    }
+
     void anEncoderOfAnotherUnitThanTheTargetsIsRefused_data()
     {
         QTest::addColumn<double>("factor");
