@@ -18505,6 +18505,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>at the set position %1 the drive will add %2</source>
         <translation>an der Sollposition %1 wird der Antrieb %2 addieren</translation>
     </message>
+    <message>
+        <source>where the encoder reads %1, the drive will add %2</source>
+        <translation>wo der Geber %1 anzeigt, wird der Antrieb %2 addieren</translation>
+    </message>
+    <message>
+        <source>at %1 the drive will add %2</source>
+        <translation>bei %1 wird der Antrieb %2 addieren</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::SliceGallery</name>

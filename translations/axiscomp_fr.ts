@@ -18505,6 +18505,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>at the set position %1 the drive will add %2</source>
         <translation>à la position de consigne %1, le variateur ajoutera %2</translation>
     </message>
+    <message>
+        <source>where the encoder reads %1, the drive will add %2</source>
+        <translation>là où le codeur indique %1, le variateur ajoutera %2</translation>
+    </message>
+    <message>
+        <source>at %1 the drive will add %2</source>
+        <translation>à %1, le variateur ajoutera %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::SliceGallery</name>

@@ -18451,6 +18451,14 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <source>at the set position %1 the drive will add %2</source>
         <translation>指令位置 %1 で、ドライブは %2 を加算します</translation>
     </message>
+    <message>
+        <source>where the encoder reads %1, the drive will add %2</source>
+        <translation>エンコーダが %1 のとき、ドライブは %2 を加算します</translation>
+    </message>
+    <message>
+        <source>at %1 the drive will add %2</source>
+        <translation>%1 で、ドライブは %2 を加算します</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::SliceGallery</name>

@@ -18451,6 +18451,14 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source>at the set position %1 the drive will add %2</source>
         <translation>在给定位置 %1 处，驱动器将叠加 %2</translation>
     </message>
+    <message>
+        <source>where the encoder reads %1, the drive will add %2</source>
+        <translation>编码器读数为 %1 处，驱动器将叠加 %2</translation>
+    </message>
+    <message>
+        <source>at %1 the drive will add %2</source>
+        <translation>在 %1 处，驱动器将叠加 %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::SliceGallery</name>

@@ -3,6 +3,7 @@
 
 #include "core/compensator/file_kind.h"
 #include "core/drive/drive_profile.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/write/lookup_side.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/machine_controller.h"
@@ -359,15 +360,24 @@ void CompensationWizard::Private::tellDrive()
 void CompensationWizard::Private::useTable(
     const std::shared_ptr<const FitOutcome>& outcome, std::size_t table)
 {
-    using Calibration = std::shared_ptr<const CalibrationRecord>;
-    const auto begun = inBackground<Calibration>([outcome] { return calibrationOf(*outcome); });
-    whenDone(begun, &q, [this, outcome, table](const Calibration& calibration) {
+    struct Begun {
+        std::shared_ptr<const CalibrationRecord> calibration;
+        bool isComputed = false;
+    };
+    const auto begun = inBackground<Begun>([outcome] {
+        auto calibration = calibrationOf(*outcome);
+        const bool isComputed = calibration && !isReferenceReadAtLargest(*calibration);
+        return Begun{std::move(calibration), isComputed};
+    });
+    whenDone(begun, &q, [this, outcome, table](const Begun& made) {
         // Another record may be there by now: the table is of none of its files.
         if (outcome->request.record.files != record.record().files)
             return;
-        if (!calibration || !controller.useTables(madeTables(*outcome, table)))
+        MadeTables tables = madeTables(*outcome, table);
+        tables.isComputed = made.isComputed;
+        if (!made.calibration || !controller.useTables(tables))
             return;
-        record.setCalibration(calibration);
+        record.setCalibration(made.calibration);
         page->tabs->setCurrentIndex(PageTabs::Write);
     });
 }

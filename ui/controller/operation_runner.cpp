@@ -131,6 +131,7 @@ void OperationRunner::planWrite()
     if (m_requestTable.table) {
         m_request.lookupAt = m_tables.file().file().lookupAt;
         m_request.measuredDrive = m_tables.file().file().measuredDrive;
+        m_request.isComputed = m_tables.file().file().isComputed;
     }
     m_fileTable = m_tables.selectedOfFile().table;
     if (!m_setup.isDirty()) {

@@ -539,7 +539,8 @@ QString WizardController::signSentence() const
     // Until a source is chosen, a curve is shown as one over the axis's own position.
     if (!sources[0].isSet() && table.table && table.table->grid.dimensions() == 1)
         own = 0;
-    return signSentenceFor(table, axis, own, selectedPlace().lookupAt);
+    const bool isComputed = setup().edited().table.fileTable && dataFile().isComputed;
+    return signSentenceFor(table, axis, {own, selectedPlace().lookupAt, isComputed});
 }
 
 ActionState WizardController::action(Action action) const

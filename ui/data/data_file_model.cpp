@@ -53,6 +53,7 @@ void DataFileModel::show(const MadeTables& made)
     m_file.isMade = true;
     takeNotes();
     m_file.lookupAt = made.lookupAt;
+    m_file.isComputed = made.isComputed;
     m_tables = made.tables;
     m_readWith = {};
     m_stamp = {};
@@ -170,6 +171,7 @@ void DataFileModel::take(const LoadedFile& loaded)
 /// What they say of the tables.
 void DataFileModel::takeNotes()
 {
+    m_file.isComputed = false;
     m_file.lookupAt.reset();
     m_file.measuredDrive.reset();
     m_file.noteProblem.reset();

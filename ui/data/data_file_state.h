@@ -36,6 +36,7 @@ struct DataFile {
     bool hasChangedOnDisk = false;
     /// Not of a file: it was made here, and path is what it is called.
     bool isMade = false;
+    bool isComputed = false; ///< as in WriteRequest
     /// Where the drive has to look the tables up; nothing: that is not known.
     std::optional<LookupAt> lookupAt;
     /// Serial number of the drive whose measurement the tables were made of; nothing: not known.
@@ -49,6 +50,7 @@ struct MadeTables {
     std::shared_ptr<const CalibrationData> data; ///< the wanted table first
     std::vector<LoadedTable> tables; ///< of data
     std::optional<LookupAt> lookupAt;
+    bool isComputed = false; ///< as in WriteRequest
 };
 
 } // namespace axiscomp::ui

@@ -323,8 +323,8 @@ void WritePreview::showChange(const Change& change)
     m_pictures->setVisible(true);
     if (!change.newTable.table)
         return;
-    const QString sign =
-        signSentenceFor(change.newTable, status->axis, plan->ownDimension, plan->lookupAt);
+    const QString sign = signSentenceFor(
+        change.newTable, status->axis, {plan->ownDimension, plan->lookupAt, plan->isComputed});
     m_sign->setText(sign);
     m_sign->setVisible(!sign.isEmpty());
     QTableWidgetItem* item = m_rows->item(largestChangeRow + 1, 2);

@@ -56,13 +56,14 @@ class Sentence {
 
 public:
     Sentence(const CompensationTable& table, std::size_t element, const AxisInfo& axis,
-        std::optional<std::size_t> own, std::optional<LookupAt> lookupAt)
+        const SignPlace& place)
         : m_table(table)
-        , m_isAtSet(lookupAt == LookupAt::Set)
+        , m_isAtSet(place.lookupAt == LookupAt::Set)
+        , m_isComputed(place.isComputed)
         , m_positionUnit(axis.unit)
         , m_unit(unitSymbol(axis.unit))
         , m_value(static_cast<double>(table.values[element]))
-        , m_own(own ? static_cast<int>(*own) : -1)
+        , m_own(place.own ? static_cast<int>(*place.own) : -1)
     {
         for (const GridAxis& gridAxis : table.grid.axes) {
             m_position.push_back(gridAxis.position(element % gridAxis.size));
@@ -103,6 +104,8 @@ private:
         const QString position = withUnit(fixedText(encoder, decimals), positionUnit(own));
         const QString where = m_isAtSet
             ? tr("at the set position %1 the drive will add %2").arg(position, added())
+            : m_isComputed
+            ? tr("where the encoder reads %1, the drive will add %2").arg(position, added())
             : tr("where the encoder reads %1, the reference reads %2: the drive will add %3")
                   .arg(position, withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
         const QString others = place(m_own);
@@ -111,6 +114,8 @@ private:
 
     [[nodiscard]] QString withDifference() const
     {
+        if (m_isComputed)
+            return tr("at %1 the drive will add %2").arg(place(-1), added());
         const QString amount = withUnit(fixedText(std::abs(m_value), decimalsFor(m_value)), m_unit);
         return (m_value > 0.0
                 ? tr("at %1 the reference reads %2 more than the encoder: the drive will add %3")
@@ -140,6 +145,7 @@ private:
 
     const CompensationTable& m_table;
     bool m_isAtSet = false; ///< the axis's own position is one after the compensation
+    bool m_isComputed = false;
     std::string m_positionUnit; ///< as the drive says it
     QString m_unit; ///< of what the drive adds
     double m_value = 0.0;
@@ -149,14 +155,14 @@ private:
 
 } // namespace
 
-QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis,
-    std::optional<std::size_t> own, std::optional<LookupAt> lookupAt)
+QString signSentenceFor(const LoadedTable& table, const AxisInfo& axis, const SignPlace& place)
 {
     if (!table.table || table.table->values.empty())
         return {};
-    if (own && *own >= table.table->grid.axes.size())
-        own.reset();
-    return Sentence(*table.table, table.largestElement, axis, own, lookupAt).text();
+    SignPlace known = place;
+    if (known.own && *known.own >= table.table->grid.axes.size())
+        known.own.reset();
+    return Sentence(*table.table, table.largestElement, axis, known).text();
 }
 
 } // namespace axiscomp::ui

@@ -10,6 +10,7 @@
 #include <map>
 #include <new>
 #include <numbers>
+#include <set>
 #include <tuple>
 
 namespace axiscomp {
@@ -227,16 +228,17 @@ bool Assembly::findTargets(const std::vector<RawRunValue>& values)
     for (const double planned : m_measurement.targets)
         if (!checkFinite(2.0 * planned, 0))
             return false;
-    const std::size_t measured = distinctTargets(positions).size();
-    if (measured < 2) {
-        m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
-            AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", measured),
-            AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
-        return false;
-    }
     positions.insert(positions.end(), m_measurement.targets.begin(), m_measurement.targets.end());
     m_measurement.targets = distinctTargets(std::move(positions));
-    return true;
+    std::set<std::size_t> measured;
+    for (const RawRunValue& raw : values)
+        measured.insert(targetIndex(m_measurement.targets, raw.target));
+    if (measured.size() >= 2)
+        return true;
+    m_diagnostics.error(DiagnosticCode::TooFewTargets, 0, 0,
+        AXISCOMP_COUNTED("Error", "{count} targets", "1 target").with("count", measured.size()),
+        AXISCOMP_TEXT("Error", "at least 2 different positions that the axis was sent to"));
+    return false;
 }
 
 /// Runs without a number are counted as they come, for each target and direction.

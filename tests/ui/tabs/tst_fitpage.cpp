@@ -318,6 +318,8 @@ private Q_SLOTS:
         QVERIFY(bench.user.the<QComboBox>("tableField")
                     .currentText()
                     .contains(QStringLiteral("Fitted: Error")));
+        // Nothing else is in the table, which lies at the targets.
+        QVERIFY(bench.controller().signSentence().contains(QStringLiteral("the reference reads")));
         QVERIFY(bench.write());
         QVERIFY2(
             bench.saysOutcome(QStringLiteral("Written and verified")), qPrintable(bench.outcome()));
@@ -329,6 +331,22 @@ private Q_SLOTS:
         QVERIFY(show(bench, PageTabs::Fit));
         const auto* undo = bench.wizard.findChild<QAction*>(QStringLiteral("undoAction"));
         QVERIFY(undo && undo->text().contains(QStringLiteral("Table in use")));
+    }
+
+    void aTableOfWhichAZeroWasTakenOutNamesNoReference()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.enter("source1Field", QString::fromStdString(test::masterX)));
+        QVERIFY(fit(bench, publicMeasurement("b02_x")));
+        QVERIFY(bench.user.choose("fitMeasuredWith", QStringLiteral("off")));
+        QVERIFY(hasTable(bench));
+        QVERIFY(bench.user.click("useAsTable"));
+        const auto& tabs = bench.user.the<PageTabs>("pageTabs");
+        QTRY_COMPARE(tabs.currentIndex(), int(PageTabs::Write));
+        const QString sign = bench.controller().signSentence();
+        QVERIFY2(sign.startsWith(QStringLiteral("where the encoder reads")), qPrintable(sign));
+        QVERIFY2(!sign.contains(QStringLiteral("reference")), qPrintable(sign));
     }
 
     /// A table that was put there is one without a file: there is nothing to read again.

@@ -168,23 +168,32 @@ private Q_SLOTS:
         std::vector<float> numbers;
         for (const QByteArray& value : values.split(' '))
             numbers.push_back(value.toFloat());
-        QCOMPARE(signSentenceFor(table1D(numbers), axisX(), 0, {}), sentence);
+        QCOMPARE(signSentenceFor(table1D(numbers), axisX(), {0}), sentence);
+    }
+
+    /// What was smoothed, corrected or lies between the targets no reference has said.
+    void whatWasComputedNoReferenceReads()
+    {
+        const LoadedTable table = table1D({0.0F, 0.0021F, 0.0F});
+        QCOMPARE(signSentenceFor(table, axisX(), {0, LookupAt::Encoder, true}),
+            QStringLiteral("where the encoder reads 10.0000 mm, the drive will add +0.0021 mm"));
+        QVERIFY(
+            !signSentenceFor(table, axisX(), {{}, {}, true}).contains(QStringLiteral("reference")));
     }
 
     void theSignSentencePromisesNothingThatCannotBeWritten()
     {
-        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), 0, {}), QString());
+        QCOMPARE(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "arcsec"), axisX(), {0}), QString());
         // A length, where the axis is known to have no unit.
-        QCOMPARE(
-            signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, "um"), axisX("None"), 0, {}), QString());
-        QCOMPARE(signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, ""), axisX("None"), 0, {}), QString());
+        QCOMPARE(signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, "um"), axisX("None"), {0}), QString());
+        QCOMPARE(signSentenceFor(table1D({0.0F, 5.0F, 0.0F}, ""), axisX("None"), {0}), QString());
         // Positions of an angle are added to nothing in mm.
         CompensationTable turned = *table1D({0.0F, 2.1F, 0.0F}, "mm").table;
         turned.grid.axes[0].unit = "deg";
-        QCOMPARE(signSentenceFor(kept(turned), axisX(), 0, {}), QString());
-        QVERIFY(signSentenceFor(kept(turned), axisX(), {}, {})
+        QCOMPARE(signSentenceFor(kept(turned), axisX(), {0}), QString());
+        QVERIFY(signSentenceFor(kept(turned), axisX(), {})
                     .contains(QStringLiteral("the reference reads 2.1 mm more")));
-        QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), 0, {})
+        QVERIFY(signSentenceFor(table1D({0.0F, 2.1F, 0.0F}, "mm"), axisX(), {0})
                     .contains(QStringLiteral("the drive will add +2.1 mm")));
     }
 
@@ -194,14 +203,14 @@ private Q_SLOTS:
         table.grid.axes = {{.name = "X", .unit = "mm", .start = 0.0, .distance = 10.0, .size = 2},
             {.name = "Y", .unit = "mm", .start = 0.0, .distance = 30.0, .size = 2}};
         table.values = {0.0F, 0.0F, 0.0F, 0.0021F};
-        QCOMPARE(signSentenceFor(kept(table), axisX(), 0, {}),
+        QCOMPARE(signSentenceFor(kept(table), axisX(), {0}),
             QStringLiteral("at Y 30 mm, where the encoder reads 10.0000 mm, the reference reads "
                            "10.0021 mm: the drive will add +0.0021 mm"));
         // Over other axes only: what the encoder of this one reads is not in the table.
         AxisInfo z = axisX();
         z.index = 2;
         z.folder = "Axes[2]/";
-        QCOMPARE(signSentenceFor(kept(table), z, {}, {}),
+        QCOMPARE(signSentenceFor(kept(table), z, {}),
             QStringLiteral("at X 10 mm, Y 30 mm the reference reads 0.0021 mm more than the "
                            "encoder: the drive will add +0.0021 mm"));
     }
@@ -213,7 +222,7 @@ private Q_SLOTS:
             {.name = "T", .unit = "degC", .start = 20.0, .distance = 20.0, .size = 2}};
         table.values = {0.0F, 0.0021F};
         for (const auto lookupAt : {std::optional<LookupAt>(), std::optional(LookupAt::Set)})
-            QCOMPARE(signSentenceFor(kept(table), axisX(), {}, lookupAt),
+            QCOMPARE(signSentenceFor(kept(table), axisX(), {{}, lookupAt}),
                 QStringLiteral("at T 40 degC the reference reads 0.0021 mm more than the encoder: "
                                "the drive will add +0.0021 mm"));
     }
