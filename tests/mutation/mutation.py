@@ -55,7 +55,7 @@ inline bool on(int fault)
 }}
 """
 STATEMENT = re.compile(r"\s*(if|for|while|switch|return)\b")
-OPERATOR_FIRST = re.compile(r"\s*(\|\||&&|[?:,=<>%/.)]|->)")
+OPERATOR_FIRST = re.compile(r"\s*(\|\||&&|\*\s|[?:,=<>%/.)]|->)")
 OPERATOR_LAST = re.compile(r"(\|\||&&|[?:,=<>%/.(+*!-])\s*$")
 FAILURE = b"\nFAIL!"  # of Qt Test
 PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
@@ -113,6 +113,16 @@ def locate(fault, text):
     return None
 
 
+def is_block(fault):
+    return bool(STATEMENT.match(fault.original)) or fault.original.rstrip().endswith(";")
+
+
+def is_statement(fault, text):
+    """Whether what stands there can be put in a block: it ends a statement and begins one."""
+    before = re.sub(r"//[^\n]*", "", text[:fault.begin]).rstrip()
+    return fault.original.rstrip().endswith(";") and before.endswith((";", "{", "}", ")", ":", "else"))
+
+
 def is_expression(fault, text):
     """Whether what stands there can be put in brackets: no part of a name, a call or an operation."""
     piece = text[fault.begin:fault.end]
@@ -134,8 +144,7 @@ def problems_of(root, faults):
             problems.append(f"{fault.name}: there is no file {fault.file}")
         elif problem := locate(fault, text := path.read_text(encoding="utf-8")):
             problems.append(problem)
-        elif not (fault.original.rstrip().endswith(";") if STATEMENT.match(fault.original)
-                  else is_expression(fault, text)):
+        elif not (is_statement(fault, text) if is_block(fault) else is_expression(fault, text)):
             problems.append(f"{fault.name}: a piece is whole statements or an expression: {fault.original}")
         if not fault.tests:
             problems.append(f"{fault.name}: it has no tests")
@@ -145,7 +154,7 @@ def problems_of(root, faults):
 
 def switched(fault, original):
     chosen = f"::axiscomp::mutation::on({fault.number})"
-    if STATEMENT.match(fault.original) or fault.original.rstrip().endswith(";"):
+    if is_block(fault):
         return f"{{ if ({chosen}) {{ {fault.faulty} }} else {{ {original} }} }}"
     return f"({chosen} ? ({fault.faulty}) : ({original}))"
 
@@ -348,11 +357,19 @@ SAMPLES = {
     "a test that does not exist": ([{**FOUND, "tests": ["tst_other"]}], 2, "there is no test tst_other"),
     "a condition with its keyword": ([{**FOUND, "original": "if (number < 0)", "faulty": "if (number > 0)"}], 2,
                                      "whole statements or an expression: if (number < 0)"),
+    "a part of an operation": ([{**FOUND, "original": "* 2 == number", "faulty": "* 3 == number"}], 2,
+                               "whole statements or an expression: * 2 == number"),
+    "the name of a call": ([{**FOUND, "original": "half(number) * 2", "within": "half(number) * 2",
+                             "name": "call"}, {**FOUND, "within": "isEven(-number)", "original": "isEven",
+                                               "faulty": "half"}], 2, "whole statements or an expression: isEven"),
+    "the end of a statement": ([{**FOUND, "original": "2 == number;", "faulty": "3 == number;"}], 2,
+                               "whole statements or an expression: 2 == number;"),
     "no test at all": ([{**FOUND, "tests": []}], 2, "it has no tests"),
     "one name twice": ([FOUND, FOUND], 2, "several faults of this name"),
     "a word that no entry has": ([{**FOUND, "why": "so"}], 2, "why"),
     "a test that fails anyway": ([{**FOUND, "tests": ["tst_broken"]}], 2, "without any fault these fail"),
-    "faults that overlap": ([FOUND, {**FOUND, "name": "over", "original": "2; }", "faulty": "3; }"}], 2, "overlap"),
+    "faults that overlap": ([{**FOUND, "original": "half(number) * 2", "faulty": "0"},
+                             {**FOUND, "name": "over", "original": "2 == number", "faulty": "true"}], 2, "overlap"),
 }
 ADDED = {
     "broken": "int main() { return 1; }\n",
