@@ -11447,6 +11447,18 @@
         <source>{name} for axis {axis}, CRC-32 {crc}</source>
         <translation>{name} für Achse {axis}, CRC-32 {crc}</translation>
     </message>
+    <message>
+        <source>Compensation of axis {target} over axis {axis}, machine {machine}</source>
+        <translation>Kompensation der Achse {target} über der Achse {axis}, Maschine {machine}</translation>
+    </message>
+    <message>
+        <source>At the set position {position} of axis {axis} the drive adds {added} to what the encoder of axis {target} reads.</source>
+        <translation>Bei der Sollposition {position} der Achse {axis} addiert der Antrieb {added} zu dem, was der Geber der Achse {target} anzeigt.</translation>
+    </message>
+    <message>
+        <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
+        <translation>Wo der Geber der Achse {axis} {position} anzeigt, addiert der Antrieb {added} zur Achse {target}.</translation>
+    </message>
 </context>
 <context>
     <name>RunValueText</name>

@@ -11447,6 +11447,18 @@
         <source>{name} for axis {axis}, CRC-32 {crc}</source>
         <translation>{name} pour l&apos;axe {axis}, CRC-32 {crc}</translation>
     </message>
+    <message>
+        <source>Compensation of axis {target} over axis {axis}, machine {machine}</source>
+        <translation>Compensation de l&apos;axe {target} en fonction de l&apos;axe {axis}, machine {machine}</translation>
+    </message>
+    <message>
+        <source>At the set position {position} of axis {axis} the drive adds {added} to what the encoder of axis {target} reads.</source>
+        <translation>À la position de consigne {position} de l&apos;axe {axis}, le variateur ajoute {added} à ce que lit le codeur de l&apos;axe {target}.</translation>
+    </message>
+    <message>
+        <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
+        <translation>Là où le codeur de l&apos;axe {axis} lit {position}, le variateur ajoute {added} à l&apos;axe {target}.</translation>
+    </message>
 </context>
 <context>
     <name>RunValueText</name>

@@ -11393,6 +11393,18 @@
         <source>{name} for axis {axis}, CRC-32 {crc}</source>
         <translation>{name} (軸 {axis})、CRC-32 {crc}</translation>
     </message>
+    <message>
+        <source>Compensation of axis {target} over axis {axis}, machine {machine}</source>
+        <translation>軸 {axis} の位置による軸 {target} の補正、機械 {machine}</translation>
+    </message>
+    <message>
+        <source>At the set position {position} of axis {axis} the drive adds {added} to what the encoder of axis {target} reads.</source>
+        <translation>軸 {axis} の指令位置 {position} で、ドライブは軸 {target} のエンコーダの読みに {added} を加えます。</translation>
+    </message>
+    <message>
+        <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
+        <translation>軸 {axis} のエンコーダが {position} のとき、ドライブは軸 {target} に {added} を加えます。</translation>
+    </message>
 </context>
 <context>
     <name>RunValueText</name>

@@ -11393,6 +11393,18 @@
         <source>{name} for axis {axis}, CRC-32 {crc}</source>
         <translation>{name} 用于轴 {axis}，CRC-32 {crc}</translation>
     </message>
+    <message>
+        <source>Compensation of axis {target} over axis {axis}, machine {machine}</source>
+        <translation>轴 {target} 随轴 {axis} 的补偿，机床 {machine}</translation>
+    </message>
+    <message>
+        <source>At the set position {position} of axis {axis} the drive adds {added} to what the encoder of axis {target} reads.</source>
+        <translation>在轴 {axis} 的设定位置 {position} 处，驱动器在轴 {target} 的编码器读数上加 {added}。</translation>
+    </message>
+    <message>
+        <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
+        <translation>当轴 {axis} 的编码器读数为 {position} 时，驱动器在轴 {target} 上加 {added}。</translation>
+    </message>
 </context>
 <context>
     <name>RunValueText</name>

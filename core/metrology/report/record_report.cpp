@@ -6,6 +6,7 @@
 #include "core/metrology/record/reference_reading.h"
 #include "core/metrology/report/report_text.h"
 #include "core/table/table_units.h"
+#include "core/table/target_axis.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -109,7 +110,20 @@ Text signText(const CompensationTable& table, const CalibrationRecord& record,
     const auto place = [isAngular](double value) {
         return quantityText(fixedDigits(value, placeDecimals), positionSymbol(isAngular));
     };
-    if (record.fit && record.fit->settings.lookupAt == LookupAt::Set)
+    const bool isAtSet = record.fit && record.fit->settings.lookupAt == LookupAt::Set;
+    if (measurement && correctsAnotherAxis(table.target, measurement->header.axis))
+        return (isAtSet
+                ? AXISCOMP_TEXT("Report",
+                    "At the set position {position} of axis {axis} the drive adds {added} to what "
+                    "the encoder of axis {target} reads.")
+                : AXISCOMP_TEXT("Report",
+                    "Where the encoder of axis {axis} reads {position}, the drive adds {added} to "
+                    "axis {target}."))
+            .with("position", place(position))
+            .with("axis", Verbatim{measurement->header.axis})
+            .with("added", amount)
+            .with("target", Verbatim{table.target});
+    if (isAtSet)
         return AXISCOMP_TEXT("Report",
             "At the set position {position} the drive adds {added} to what the encoder reads.")
             .with("position", place(position))
@@ -139,6 +153,8 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
         else
             for (const RecordedTable& each : record.tables)
                 table.columns.push_back({each.table.name, each.table.target, each.crc});
+        if (measurement && correctsAnotherAxis(first.table.target, measurement->header.axis))
+            content.corrected = first.table.target;
         if (first.table.unit == "mm" || first.table.unit == "deg")
             content.sign = signText(first.table, record, measurement, content.isAngular);
     }

@@ -73,7 +73,13 @@ public:
 private:
     [[nodiscard]] Text title() const
     {
-        return AXISCOMP_TEXT("Report", "Compensation of axis {axis}, machine {machine}")
+        if (m_content.corrected.empty())
+            return AXISCOMP_TEXT("Report", "Compensation of axis {axis}, machine {machine}")
+                .with("axis", statedText(m_content.axis))
+                .with("machine", statedText(m_content.machine));
+        return AXISCOMP_TEXT(
+            "Report", "Compensation of axis {target} over axis {axis}, machine {machine}")
+            .with("target", Verbatim{m_content.corrected})
             .with("axis", statedText(m_content.axis))
             .with("machine", statedText(m_content.machine));
     }

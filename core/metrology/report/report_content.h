@@ -64,6 +64,7 @@ struct ReportContent {
     bool isByTemperature = false; ///< the figures are those of a fit by temperature
     std::string machine; ///< as a measurement's file says it, likewise axis and serial
     std::string axis;
+    std::string corrected; ///< the axis that the table corrects, where it is not the measured one
     std::string serial;
     std::string drive;
     std::string driveSerial;

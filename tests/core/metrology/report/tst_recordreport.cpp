@@ -131,6 +131,33 @@ private Q_SLOTS:
         QVERIFY2(isQuoted || sign.find("the reference said") == std::string::npos, sign.c_str());
     }
 
+    /// A straightness: who holds the page against the machine looks at that axis.
+    void theAxisThatATableCorrectsIsNamedWhereItIsAnotherOne()
+    {
+        CalibrationRecord record = plainRecord();
+        record.before->files[0].measurement.header.axis = "X";
+        record.tables[0].table.target = "Y";
+        auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->corrected, "Y");
+        const std::string encoder = content->sign.english();
+        QVERIFY2(
+            encoder.find("Where the encoder of axis X reads 45.6000 mm, the drive adds -8.452") == 0
+                && encoder.ends_with(" to axis Y."),
+            encoder.c_str());
+        record.fit->settings.lookupAt = LookupAt::Set;
+        content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        const std::string set = content->sign.english();
+        QVERIFY2(set.find("At the set position 45.6000 mm of axis X the drive adds -8.452") == 0
+                && set.ends_with(" to what the encoder of axis Y reads."),
+            set.c_str());
+        record.tables[0].table.target = "X";
+        content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        QVERIFY(content->corrected.empty());
+    }
+
     /// It has its values in its own unit.
     void theCrcIsThatOfTheTableOnTheDrive()
     {

@@ -205,6 +205,15 @@ private Q_SLOTS:
         QVERIFY(!page.contains(QStringLiteral("76.19")));
     }
 
+    void theTitleNamesTheAxisThatIsCorrected()
+    {
+        ReportContent content = wholeContent();
+        content.axis = "X";
+        content.corrected = "Y";
+        QVERIFY(htmlOf(content).contains(
+            QStringLiteral("Compensation of axis Y over axis X, machine ")));
+    }
+
     void aMeanIsNoRun()
     {
         ReportContent content = wholeContent();
