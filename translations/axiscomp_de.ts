@@ -17731,10 +17731,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>%1 wurde von einem anderen Programm geändert, seit es hier gelesen wurde.</translation>
     </message>
     <message>
-        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
-        <translation>%1 sagt, was von einer anderen Tabelle geschrieben und gemessen wurde. Unter einem anderen Namen bleibt beides erhalten.</translation>
-    </message>
-    <message>
         <source>Overwri&amp;te</source>
         <translation>Überschre&amp;iben</translation>
     </message>
@@ -17769,6 +17765,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
         <translation>%1 hat sich auf dem Datenträger geändert. Ausgeschlossenes wird wieder verwendet; Korrekturen und welche Tabelle aktiv war sind neu anzugeben. Strg+Z macht das rückgängig.</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
+        <translation>%1 sagt, was von der Tabelle darin geschrieben und gemessen wurde, und dieses Protokoll sagt es nicht. Unter einem anderen Namen bleibt beides erhalten.</translation>
     </message>
 </context>
 <context>

@@ -11453,11 +11453,11 @@
     </message>
     <message>
         <source>At the set position {position} of axis {axis} the drive adds {added} to what the encoder of axis {target} reads.</source>
-        <translation>À la position de consigne {position} de l&apos;axe {axis}, le variateur ajoute {added} à ce que lit le codeur de l&apos;axe {target}.</translation>
+        <translation>À la position de consigne {position} de l&apos;axe {axis}, le variateur ajoute {added} à ce qu&apos;indique le codeur de l&apos;axe {target}.</translation>
     </message>
     <message>
         <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
-        <translation>Là où le codeur de l&apos;axe {axis} lit {position}, le variateur ajoute {added} à l&apos;axe {target}.</translation>
+        <translation>Là où le codeur de l&apos;axe {axis} indique {position}, le variateur ajoute {added} à l&apos;axe {target}.</translation>
     </message>
 </context>
 <context>
@@ -17731,10 +17731,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>%1 a été modifié par un autre programme depuis sa lecture ici.</translation>
     </message>
     <message>
-        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
-        <translation>%1 indique ce qui a été écrit et mesuré d&apos;une autre table. L&apos;enregistrement sous un autre nom conserve les deux.</translation>
-    </message>
-    <message>
         <source>Overwri&amp;te</source>
         <translation>Écra&amp;ser</translation>
     </message>
@@ -17769,6 +17765,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
         <translation>%1 a été modifié sur le disque. Ce qui était exclu est de nouveau utilisé&#xa0;; les corrections et la table qui était active sont à indiquer de nouveau. Ctrl+Z annule cela.</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
+        <translation>%1 indique ce qui a été écrit et mesuré de sa table, ce que cette fiche ne fait pas. L&apos;enregistrement sous un autre nom conserve les deux.</translation>
     </message>
 </context>
 <context>

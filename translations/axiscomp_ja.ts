@@ -17677,10 +17677,6 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <translation>%1 は、ここで読み取った後に別のプログラムが変更しています。</translation>
     </message>
     <message>
-        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
-        <translation>%1 には、別のテーブルの書き込みと測定の結果があります。別の名前で保存すると、両方が残ります。</translation>
-    </message>
-    <message>
         <source>Overwri&amp;te</source>
         <translation>上書き(&amp;T)</translation>
     </message>
@@ -17715,6 +17711,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
         <translation>%1 がディスク上で変更されました。除外した値は再び使用されます。測定値の補正と、どのテーブルが有効だったかを改めて指定してください。Ctrl+Z で元に戻せます。</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
+        <translation>%1 には、そのテーブルの書き込みと測定の結果がありますが、この記録にはありません。別の名前で保存すると、両方が残ります。</translation>
     </message>
 </context>
 <context>

@@ -17677,10 +17677,6 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <translation>%1 在此处读取之后已被另一程序更改。</translation>
     </message>
     <message>
-        <source>%1 says what was written and measured of another table. Saving it under another name keeps both.</source>
-        <translation>%1 记载了另一个表的写入和测量。以其他名称保存可保留两者。</translation>
-    </message>
-    <message>
         <source>Overwri&amp;te</source>
         <translation>覆盖(&amp;T)</translation>
     </message>
@@ -17715,6 +17711,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>%1 has changed on disk. What was left out is used again; corrections, and which table was active, are to be said anew. Ctrl+Z takes that back.</source>
         <translation>%1 在磁盘上已改变。已排除的值重新使用；修正以及当时激活的表需重新说明。按 Ctrl+Z 可撤销。</translation>
+    </message>
+    <message>
+        <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
+        <translation>%1 记载了其中的表的写入和测量，而此档案没有。以其他名称保存可保留两者。</translation>
     </message>
 </context>
 <context>

@@ -377,7 +377,13 @@ void CompensationWizard::Private::useTable(
         tables.isComputed = made.isComputed;
         if (!made.calibration || !controller.useTables(tables))
             return;
-        record.setCalibration(made.calibration);
+        // Of the tables that are there already stays what was written and measured.
+        const auto& now = record.record().calibration;
+        const auto isSame = [](const RecordedTable& one, const RecordedTable& other) {
+            return isSameTable(one, other);
+        };
+        if (!now || !std::ranges::equal(now->tables, made.calibration->tables, isSame))
+            record.setCalibration(made.calibration);
         page->tabs->setCurrentIndex(PageTabs::Write);
     });
 }

@@ -41,10 +41,12 @@ FileDigests recordedDigests(const OpenedRecord& opened)
 }
 
 /// Whether a file has a history of a table that would be lost.
-bool losesTable(const CalibrationRecord& there, const CalibrationRecord& made)
+bool losesHistory(const CalibrationRecord& there, const CalibrationRecord& made)
 {
     if (there.tables.empty() || (!there.write && there.after.empty()))
         return false;
+    if ((there.write && !made.write) || made.after.size() < there.after.size())
+        return true;
     return std::ranges::none_of(there.tables, [&](const RecordedTable& table) {
         return std::ranges::any_of(made.tables,
             [&table](const RecordedTable& other) { return isSameTable(table, other); });
@@ -198,7 +200,7 @@ Result<RecordFile::Saving> RecordFile::write(const RecordParts& parts, const Tar
             return Saving{Obstacle::Changed, {}};
         if (!target.isModified)
             return Saving{{}, {parts.base, target.sha256}}; // byte for byte
-        if (losesTable(*parts.base, made))
+        if (losesHistory(*parts.base, made))
             return Saving{Obstacle::OtherTable, {}};
     }
     const std::string text = recordText(made);

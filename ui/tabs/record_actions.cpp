@@ -342,8 +342,8 @@ void RecordActions::tellObstacle(const QString& path, RecordFile::Obstacle obsta
             tr("%1 has been changed by another program since it was read here.").arg(name);
         break;
     case RecordFile::Obstacle::OtherTable:
-        question.text = tr("%1 says what was written and measured of another table. Saving it "
-                           "under another name keeps both.")
+        question.text = tr("%1 says what was written and measured of its table, and this record "
+                           "does not. Saving it under another name keeps both.")
                             .arg(name);
         break;
     }

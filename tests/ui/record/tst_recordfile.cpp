@@ -505,6 +505,19 @@ private Q_SLOTS:
         QCOMPARE(loaded(path).tables.front().crc, record.tables.front().crc);
     }
 
+    void theHistoryOfTheTableItselfIsNotLostWithoutAsking()
+    {
+        Bench bench;
+        CalibrationRecord record = test::recordOfFit();
+        record.write = RecordedWrite{*record.time, "Small1", true, record.tables.front().crc};
+        const QString path = bench.saved(QStringLiteral("x.axcal"), record);
+        QVERIFY(bench.open(path));
+        bench.record.setCalibration(std::make_shared<const CalibrationRecord>(test::recordOfFit()));
+        QVERIFY(!bench.save(path));
+        QCOMPARE(bench.obstacle, std::optional(RecordFile::Obstacle::OtherTable));
+        QVERIFY(loaded(path).write.has_value());
+    }
+
     /// The same values, which have the same CRC-32.
     void theTableIsAnotherOneOverOtherPositionsOrInAnotherUnit()
     {

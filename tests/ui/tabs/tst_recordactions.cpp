@@ -551,6 +551,24 @@ private Q_SLOTS:
         QCOMPARE(savedRecord(bench).after.size(), std::size_t{1});
     }
 
+    void theTableOfTheRecordTakenOnceMoreKeepsWhatWasWritten()
+    {
+        PageFixture bench;
+        CalibrationRecord record = test::recordOfFit();
+        record.write = RecordedWrite{*record.time, "Small1", true, record.tables.front().crc};
+        QVERIFY(bench.user.isThere() && openRecord(bench, record));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Fit);
+        QTRY_VERIFY(bench.user.the("useAsTable").isEnabled());
+        bench.user.the<QPushButton>("useAsTable").click();
+        QTRY_VERIFY(bench.controller().dataFile().isMade);
+        QVERIFY(QThreadPool::globalInstance()->waitForDone(test::patienceMs));
+        QCoreApplication::processEvents();
+        QCOMPARE(recordName(bench), QStringLiteral("x.axcal")); // no star: it has not changed
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "x.axcal"));
+        QVERIFY(savedRecord(bench).write.has_value());
+    }
+
     void aTableIsNotPutIntoARecordThatWasBegunMeanwhile()
     {
         PageFixture bench;
