@@ -68,7 +68,7 @@ void TableSelection::followFile(
         m_setup.setTable({});
     else if (m_file.file().isMade)
         m_setup.setTable({0});
-    else if (!isSameFile || !before || (isOpened && !chosen))
+    else if (!isSameFile || !before || (!chosen && (isOpened || before->tables != now->tables)))
         m_setup.setTable({m_proposal ? static_cast<int>(m_proposal(*now)) : 0});
     else if (chosen && *chosen < static_cast<int>(before->tables.size()))
         takeSameTable(*before, *chosen, *now);

@@ -41,7 +41,8 @@ public:
     /// The same for a file that is a grid of another dimensionality than the setup's, which gets
     /// it; with what the user has said about the file.
     void openAs(const QString& path, int dimensions);
-    /// The open file, which may have changed; what was selected stays selected.
+    /// The open file, which may have changed; what was selected stays selected, but the table on
+    /// the drive where the file has other values by now.
     void readAgain(const AxisPlace& place); ///< which may be another one by now
     [[nodiscard]] DataFileModel& file() { return m_file; }
     [[nodiscard]] const DataFileModel& file() const { return m_file; }

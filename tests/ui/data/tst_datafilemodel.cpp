@@ -359,6 +359,22 @@ private Q_SLOTS:
         QVERIFY(!bench->setup().edited().table.fileTable);
     }
 
+    /// After a write the window chooses the table on the drive by itself.
+    void readAgainWithOtherValuesTheFileIsChosen()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->openData(bench.file(QStringLiteral("a.csv"), oneDimension));
+        QVERIFY(bench.fileRead());
+        bench->setup().setTable({});
+        (void)bench.file(
+            QStringLiteral("a.csv"), "X [mm],first [mm],second [mm]\n0,1,2\n1,3,5\n2,1,2\n");
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->setup().edited().table.fileTable, std::optional(0));
+        QVERIFY(bench->setup().isDirty(Field::Table));
+    }
+
     void openedAgainAfterARevertItsTableIsChosen()
     {
         ControllerFixture bench;
