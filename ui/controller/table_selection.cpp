@@ -89,6 +89,7 @@ void TableSelection::followFile(
         Q_EMIT fileReadAgain();
     else
         Q_EMIT fileOpened();
+    followPlace(); // of now: it may have been another one when reading began
 }
 
 /// The user has not chosen another one.
@@ -105,6 +106,7 @@ void TableSelection::putBack(const OpenedFile& opened)
     m_isOpening = opened.file.isReading;
     m_file.putBack(opened);
     noteSelected();
+    followPlace();
 }
 
 /// Without an axis the fields are only being emptied: no reason to read the file in another way.
@@ -126,6 +128,7 @@ void TableSelection::noteFailure(const LoadedFile& failed)
             count = static_cast<qulonglong>(problems) + failed.suppressedProblems] {
             return tr("%1 cannot be used: %2 problems.").arg(path).arg(count);
         });
+    followPlace();
 }
 
 LoadedTable TableSelection::selected() const
@@ -175,6 +178,20 @@ void TableSelection::setUnits(const TableUnits& units, std::optional<std::size_t
     m_ownDimension = ownDimension;
     m_source.reset();
     noteSelected();
+}
+
+void TableSelection::setPlace(const std::optional<AxisPlace>& place)
+{
+    if (place == m_place)
+        return;
+    m_place = place;
+    followPlace();
+}
+
+void TableSelection::followPlace()
+{
+    if (m_place)
+        m_file.setPlace(*m_place);
 }
 
 std::size_t TableSelection::selectedBytes() const

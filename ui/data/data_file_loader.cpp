@@ -16,6 +16,7 @@ void take(LoadedFile& file, TableImport import)
     file.format = import.format;
     file.data = std::move(import.data);
     file.report = std::move(import.report);
+    file.usedPlace = import.usedPlace;
     file.problems = std::move(import.problems);
     file.suppressedProblems = import.suppressedProblems;
     file.fullGrid = std::move(import.fullGrid);
