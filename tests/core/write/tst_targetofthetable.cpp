@@ -294,6 +294,7 @@ private Q_SLOTS:
         const auto refused = f.compensator.write(0, request);
         VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
         QVERIFY(names(refused.error(), "made for a position after the compensation"));
+        QVERIFY(names(refused.error(), "from its measurement or the file of its controller"));
         QVERIFY(f.state() == before);
         request.sources = {"Axes[0]/Signals/PathPlanner/Position"};
         VERIFY_RESULT(f.compensator.write(0, request));

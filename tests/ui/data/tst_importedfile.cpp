@@ -168,6 +168,24 @@ private Q_SLOTS:
         QCOMPARE(bench->driveTable()->values, own);
     }
 
+    void aFileIsReadAgainForTheOtherSideOfTheCompensation()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(1);
+        QVERIFY(hasChosen(bench, test::masterX));
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().lookupAt, std::optional(LookupAt::Encoder));
+        QVERIFY(hasChosen(bench, "Axes[0]/Signals/PathPlanner/Position"));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().lookupAt, std::optional(LookupAt::Set));
+        QTRY_VERIFY2(bench->action(Action::Write).isEnabled,
+            qPrintable(bench->action(Action::Write).reason));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+    }
+
     void sourcesForWhichAFileCannotBeReadAreAProblemAndNoQuestion()
     {
         ControllerFixture bench;
