@@ -121,6 +121,17 @@ void TableSelection::followField(Field field)
 void TableSelection::noteFailure(const LoadedFile& failed)
 {
     m_isOpening = false;
+    if (failed.refusal)
+        m_log.add(LogLine::Kind::Error, [path = failed.path, refusal = *failed.refusal] {
+            return tr("%1 cannot be used as it is. %2").arg(path, errorText(refusal));
+        });
+    else
+        noteProblems(failed);
+    followPlace();
+}
+
+void TableSelection::noteProblems(const LoadedFile& failed)
+{
     const auto problems =
         std::ranges::count(failed.problems, Severity::Error, &Diagnostic::severity);
     m_log.add(LogLine::Kind::Error,
@@ -128,7 +139,6 @@ void TableSelection::noteFailure(const LoadedFile& failed)
             count = static_cast<qulonglong>(problems) + failed.suppressedProblems] {
             return tr("%1 cannot be used: %2 problems.").arg(path).arg(count);
         });
-    followPlace();
 }
 
 LoadedTable TableSelection::selected() const

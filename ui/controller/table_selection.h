@@ -78,6 +78,7 @@ private:
     void takeSameTable(const CalibrationData& before, int index, const CalibrationData& now);
     void followField(Field field);
     void noteFailure(const LoadedFile& failed);
+    void noteProblems(const LoadedFile& failed);
     void noteSelected();
     void followPlace();
     void compareWithDrive();

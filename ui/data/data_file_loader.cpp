@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace axiscomp::ui {
@@ -21,7 +22,9 @@ void take(LoadedFile& file, TableImport import)
     file.suppressedProblems = import.suppressedProblems;
     file.fullGrid = std::move(import.fullGrid);
     file.refusal = std::move(import.refusal);
-    if (file.refusal && file.problems.empty())
+    const bool isSaid = std::ranges::find(file.problems, Severity::Error, &Diagnostic::severity)
+        != file.problems.end();
+    if (file.refusal && !isSaid)
         file.problems.push_back(
             {Severity::Error, DiagnosticCode::IoError, 0, 0, textOf(*file.refusal), {}, {}});
     if (!file.data)

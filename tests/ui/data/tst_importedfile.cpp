@@ -371,6 +371,26 @@ private Q_SLOTS:
         QVERIFY(bench->dataFile().problems.front().line > 0);
     }
 
+    /// A LinuxCNC file that does not say its type has warnings, too.
+    void whyAFileNeedsAChoiceIsSaidBesideItsWarnings()
+    {
+        ControllerFixture bench;
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        bench->openData(bench.file(
+            QStringLiteral("lcnc.comp"), "0 0 0.001\n20 20.001 20.003\n40 40.002 40.005\n"));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(needed.count(), 1);
+        const auto& problems = bench->dataFile().problems;
+        QCOMPARE(problems.front().severity, Severity::Warning);
+        QCOMPARE(problems.back().severity, Severity::Error);
+        const QString why = problemText(problems.back());
+        QVERIFY2(why.contains(QStringLiteral("direction")), qPrintable(why));
+        const QString said = bench->log().back().text();
+        QVERIFY2(
+            said.contains(QStringLiteral("lcnc.comp cannot be used as it is. ")), qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("direction")), qPrintable(said));
+    }
+
     void anUnevenFileBecomesEvenAndSaysItsDeviation()
     {
         ControllerFixture bench;
