@@ -101,6 +101,8 @@ RecordActions::RecordActions(RecordModel& record, WizardController& controller,
         forgetQuestion();
         goOnAfterSave();
     });
+    connect(&m_file, &RecordFile::changed, m_prove,
+        [this] { m_prove->setUnsaved(m_file.isModified()); });
     connect(&m_recovery, &RecordRecovery::found, this, &RecordActions::offerUnsaved);
     connect(&controller, &WizardController::tableWritten, this, &RecordActions::noteWrite);
     connect(&controller, &WizardController::tableActivated, this, &RecordActions::noteProof);

@@ -549,6 +549,9 @@ private Q_SLOTS:
                            .arg(heart.longestBusy().count())
                            .arg(writing.count())));
         QCOMPARE(savedRecord(bench).after.size(), std::size_t{1});
+        QTRY_VERIFY(bench.user.the<QLabel>("proveHint")
+                        .text()
+                        .contains(QStringLiteral("that is saved: write the report")));
     }
 
     void aTableIsNotPutIntoARecordThatWasBegunMeanwhile()
