@@ -6362,14 +6362,6 @@
         <translation>das Profil des Antriebs sagt nicht, welches Register der Geber der Achse ist: es nennen</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
-        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at set)</translation>
-    </message>
-    <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
-        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle für diese neu machen (--lookup-at encoder)</translation>
-    </message>
-    <message>
         <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
         <translation>die Achse schlägt in ihrer Tabelle bei {source} nach, einer Position vor der Kompensation, das heißt --lookup-at encoder</translation>
     </message>
@@ -6552,10 +6544,6 @@
     <message>
         <source>the position of the zero is missing</source>
         <translation>die Position der Nullstelle fehlt</translation>
-    </message>
-    <message>
-        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
-        <translation>laut Datei korrigieren die Werte von {table} {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder, wenn es dennoch stimmt, die Zielachse als {statement} angeben</translation>
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
@@ -8640,6 +8628,26 @@
     <message>
         <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
         <translation>keine installierte Schrift enthält {characters}, im PDF stünden leere Kästchen: eine Schrift mit diesen Zeichen installieren, etwa fonts-noto-cjk für Chinesisch und Japanisch, oder den Bericht als HTML schreiben</translation>
+    </message>
+    <message>
+        <source>the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement} when the file is read</source>
+        <translation>die Werte von {table} korrigieren {target}, aber bei Achse {axis} gilt: {role}; andere Spalte, Achse oder Quelle wählen oder, wenn es dennoch stimmt, beim Einlesen der Datei die Zielachse als {statement} angeben</translation>
+    </message>
+    <message>
+        <source>the file does not say what the values of {table} correct. They were converted for {target}, but for axis {axis} {role}: read the file again with these sources, or state its target</source>
+        <translation>die Datei sagt nicht, welche Achse die Werte von {table} korrigieren. Sie wurden für {target} umgerechnet, aber bei Achse {axis} gilt: {role}. Die Datei mit diesen Quellen neu einlesen oder ihre Zielachse angeben</translation>
+    </message>
+    <message>
+        <source>a source is no position of an axis</source>
+        <translation>eine Quelle ist keine Position einer Achse</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at set)</source>
+        <translation>die Tabelle ist für eine Position vor der Kompensation gemacht, und {source} ist eine danach: eine andere Quelle wählen oder die Tabelle für diese neu machen, aus ihrer Messung oder der Datei ihrer Steuerung (in der Befehlszeile mit --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
+        <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle für diese neu machen, aus ihrer Messung oder der Datei ihrer Steuerung (in der Befehlszeile mit --lookup-at encoder)</translation>
     </message>
 </context>
 <context>
@@ -11694,10 +11702,6 @@
         <translation>Quellachse 2</translation>
     </message>
     <message>
-        <source>target axis</source>
-        <translation>Zielachse</translation>
-    </message>
-    <message>
         <source>zone</source>
         <translation>Zone</translation>
     </message>
@@ -11760,6 +11764,10 @@
     <message>
         <source>secondary unit</source>
         <translation>Einheit von SECONDARY</translation>
+    </message>
+    <message>
+        <source>target axis</source>
+        <translation>Zielachse der Steuerung</translation>
     </message>
 </context>
 <context>
@@ -15593,10 +15601,6 @@
         <translation>Die Achse hat keine Tabelle mehr.</translation>
     </message>
     <message>
-        <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation>Ihre flüchtige Tabelle ist weg: Schreiben Sie sie noch einmal, oder machen Sie sie dauerhaft.</translation>
-    </message>
-    <message>
         <source>dimensionality</source>
         <translation>Dimensionalität</translation>
     </message>
@@ -15613,8 +15617,12 @@
         <translation>Persistenz</translation>
     </message>
     <message>
-        <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation>Ein anderes Programm hat die Einstellungen dieser Achse auf dem Antrieb geändert: %1.</translation>
+        <source>Its volatile table is gone: write it again, as a persistent one if it has to outlast a restart.</source>
+        <translation>Ihre flüchtige Tabelle ist weg: Schreiben Sie sie noch einmal, und zwar dauerhaft, wenn sie einen Neustart überstehen soll.</translation>
+    </message>
+    <message>
+        <source>The settings of this axis on the drive have changed, and not by this window: %1.</source>
+        <translation>Die Einstellungen dieser Achse auf dem Antrieb haben sich geändert, und zwar nicht durch dieses Fenster: %1.</translation>
     </message>
 </context>
 <context>
@@ -17643,6 +17651,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
         <translation>Ob es wie vorhergesagt ist, bleibt offen, da weniger von der Achse gemessen wurde: M ist nachher %1, und bis %2 gilt als wie vorhergesagt.</translation>
     </message>
+    <message>
+        <source>The measurement is in the record, and that is saved: write the report.</source>
+        <translation>Die Messung ist im Protokoll, und das ist gespeichert: Schreiben Sie den Bericht.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -17769,6 +17781,14 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
         <translation>%1 sagt, was von der Tabelle darin geschrieben und gemessen wurde, und dieses Protokoll sagt es nicht. Unter einem anderen Namen bleibt beides erhalten.</translation>
+    </message>
+    <message>
+        <source>&amp;Take It Up</source>
+        <translation>&amp;Übernehmen</translation>
+    </message>
+    <message>
+        <source>For&amp;get It</source>
+        <translation>Ver&amp;gessen</translation>
     </message>
 </context>
 <context>
@@ -18950,6 +18970,10 @@ B - A: %3</translation>
     <message>
         <source>%1 is used as the table: %2 points, tables: %3.</source>
         <translation>%1 wird als Tabelle verwendet: %2 Punkte, Tabellen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as it is. %2</source>
+        <translation>%1 ist so nicht verwendbar. %2</translation>
     </message>
 </context>
 <context>

@@ -6362,14 +6362,6 @@
         <translation>le profil du variateur n&apos;indique pas quel registre est le codeur de l&apos;axe&#xa0;: l&apos;indiquer</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
-        <translation>la table a été établie pour une position avant compensation, et {source} en est une après&#xa0;: choisir une autre source ou refaire la table pour celle-ci (--lookup-at set)</translation>
-    </message>
-    <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
-        <translation>la table a été établie pour une position après compensation, et {source} en est une avant&#xa0;: choisir une autre source ou refaire la table pour celle-ci (--lookup-at encoder)</translation>
-    </message>
-    <message>
         <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
         <translation>l&apos;axe consulte sa table à {source}, une position avant compensation, donc --lookup-at encoder</translation>
     </message>
@@ -6552,10 +6544,6 @@
     <message>
         <source>the position of the zero is missing</source>
         <translation>la position du zéro manque</translation>
-    </message>
-    <message>
-        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
-        <translation>selon le fichier, les valeurs de {table} corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre colonne, un autre axe ou une autre source, ou, si c&apos;est malgré tout exact, indiquer l&apos;axe cible par {statement}</translation>
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
@@ -8640,6 +8628,26 @@
     <message>
         <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
         <translation>aucune police installée ne contient {characters}, le PDF aurait des cases vides à la place&#xa0;: installer une police qui les contient, par exemple fonts-noto-cjk pour le chinois et le japonais, ou écrire le rapport en HTML</translation>
+    </message>
+    <message>
+        <source>the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement} when the file is read</source>
+        <translation>les valeurs de {table} corrigent {target}, mais pour l&apos;axe {axis}, {role}&#xa0;; choisir une autre colonne, un autre axe ou une autre source, ou, si c&apos;est malgré tout exact, indiquer l&apos;axe cible par {statement} à la lecture du fichier</translation>
+    </message>
+    <message>
+        <source>the file does not say what the values of {table} correct. They were converted for {target}, but for axis {axis} {role}: read the file again with these sources, or state its target</source>
+        <translation>le fichier n&apos;indique pas quel axe les valeurs de {table} corrigent. Elles ont été converties pour {target}, mais pour l&apos;axe {axis}, {role}&#xa0;: relire le fichier avec ces sources, ou indiquer son axe cible</translation>
+    </message>
+    <message>
+        <source>a source is no position of an axis</source>
+        <translation>une source n&apos;est pas la position d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at set)</source>
+        <translation>la table a été établie pour une position avant compensation, et {source} en est une après&#xa0;: choisir une autre source ou refaire la table pour celle-ci, à partir de sa mesure ou du fichier de sa commande (en ligne de commande avec --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
+        <translation>la table a été établie pour une position après compensation, et {source} en est une avant&#xa0;: choisir une autre source ou refaire la table pour celle-ci, à partir de sa mesure ou du fichier de sa commande (en ligne de commande avec --lookup-at encoder)</translation>
     </message>
 </context>
 <context>
@@ -11694,10 +11702,6 @@
         <translation>axe source 2</translation>
     </message>
     <message>
-        <source>target axis</source>
-        <translation>axe cible</translation>
-    </message>
-    <message>
         <source>zone</source>
         <translation>zone</translation>
     </message>
@@ -11760,6 +11764,10 @@
     <message>
         <source>secondary unit</source>
         <translation>unité de SECONDARY</translation>
+    </message>
+    <message>
+        <source>target axis</source>
+        <translation>axe cible de la commande</translation>
     </message>
 </context>
 <context>
@@ -15593,10 +15601,6 @@
         <translation>L&apos;axe n&apos;a plus de table.</translation>
     </message>
     <message>
-        <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation>Sa table volatile a disparu&#xa0;: l&apos;écrire de nouveau ou la rendre persistante.</translation>
-    </message>
-    <message>
         <source>dimensionality</source>
         <translation>dimensionnalité</translation>
     </message>
@@ -15613,8 +15617,12 @@
         <translation>persistance</translation>
     </message>
     <message>
-        <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation>Un autre programme a modifié les réglages de cet axe sur le variateur&#xa0;: %1.</translation>
+        <source>Its volatile table is gone: write it again, as a persistent one if it has to outlast a restart.</source>
+        <translation>Sa table volatile a disparu&#xa0;: l&apos;écrire de nouveau, en persistante si elle doit survivre à un redémarrage.</translation>
+    </message>
+    <message>
+        <source>The settings of this axis on the drive have changed, and not by this window: %1.</source>
+        <translation>Les réglages de cet axe sur le variateur ont changé, et non par cette fenêtre&#xa0;: %1.</translation>
     </message>
 </context>
 <context>
@@ -17643,6 +17651,10 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
         <translation>La conformité à la prévision reste ouverte, car une moindre partie de l&apos;axe a été mesurée&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme.</translation>
     </message>
+    <message>
+        <source>The measurement is in the record, and that is saved: write the report.</source>
+        <translation>La mesure est dans la fiche, qui est enregistrée&#xa0;: écrire le rapport.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -17769,6 +17781,14 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
     <message>
         <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
         <translation>%1 indique ce qui a été écrit et mesuré de sa table, ce que cette fiche ne fait pas. L&apos;enregistrement sous un autre nom conserve les deux.</translation>
+    </message>
+    <message>
+        <source>&amp;Take It Up</source>
+        <translation>La ré&amp;cupérer</translation>
+    </message>
+    <message>
+        <source>For&amp;get It</source>
+        <translation>La reje&amp;ter</translation>
     </message>
 </context>
 <context>
@@ -18950,6 +18970,10 @@ B - A&#xa0;: %3</translation>
     <message>
         <source>%1 is used as the table: %2 points, tables: %3.</source>
         <translation>%1 est utilisé comme table&#xa0;: %2 points, tables&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as it is. %2</source>
+        <translation>%1 n&apos;est pas utilisable tel quel. %2</translation>
     </message>
 </context>
 <context>

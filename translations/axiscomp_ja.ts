@@ -6327,14 +6327,6 @@
         <translation>ドライブプロファイルに、軸のエンコーダのレジスタが示されていません。指定してください</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
-        <translation>テーブルは補正前の位置用ですが、{source} は補正後の位置です。別のソースを選ぶか、これに合わせてテーブルを作り直してください (--lookup-at set)</translation>
-    </message>
-    <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
-        <translation>テーブルは補正後の位置用ですが、{source} は補正前の位置です。別のソースを選ぶか、これに合わせてテーブルを作り直してください (--lookup-at encoder)</translation>
-    </message>
-    <message>
         <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
         <translation>軸は補正前の位置 {source} でテーブルを参照します。これは --lookup-at encoder に当たります</translation>
     </message>
@@ -6516,10 +6508,6 @@
     <message>
         <source>the position of the zero is missing</source>
         <translation>ゼロ点の位置がありません</translation>
-    </message>
-    <message>
-        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
-        <translation>ファイルによると {table} の値は {target} を補正しますが、軸 {axis} では次のとおりです: {role}。列、軸またはソースを選び直すか、それでも正しい場合は対象軸を {statement} と指定してください</translation>
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
@@ -8599,6 +8587,26 @@
     <message>
         <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
         <translation>{characters} を含むフォントがインストールされていないため、PDF では空白の四角になります。これらの文字を含むフォント (中国語・日本語なら fonts-noto-cjk など) をインストールするか、報告書を HTML で書き出してください</translation>
+    </message>
+    <message>
+        <source>the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement} when the file is read</source>
+        <translation>{table} の値は {target} を補正しますが、軸 {axis} では次のとおりです: {role}。列、軸またはソースを選び直すか、それでも正しい場合はファイルの読み込み時に対象軸を {statement} と指定してください</translation>
+    </message>
+    <message>
+        <source>the file does not say what the values of {table} correct. They were converted for {target}, but for axis {axis} {role}: read the file again with these sources, or state its target</source>
+        <translation>{table} の値がどの軸を補正するかはファイルに記載されていません。値は {target} 用に変換されましたが、軸 {axis} では次のとおりです: {role}。このソースでファイルを読み直すか、対象軸を指定してください</translation>
+    </message>
+    <message>
+        <source>a source is no position of an axis</source>
+        <translation>軸の位置ではないソースがあります</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at set)</source>
+        <translation>テーブルは補正前の位置用ですが、{source} は補正後の位置です。別のソースを選ぶか、測定または元のコントローラのファイルからこのソース用にテーブルを作り直してください (コマンドラインでは --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
+        <translation>テーブルは補正後の位置用ですが、{source} は補正前の位置です。別のソースを選ぶか、測定または元のコントローラのファイルからこのソース用にテーブルを作り直してください (コマンドラインでは --lookup-at encoder)</translation>
     </message>
 </context>
 <context>
@@ -11640,10 +11648,6 @@
         <translation>ソース軸 2</translation>
     </message>
     <message>
-        <source>target axis</source>
-        <translation>対象軸</translation>
-    </message>
-    <message>
         <source>zone</source>
         <translation>ゾーン</translation>
     </message>
@@ -11706,6 +11710,10 @@
     <message>
         <source>secondary unit</source>
         <translation>SECONDARY の単位</translation>
+    </message>
+    <message>
+        <source>target axis</source>
+        <translation>コントローラの対象軸</translation>
     </message>
 </context>
 <context>
@@ -15539,10 +15547,6 @@
         <translation>軸のテーブルがなくなりました。</translation>
     </message>
     <message>
-        <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation>揮発のテーブルが失われました。もう一度書き込むか、不揮発にしてください。</translation>
-    </message>
-    <message>
         <source>dimensionality</source>
         <translation>次元数</translation>
     </message>
@@ -15559,8 +15563,12 @@
         <translation>保存方式</translation>
     </message>
     <message>
-        <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation>別のプログラムがドライブのこの軸の設定を変更しました: %1。</translation>
+        <source>Its volatile table is gone: write it again, as a persistent one if it has to outlast a restart.</source>
+        <translation>揮発のテーブルが失われました。もう一度書き込んでください。再起動後も残す必要がある場合は、不揮発で書き込んでください。</translation>
+    </message>
+    <message>
+        <source>The settings of this axis on the drive have changed, and not by this window: %1.</source>
+        <translation>ドライブのこの軸の設定が、このウィンドウ以外によって変わりました: %1。</translation>
     </message>
 </context>
 <context>
@@ -17589,6 +17597,10 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
         <translation>軸の一部しか測定していないため、予測どおりかどうかは判断できません。補正後の M は %1 で、%2 以下なら予測どおりです。</translation>
     </message>
+    <message>
+        <source>The measurement is in the record, and that is saved: write the report.</source>
+        <translation>測定は記録に入り、記録は保存されています。報告書を作成してください。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -17715,6 +17727,14 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
     <message>
         <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
         <translation>%1 には、そのテーブルの書き込みと測定の結果がありますが、この記録にはありません。別の名前で保存すると、両方が残ります。</translation>
+    </message>
+    <message>
+        <source>&amp;Take It Up</source>
+        <translation>引き継ぐ(&amp;T)</translation>
+    </message>
+    <message>
+        <source>For&amp;get It</source>
+        <translation>破棄(&amp;G)</translation>
     </message>
 </context>
 <context>
@@ -18896,6 +18916,10 @@ B - A: %3</translation>
     <message>
         <source>%1 is used as the table: %2 points, tables: %3.</source>
         <translation>%1 をテーブルとして使用します: %2 点、テーブル: %3。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as it is. %2</source>
+        <translation>%1 はこのままでは使用できません。%2</translation>
     </message>
 </context>
 <context>

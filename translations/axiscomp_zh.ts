@@ -6327,14 +6327,6 @@
         <translation>驱动器描述文件没有说明哪个寄存器是该轴的编码器：请指定</translation>
     </message>
     <message>
-        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one (--lookup-at set)</source>
-        <translation>该表是按补偿前的位置生成的，而 {source} 是补偿后的位置：请选择其他源，或按此源重新生成表 (--lookup-at set)</translation>
-    </message>
-    <message>
-        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one (--lookup-at encoder)</source>
-        <translation>该表是按补偿后的位置生成的，而 {source} 是补偿前的位置：请选择其他源，或按此源重新生成表 (--lookup-at encoder)</translation>
-    </message>
-    <message>
         <source>the axis looks its table up at {source}, a position before the compensation, which is --lookup-at encoder</source>
         <translation>该轴在 {source} 处查表，即补偿前的位置，对应 --lookup-at encoder</translation>
     </message>
@@ -6516,10 +6508,6 @@
     <message>
         <source>the position of the zero is missing</source>
         <translation>缺少零点的位置</translation>
-    </message>
-    <message>
-        <source>the file says that the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement}</source>
-        <translation>文件注明 {table} 的值修正 {target}，但对轴 {axis} 而言{role}；请选择其他列、轴或源；如果确实无误，请将目标轴注明为 {statement}</translation>
     </message>
     <message>
         <source>the file says &quot;{note}&quot;, where one comment, lookup: encoder or lookup: set, says for which side of the compensation the table was made: correct that line, or leave it out</source>
@@ -8599,6 +8587,26 @@
     <message>
         <source>no installed font has {characters}, so that empty boxes would stand in the PDF: install one that has them, such as fonts-noto-cjk for Chinese and Japanese, or write the report as HTML</source>
         <translation>已安装的字体都不包含 {characters}，PDF 中会出现空方框：请安装包含这些字符的字体（中文和日文可用 fonts-noto-cjk），或将报告写成 HTML</translation>
+    </message>
+    <message>
+        <source>the values of {table} correct {target}, but for axis {axis} {role}; choose another column, axis or source, or, if it is right all the same, state the target as {statement} when the file is read</source>
+        <translation>{table} 的值修正 {target}，但对轴 {axis} 而言{role}；请选择其他列、轴或源；如果确实无误，请在读取文件时将目标轴注明为 {statement}</translation>
+    </message>
+    <message>
+        <source>the file does not say what the values of {table} correct. They were converted for {target}, but for axis {axis} {role}: read the file again with these sources, or state its target</source>
+        <translation>文件未注明 {table} 的值修正哪个轴。这些值是按{target}换算的，但对轴 {axis} 而言{role}：请用这些源重新读取文件，或注明其目标轴</translation>
+    </message>
+    <message>
+        <source>a source is no position of an axis</source>
+        <translation>有的源不是轴的位置</translation>
+    </message>
+    <message>
+        <source>the table was made for a position before the compensation, and {source} is one after it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at set)</source>
+        <translation>该表是按补偿前的位置生成的，而 {source} 是补偿后的位置：请选择其他源，或根据其测量或原控制器的文件按此源重新生成表 (命令行用 --lookup-at set)</translation>
+    </message>
+    <message>
+        <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
+        <translation>该表是按补偿后的位置生成的，而 {source} 是补偿前的位置：请选择其他源，或根据其测量或原控制器的文件按此源重新生成表 (命令行用 --lookup-at encoder)</translation>
     </message>
 </context>
 <context>
@@ -11640,10 +11648,6 @@
         <translation>源轴 2</translation>
     </message>
     <message>
-        <source>target axis</source>
-        <translation>目标轴</translation>
-    </message>
-    <message>
         <source>zone</source>
         <translation>区</translation>
     </message>
@@ -11706,6 +11710,10 @@
     <message>
         <source>secondary unit</source>
         <translation>SECONDARY 的单位</translation>
+    </message>
+    <message>
+        <source>target axis</source>
+        <translation>控制器的目标轴</translation>
     </message>
 </context>
 <context>
@@ -15539,10 +15547,6 @@
         <translation>该轴已没有表。</translation>
     </message>
     <message>
-        <source>Its volatile table is gone: write it again, or make it persistent.</source>
-        <translation>其易失表已丢失：请重新写入，或设为持久。</translation>
-    </message>
-    <message>
         <source>dimensionality</source>
         <translation>维数</translation>
     </message>
@@ -15559,8 +15563,12 @@
         <translation>持久性</translation>
     </message>
     <message>
-        <source>Another program changed the settings of this axis on the drive: %1.</source>
-        <translation>另一程序更改了驱动器上此轴的设置：%1。</translation>
+        <source>Its volatile table is gone: write it again, as a persistent one if it has to outlast a restart.</source>
+        <translation>其易失表已丢失：请重新写入；如需在重启后保留，请以持久方式写入。</translation>
+    </message>
+    <message>
+        <source>The settings of this axis on the drive have changed, and not by this window: %1.</source>
+        <translation>驱动器上此轴的设置已改变，且并非由此窗口更改：%1。</translation>
     </message>
 </context>
 <context>
@@ -17589,6 +17597,10 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
         <translation>由于只测量了轴的一部分，无法判断是否与预测相符：补偿后 M 为 %1，不超过 %2 即为相符。</translation>
     </message>
+    <message>
+        <source>The measurement is in the record, and that is saved: write the report.</source>
+        <translation>该测量已在档案中，档案已保存：请生成报告。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::RecordActions</name>
@@ -17715,6 +17727,14 @@ Free software under the GNU General Public License, version 3 or later.</source>
     <message>
         <source>%1 says what was written and measured of its table, and this record does not. Saving it under another name keeps both.</source>
         <translation>%1 记载了其中的表的写入和测量，而此档案没有。以其他名称保存可保留两者。</translation>
+    </message>
+    <message>
+        <source>&amp;Take It Up</source>
+        <translation>恢复档案(&amp;T)</translation>
+    </message>
+    <message>
+        <source>For&amp;get It</source>
+        <translation>丢弃档案(&amp;G)</translation>
     </message>
 </context>
 <context>
@@ -18896,6 +18916,10 @@ B - A: %3</translation>
     <message>
         <source>%1 is used as the table: %2 points, tables: %3.</source>
         <translation>%1 已用作表：%2 点，表：%3。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used as it is. %2</source>
+        <translation>%1 无法直接使用。%2</translation>
     </message>
 </context>
 <context>

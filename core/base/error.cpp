@@ -78,10 +78,9 @@ constexpr std::array errorRows{
             "it; state the target: {sources}")},
     ErrorRow{ErrorCode::TargetMismatch, "TargetMismatch", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
-            "the file says that the values of {table} correct {target}, but for axis {axis} "
-            "{role}; "
-            "choose another column, axis or source, or, if it is right all the same, state the "
-            "target as {statement}")},
+            "the values of {table} correct {target}, but for axis {axis} {role}; choose another "
+            "column, axis or source, or, if it is right all the same, state the target as "
+            "{statement} when the file is read")},
     ErrorRow{ErrorCode::UnitMismatch, "UnitMismatch", ErrorClass::Request,
         AXISCOMP_TEXT("Error",
             "the {what} are in {unit}, which cannot be converted to {other}, the unit of the "
@@ -391,6 +390,11 @@ constexpr std::array variants{
             "{axis} {role}; choose another table or axis, or, if it is right all the same, write "
             "the table to this axis from its file first, and state the target as {statement} "
             "there")},
+    Variant{ErrorCode::TargetMismatch, "suggested",
+        AXISCOMP_TEXT("Error",
+            "the file does not say what the values of {table} correct. They were converted for "
+            "{target}, but for axis {axis} {role}: read the file again with these sources, or "
+            "state its target")},
     Variant{ErrorCode::UnitMissing, "positions",
         AXISCOMP_TEXT("Error",
             "the table states no unit for its values, and its positions are in {positions}; "

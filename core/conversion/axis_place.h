@@ -17,6 +17,19 @@ struct AxisPlace {
     friend bool operator==(const AxisPlace&, const AxisPlace&) = default;
 };
 
+/// What of a place the numbers of tables are made for.
+struct UsedPlace {
+    bool target = false;
+    bool lookupAt = false;
+
+    /// Whether they were others, made for the one place and for the other.
+    [[nodiscard]] bool differs(const AxisPlace& one, const AxisPlace& other) const
+    {
+        return (target && one.target != other.target)
+            || (lookupAt && one.lookupAt != other.lookupAt);
+    }
+};
+
 /// Whether a conversion that was refused may be possible for another place.
 [[nodiscard]] bool dependsOnPlace(const Error& refusal);
 

@@ -286,8 +286,11 @@ void Import::convert(const std::vector<NeutralTable>& whole)
             data.tables.push_back(std::move(one->tables.front()));
     }
     // Any of its columns may have been made for one of the two.
-    if (!isOfDrive(*m_result.format, m_result.sign))
+    m_result.usedPlace.lookupAt = !isOfDrive(*m_result.format, m_result.sign);
+    if (m_result.usedPlace.lookupAt)
         data.notes = withLookupNote(std::move(data.notes), m_lookupAt);
+    m_result.usedPlace.target =
+        std::ranges::any_of(data.tables, &CompensationTable::isTargetOfDrive);
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
 

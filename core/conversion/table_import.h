@@ -33,6 +33,7 @@ struct TableImport {
     /// Of the values of the file, as stated or as it says itself; nothing: as its format says.
     std::optional<SignConvention> sign;
     std::vector<Text> report; ///< of conversions
+    UsedPlace usedPlace; ///< what of ImportChoices::place the data was made for
     std::optional<FullGrid> fullGrid; ///< what a calibration file is instead (calibration_csv.h)
     int sourceAxes = 0; ///< of the tables of the file, 0: there are none
     bool hasDirections = false;

@@ -4,6 +4,7 @@
 #include "core/table/target_axis.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace axiscomp {
 
@@ -17,6 +18,17 @@ Text sourceText(const Grid& grid, std::size_t source)
                          : AXISCOMP_TEXT("Error", "the axis of dimension {number} ({axis})"))
         .with("number", source + 1)
         .with("axis", name);
+}
+
+/// What the axis is among its sources.
+Text roleText(const std::optional<TargetAxis>& actual)
+{
+    if (!actual)
+        return AXISCOMP_TEXT("Error", "a source is no position of an axis");
+    if (!actual->source)
+        return AXISCOMP_TEXT("Error", "all sources are positions of other axes");
+    return AXISCOMP_TEXT("Error", "dimension {number} is its own position")
+        .with("number", *actual->source + 1);
 }
 
 } // namespace
@@ -40,20 +52,20 @@ Result<void> checkTarget(const DriveProfile& profile, int axis,
     const std::vector<std::string> nameless(table.grid.axes.size());
     const std::string statement = axisTarget(profile, axis, sources);
     const auto actual = targetAxis(statement, nameless);
-    if (!stated || !actual || stated == actual)
+    if (!stated || stated == actual || (!actual && !table.isTargetOfDrive))
         return {};
     Text target = AXISCOMP_TEXT("Error", "an axis that is no source");
     if (stated->source)
         target = sourceText(table.grid, *stated->source);
     else if (table.target != otherAxis)
         target = Verbatim{table.target};
-    const Text role = actual->source
-        ? AXISCOMP_TEXT("Error", "dimension {number} is its own position")
-              .with("number", *actual->source + 1)
-        : Text(AXISCOMP_TEXT("Error", "all sources are positions of other axes"));
-    return fail(ErrorCode::TargetMismatch,
-        {{"table", table.name}, {"target", target}, {"axis", axis}, {"role", role},
-            {"statement", statement}});
+    Error error{ErrorCode::TargetMismatch,
+        {{"table", table.name}, {"target", target}, {"axis", axis}, {"role", roleText(actual)},
+            {"statement", statement}},
+        {}};
+    if (table.isTargetOfDrive)
+        error.context.set("suggested", Verbatim{"target"});
+    return fail(std::move(error));
 }
 
 std::vector<std::string> sourcePaths(const CompensationSetup& setup)

@@ -17,7 +17,8 @@ namespace axiscomp {
     const DriveProfile& profile, int axis, std::span<const std::string> sources);
 
 /// That a table whose file says what it corrects is not written to an axis that is something else
-/// among the sources: the Y errors of a grid to axis X. Errors: TargetMismatch.
+/// among the sources: the Y errors of a grid to axis X. Nor is one that was converted for what
+/// another axis, or this one, was among other sources. Errors: TargetMismatch.
 [[nodiscard]] Result<void> checkTarget(const DriveProfile& profile, int axis,
     std::span<const std::string> sources, const CompensationTable& table);
 

@@ -2,7 +2,6 @@
 #include "core/machine/machine_tables.h"
 
 #include "core/base/parallel.h"
-#include "core/conversion/lookup_sides.h"
 #include "core/conversion/table_choice.h"
 #include "core/conversion/table_import.h"
 #include "core/io/local_file.h"
@@ -77,7 +76,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
         result.problem = lookupAt.error();
     } else if (const auto measured = measuredDriveInNotes(import.data->notes); !measured) {
         result.problem = measured.error();
-    } else if (!place && !isOfDrive(*import.format, import.sign)) {
+    } else if (!place && import.usedPlace.lookupAt) {
         result.isOpen = true;
     } else {
         result.table = *std::move(table);

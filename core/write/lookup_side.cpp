@@ -63,10 +63,12 @@ Result<void> checkLookupSource(LookupAt made, const DriveProfile& profile, std::
     const TextPattern pattern = *found == LookupAt::Set
         ? AXISCOMP_TEXT("Error",
             "the table was made for a position before the compensation, and {source} is one after "
-            "it: choose another source, or make the table anew for this one (--lookup-at set)")
+            "it: choose another source, or make the table anew for this one, from its measurement "
+            "or the file of its controller (on the command line with --lookup-at set)")
         : AXISCOMP_TEXT("Error",
             "the table was made for a position after the compensation, and {source} is one before "
-            "it: choose another source, or make the table anew for this one (--lookup-at encoder)");
+            "it: choose another source, or make the table anew for this one, from its measurement "
+            "or the file of its controller (on the command line with --lookup-at encoder)");
     return fail(ErrorCode::InvalidArgument,
         {{"reason", pattern.with("source", Verbatim{std::string(source)})}});
 }

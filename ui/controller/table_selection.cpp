@@ -89,6 +89,7 @@ void TableSelection::followFile(
         Q_EMIT fileReadAgain();
     else
         Q_EMIT fileOpened();
+    followPlace(); // of now: it may have been another one when reading began
 }
 
 /// The user has not chosen another one.
@@ -105,6 +106,7 @@ void TableSelection::putBack(const OpenedFile& opened)
     m_isOpening = opened.file.isReading;
     m_file.putBack(opened);
     noteSelected();
+    followPlace();
 }
 
 /// Without an axis the fields are only being emptied: no reason to read the file in another way.
@@ -119,6 +121,17 @@ void TableSelection::followField(Field field)
 void TableSelection::noteFailure(const LoadedFile& failed)
 {
     m_isOpening = false;
+    if (failed.refusal)
+        m_log.add(LogLine::Kind::Error, [path = failed.path, refusal = *failed.refusal] {
+            return tr("%1 cannot be used as it is. %2").arg(path, errorText(refusal));
+        });
+    else
+        noteProblems(failed);
+    followPlace();
+}
+
+void TableSelection::noteProblems(const LoadedFile& failed)
+{
     const auto problems =
         std::ranges::count(failed.problems, Severity::Error, &Diagnostic::severity);
     m_log.add(LogLine::Kind::Error,
@@ -175,6 +188,20 @@ void TableSelection::setUnits(const TableUnits& units, std::optional<std::size_t
     m_ownDimension = ownDimension;
     m_source.reset();
     noteSelected();
+}
+
+void TableSelection::setPlace(const std::optional<AxisPlace>& place)
+{
+    if (place == m_place)
+        return;
+    m_place = place;
+    followPlace();
+}
+
+void TableSelection::followPlace()
+{
+    if (m_place)
+        m_file.setPlace(*m_place);
 }
 
 std::size_t TableSelection::selectedBytes() const

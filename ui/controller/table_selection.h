@@ -64,6 +64,9 @@ public:
     void setTableOnDrive(const std::optional<TableHeader>& table);
     /// Of the axis and its sources; the dimension whose source is its own position.
     void setUnits(const TableUnits& units, std::optional<std::size_t> ownDimension);
+    /// Of the axis among its sources, which a file of another controller is converted for: for
+    /// another place it is read again. Nothing: not all sources are chosen.
+    void setPlace(const std::optional<AxisPlace>& place);
     [[nodiscard]] std::size_t selectedBytes() const; ///< as a file on the drive; 0 without a table
 
 Q_SIGNALS:
@@ -76,7 +79,9 @@ private:
     void takeSameTable(const CalibrationData& before, int index, const CalibrationData& now);
     void followField(Field field);
     void noteFailure(const LoadedFile& failed);
+    void noteProblems(const LoadedFile& failed);
     void noteSelected();
+    void followPlace();
     void compareWithDrive();
     [[nodiscard]] bool isOnDrive(const std::shared_ptr<const CompensationTable>& table);
 
@@ -89,6 +94,7 @@ private:
     bool m_isOpening = false; ///< somebody wants a table of the file that is being read
     TableUnits m_units;
     std::optional<std::size_t> m_ownDimension;
+    std::optional<AxisPlace> m_place;
     mutable LoadedTable m_converted; ///< selected(), of m_source
     mutable std::shared_ptr<const CompensationTable> m_source;
     mutable std::optional<Error> m_unitRefusal; ///< why m_source has other units than the drive's

@@ -126,6 +126,7 @@ void WizardController::wireAxis()
             *m_parts->drives.connection(), *m_parts->axis.status(), isComplete);
         m_parts->proof.take(driveTable());
     });
+    connect(axis, &AxisState::statusChanged, this, &WizardController::updatePlace);
     connect(axis, &AxisState::statusChanged, this, &WizardController::updateUnits);
     connect(axis, &AxisState::statusChanged, this, &WizardController::statusChanged);
     connect(axis, &AxisState::liveChanged, this, &WizardController::liveChanged);
@@ -134,11 +135,21 @@ void WizardController::wireAxis()
         connect(axis, changed, &m_parts->actions, &WizardActions::update);
     connect(&m_parts->sources, &SourceCheck::checked, this, &WizardController::sourceChecked);
     connect(&m_parts->sources, &SourceCheck::checked, &m_parts->actions, &WizardActions::update);
+    connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::updatePlace);
     connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::updateUnits);
     connect(&m_parts->setup, &SetupModel::fieldChanged, this, &WizardController::watchSources);
     connect(
         &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
+}
+
+/// A file of another controller is read for what the axis is among its sources.
+void WizardController::updatePlace()
+{
+    const EditedSetup& edited = setup().edited();
+    const bool isKnown =
+        status() && std::ssize(sourcePaths(edited)) == std::ptrdiff_t{edited.dimensionality};
+    m_parts->tables.setPlace(isKnown ? std::optional(chosenPlace()) : std::nullopt);
 }
 
 /// Tables are shown in the units in which the drive takes them.

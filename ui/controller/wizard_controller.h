@@ -239,6 +239,7 @@ Q_SIGNALS:
     void outcomeChanged();
 
 private:
+    void updatePlace();
     void updateUnits();
     void watchSources();
     /// Of the current axis's drive.

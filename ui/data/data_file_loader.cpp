@@ -5,6 +5,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <utility>
 
 namespace axiscomp::ui {
@@ -16,11 +17,14 @@ void take(LoadedFile& file, TableImport import)
     file.format = import.format;
     file.data = std::move(import.data);
     file.report = std::move(import.report);
+    file.usedPlace = import.usedPlace;
     file.problems = std::move(import.problems);
     file.suppressedProblems = import.suppressedProblems;
     file.fullGrid = std::move(import.fullGrid);
     file.refusal = std::move(import.refusal);
-    if (file.refusal && file.problems.empty())
+    const bool isSaid = std::ranges::find(file.problems, Severity::Error, &Diagnostic::severity)
+        != file.problems.end();
+    if (file.refusal && !isSaid)
         file.problems.push_back(
             {Severity::Error, DiagnosticCode::IoError, 0, 0, textOf(*file.refusal), {}, {}});
     if (!file.data)

@@ -33,6 +33,7 @@ struct LoadedFile {
     ImportChoices choices; ///< likewise
     const TableFormat* format = nullptr; ///< as which it was read
     std::vector<Text> report; ///< of its conversion
+    UsedPlace usedPlace; ///< what of the axis's place it was made for
     std::optional<Error> refusal; ///< other choices are needed; among the problems, too
     FileStamp stamp; ///< from before it was read
     std::shared_ptr<const CalibrationData> data; ///< only without an error

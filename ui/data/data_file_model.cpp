@@ -33,6 +33,12 @@ LoadedTable DataFileModel::table(int index) const
 
 void DataFileModel::open(const QString& path, int dimensions, const ImportChoices& choices)
 {
+    m_isUnasked = false;
+    load(path, dimensions, choices);
+}
+
+void DataFileModel::load(const QString& path, int dimensions, const ImportChoices& choices)
+{
     m_file.isReading = true;
     m_file.readingPath = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     m_file.progress = 0.0;
@@ -74,6 +80,18 @@ void DataFileModel::setDimensions(int dimensions)
         && (m_file.isMade || (m_file.format && m_file.format != &calibration_csv::format()));
     if (!path.isEmpty() && !knowsItsOwn)
         open(path, dimensions, m_file.isReading ? m_readingWith : m_readWith);
+}
+
+/// Compared with the place of the last try: one that failed is not tried again and again.
+void DataFileModel::setPlace(const AxisPlace& place)
+{
+    if (m_file.isReading || m_file.isMade || !m_file.data
+        || !m_file.usedPlace.differs(choicesFor(m_file.path).place, place))
+        return;
+    ImportChoices choices = m_readWith;
+    choices.place = place;
+    m_isUnasked = true;
+    load(m_file.path, m_dimensions, choices);
 }
 
 ImportChoices DataFileModel::choicesFor(const QString& path) const
@@ -130,6 +148,7 @@ void DataFileModel::putBack(const OpenedFile& opened)
 void DataFileModel::take(const LoadedFile& loaded)
 {
     const bool isSameFile = loaded.path == m_file.path && !m_file.isMade;
+    const bool isUnasked = m_isUnasked;
     m_file.isReading = false;
     m_file.readingPath.clear();
     m_file.problemsPath = loaded.problems.empty() ? QString() : loaded.path;
@@ -141,6 +160,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     if (loaded.data) {
         m_file.data = loaded.data;
         m_file.report = loaded.report;
+        m_file.usedPlace = loaded.usedPlace;
         m_file.format = loaded.format;
         m_tables = loaded.tables;
     }
@@ -164,7 +184,7 @@ void DataFileModel::take(const LoadedFile& loaded)
     else
         Q_EMIT failed(loaded);
     Q_EMIT changed();
-    if (loaded.refusal)
+    if (loaded.refusal && !isUnasked)
         Q_EMIT choiceNeeded(loaded.path);
 }
 

@@ -40,6 +40,9 @@ public:
     /// The CSV file that was refused last, else the open one, again, when its columns mean
     /// something else now; other files know their own dimensions.
     void setDimensions(int dimensions);
+    /// The open file again, when its tables were made for another place. What cannot be read in
+    /// that way is no question to the user, who has not asked for it.
+    void setPlace(const AxisPlace& place);
     /// What the user has said about the file so far, also where it could not be read in that way.
     [[nodiscard]] ImportChoices choicesFor(const QString& path) const;
     /// With which the open file was read: reading it again means the same by it.
@@ -60,6 +63,7 @@ Q_SIGNALS:
     void choiceNeeded(const QString& path);
 
 private:
+    void load(const QString& path, int dimensions, const ImportChoices& choices);
     void take(const LoadedFile& loaded);
     void takeNotes();
     void watch();
@@ -71,6 +75,7 @@ private:
     std::map<QString, ImportChoices> m_choices; ///< by file
     ImportChoices m_readWith; ///< of m_file.path
     ImportChoices m_readingWith; ///< of m_file.readingPath
+    bool m_isUnasked = false; ///< nobody has asked for what is being read
     int m_dimensions = 1; ///< with which the data was read, or is being read
     DataFileLoader m_loader;
     QFileSystemWatcher m_watcher;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/conversion/axis_place.h"
 #include "core/csv/calibration_csv.h"
 #include "core/formats/table_format.h"
 #include "core/metrology/fit/lookup_frame.h"
@@ -23,6 +24,7 @@ struct DataFile {
     std::shared_ptr<const CalibrationData> data; ///< only of a file without errors
     const TableFormat* format = nullptr; ///< as which data was read
     std::vector<Text> report; ///< of the conversion of data
+    UsedPlace usedPlace; ///< what of the axis's place data was made for
     std::vector<Diagnostic> problems;
     std::size_t suppressedProblems = 0;
     std::optional<FullGrid> fullGrid; ///< what the file with the problems is instead

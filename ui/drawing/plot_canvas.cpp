@@ -238,8 +238,9 @@ void PlotCanvas::layOut()
         layout->addElement(0, hasSections ? 2 : 1, d->scale);
     d->scale->setVisible(d->isMap());
     d->sections->setVisible(hasSections);
-    // The curve below has them.
-    d->plot->xAxis->setTickLabels(!hasSections);
+    // The curve below has them. Without a table there is nothing that they are the scale of.
+    d->plot->xAxis->setTickLabels(d->table && !hasSections);
+    d->plot->yAxis->setTickLabels(d->table != nullptr);
     d->plot->xAxis->setLabel(hasSections ? QString() : d->xLabel);
 }
 

@@ -52,7 +52,9 @@ QString tableLoss(const AxisStatus& before, const AxisStatus& now)
     return before.table->persistent
         ? text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange", "The axis has no table any more."))
         : text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange",
-            "Its volatile table is gone: write it again, or make it persistent."));
+            "Its volatile table is gone: write it again, as a persistent one if it has to outlast "
+            "a "
+            "restart."));
 }
 
 QStringList changedFields(const CompensationSetup& before, const CompensationSetup& now)
@@ -77,12 +79,14 @@ Outcome foreignChange(const AxisStatus& before, const AxisStatus& now)
 {
     QStringList sentences{stateChange(before, now), tableLoss(before, now)};
     const QStringList fields = changedFields(before.setup, now.setup);
-    // A drive that restarts has the settings that were saved, which needs nobody else.
+    // A drive that restarts has the settings that were saved, which needs nobody else. One whose
+    // axis is homed again by now has restarted without a trace: who it was is not said.
     if (!fields.isEmpty() && !hasRestarted(before, now))
-        sentences += text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange",
-                              "Another program changed the settings of this axis on the drive: "
-                              "%1."))
-                         .arg(listText(fields));
+        sentences +=
+            text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange",
+                     "The settings of this axis on the drive have changed, and not by this "
+                     "window: %1."))
+                .arg(listText(fields));
     sentences.removeAll(QString());
     Outcome outcome;
     outcome.text = sentences.join(u' ');

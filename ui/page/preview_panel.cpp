@@ -249,6 +249,7 @@ void PreviewPanel::showTables()
 {
     m_applied->setTable(m_controller.selectedTable(), m_controller.selectedPlace());
     showApplied();
+    showTabs();
 }
 
 void PreviewPanel::showApplied()
@@ -282,12 +283,16 @@ QString PreviewPanel::titleOf(const QWidget& page) const
     return &page == m_slices ? tr("All slices") : tr("Two axes");
 }
 
-/// What is shown stays while the next table is read.
+/// What is shown stays while the next table is read; an axis without one has none to wait for.
 void PreviewPanel::showTabs()
 {
-    if (!m_shown->table())
+    const auto& table = m_shown->table();
+    const auto& status = m_controller.status();
+    const bool isAwaited =
+        !status || status->table || m_controller.setup().edited().table.fileTable;
+    if (!table && isAwaited)
         return;
-    const int dimensions = m_shown->table()->grid.dimensions();
+    const int dimensions = table ? table->grid.dimensions() : 1;
     showTab(*m_surface, dimensions > 1);
     showTab(*m_slices, dimensions > 2);
 }

@@ -222,6 +222,12 @@ void ProvePage::retranslate()
     follow();
 }
 
+void ProvePage::setUnsaved(bool isUnsaved)
+{
+    m_isUnsaved = isUnsaved;
+    sayNextStep();
+}
+
 bool ProvePage::isStated() const
 {
     const auto& crc = m_comparison.state().tableCrc;
@@ -313,7 +319,10 @@ std::pair<Tone, QString> ProvePage::result() const
     const ComparisonState& state = m_comparison.state();
     auto [tone, sentence] = verdictSentence(state);
     if (state.isKept)
-        sentence += u' ' + tr("The measurement is in the record: save that, and write the report.");
+        sentence += u' '
+            + (m_isUnsaved
+                    ? tr("The measurement is in the record: save that, and write the report.")
+                    : tr("The measurement is in the record, and that is saved: write the report."));
     else if (m_comparison.mayKeep())
         sentence += u' ' + tr("Keep it in the record.");
     return {tone, sentence};

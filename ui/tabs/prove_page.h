@@ -32,6 +32,8 @@ public:
     ProvePage(RecordModel& record, RecordModel& after, QWidget* parent = nullptr);
 
     void retranslate();
+    /// Whether the file of the record lacks something of it.
+    void setUnsaved(bool isUnsaved);
     /// How things are here.
     enum class Standing { Empty, Ready, Warning };
     [[nodiscard]] Standing standing() const;
@@ -72,6 +74,7 @@ private:
     QTableView* m_figures;
     ResidualPlot* m_plot;
     QTableView* m_residual;
+    bool m_isUnsaved = true;
 };
 
 } // namespace axiscomp::ui

@@ -101,6 +101,8 @@ RecordActions::RecordActions(RecordModel& record, WizardController& controller,
         forgetQuestion();
         goOnAfterSave();
     });
+    connect(&m_file, &RecordFile::changed, m_prove,
+        [this] { m_prove->setUnsaved(m_file.isModified()); });
     connect(&m_recovery, &RecordRecovery::found, this, &RecordActions::offerUnsaved);
     connect(&controller, &WizardController::tableWritten, this, &RecordActions::noteWrite);
     connect(&controller, &WizardController::tableActivated, this, &RecordActions::noteProof);
@@ -374,18 +376,19 @@ void RecordActions::offerUnsaved()
     if (!found || !m_page)
         return;
     const QString time = QLocale().toString(found->time, QLocale::ShortFormat);
+    const bool isRecord = found->path.isEmpty(); // not changes of one
     Message offer;
     offer.id = offerId();
     offer.tone = Tone::Warning;
-    offer.text = found->path.isEmpty()
+    offer.text = isRecord
         ? tr("The program did not end well. A record that was never saved was kept at %1.")
               .arg(time)
         : tr("The program did not end well. Unsaved changes of %1 were kept at %2.")
               .arg(QFileInfo(found->path).fileName(), time);
     offer.buttons = {
-        {QStringLiteral("takeUnsavedButton"), tr("&Take Them Up"),
+        {QStringLiteral("takeUnsavedButton"), isRecord ? tr("&Take It Up") : tr("&Take Them Up"),
             [this] { loseRecord(Reason::Open, [this] { m_recovery.take(); }); }},
-        {QStringLiteral("forgetUnsavedButton"), tr("For&get Them"),
+        {QStringLiteral("forgetUnsavedButton"), isRecord ? tr("For&get It") : tr("For&get Them"),
             [this] { m_recovery.discard(); }},
     };
     m_page->messages.show(offer);

@@ -373,6 +373,33 @@ private Q_SLOTS:
         QCOMPARE(lookupInNotes(cross.data->notes).value(), std::optional<LookupAt>());
     }
 
+    void forWhatOfAPlaceATableWasMadeIsKnown()
+    {
+        const AxisPlace own{"#1", LookupAt::Set};
+        const AxisPlace other{std::string(otherAxis), LookupAt::Set};
+        const AxisPlace encoder{"#1", LookupAt::Encoder};
+        ImportChoices choices;
+        choices.format = &softmc::format();
+        choices.settings = {{"position-unit", "mm"}, {"value-unit", "mm"}};
+        choices.place = own;
+        const std::string file = "1 5\n0 0\n10 -0.5\n20 0.25\n30 -0.5\n40 0\n";
+        const UsedPlace suggested = imported(QStringLiteral("x.txt"), file, choices).usedPlace;
+        QVERIFY(suggested.differs(own, other));
+        QVERIFY(suggested.differs(own, encoder));
+        QVERIFY(!suggested.differs(own, own));
+        choices.target = "#1";
+        const UsedPlace stated = imported(QStringLiteral("x.txt"), file, choices).usedPlace;
+        QVERIFY(!stated.differs(own, other));
+        QVERIFY(stated.differs(own, encoder));
+        choices = {};
+        choices.place = own;
+        const UsedPlace ofDrive =
+            imported(QStringLiteral("x.csv"), "X [mm],X error [mm]\n0,0\n10,0.5\n20,0\n", choices)
+                .usedPlace;
+        QVERIFY(!ofDrive.differs(own, other));
+        QVERIFY(!ofDrive.differs(own, encoder));
+    }
+
     void aTableOfTheDriveIsMadeAnewForTheOtherPlace()
     {
         NeutralTable table = neutralTable({steepTable().grid, {steepTable()}, {}});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/drive/axis_target.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
@@ -293,6 +294,7 @@ private Q_SLOTS:
         const auto refused = f.compensator.write(0, request);
         VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
         QVERIFY(names(refused.error(), "made for a position after the compensation"));
+        QVERIFY(names(refused.error(), "from its measurement or the file of its controller"));
         QVERIFY(f.state() == before);
         request.sources = {"Axes[0]/Signals/PathPlanner/Position"};
         VERIFY_RESULT(f.compensator.write(0, request));
@@ -448,6 +450,25 @@ private Q_SLOTS:
         VERIFY_ERROR(f.compensator.write(0, request), ErrorCode::TargetMismatch);
         request.table->target = "#1";
         VERIFY_RESULT(f.compensator.write(0, request));
+    }
+
+    void aTableThatWasConvertedForOtherSourcesIsReadAgain()
+    {
+        CompensatorFixture f;
+        WriteRequest request = requestFor(std::string(otherAxis), "Position");
+        request.table->isTargetOfDrive = true;
+        const auto before = f.state();
+        const auto refused = f.compensator.write(0, request);
+        VERIFY_ERROR(refused, ErrorCode::TargetMismatch);
+        QVERIFY(names(refused.error(), "file does not say what the values of"));
+        QVERIFY(names(refused.error(), "read the file again with these sources"));
+        QVERIFY(f.state() == before);
+        // Nor is it one for sources that do not tell what the axis is; a person's word is.
+        const DriveProfile& profile = drivecomm::genericProfile();
+        const std::vector<std::string> sources{"Axes[0]/Signals/General/MotorTemperature"};
+        VERIFY_ERROR(checkTarget(profile, 0, sources, *request.table), ErrorCode::TargetMismatch);
+        request.table->isTargetOfDrive = false;
+        VERIFY_RESULT(checkTarget(profile, 0, sources, *request.table));
     }
 };
 

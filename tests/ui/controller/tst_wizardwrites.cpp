@@ -3,6 +3,7 @@
 #include "tests/support/verify.h"
 #include "tests/ui/support/controller_fixture.h"
 #include "tests/ui/support/write_outcomes.h"
+#include "ui/outcome/foreign_change.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -288,14 +289,14 @@ private Q_SLOTS:
         QVERIFY(bench->setup().edited().table.fileTable.has_value());
     }
 
-    void onlyWhatAnotherProgramChangesIsLoggedAsSuch()
+    void onlyWhatThisWindowHasNotChangedIsLoggedAsSuch()
     {
         ControllerFixture bench;
         QVERIFY(bench.connect());
         QVERIFY(bench.prepare2D());
         const auto foreignChanges = [&] {
             return std::ranges::count_if(bench->log(), [](const LogLine& line) {
-                return line.text().startsWith(QStringLiteral("Another program changed"));
+                return line.text().contains(QStringLiteral("not by this window"));
             });
         };
         QVERIFY(bench.planAndWrite());
@@ -307,9 +308,26 @@ private Q_SLOTS:
         QVERIFY(bench.readLive());
         QCOMPARE(foreignChanges(), 1);
         QCOMPARE(bench->outcome(),
-            QStringLiteral("Another program changed the settings of this axis on the drive: "
-                           "source 1."));
+            QStringLiteral("The settings of this axis on the drive have changed, and not by this "
+                           "window: source 1."));
         QVERIFY(bench->isOutcomeAWarning());
+    }
+
+    /// An absolute encoder needs no homing after a restart, which is then no other program.
+    void aRestartOfAHomedAxisIsNotSaidToBeAnotherProgram()
+    {
+        AxisStatus before;
+        before.axis.isHomed = true;
+        before.setup.sources[0] = {1, test::masterX};
+        before.setup.tableCrc = 1;
+        before.table.emplace();
+        AxisStatus now = before;
+        now.setup = {};
+        now.table.reset();
+        QCOMPARE(foreignChange(before, now).text,
+            QStringLiteral("Its volatile table is gone: write it again, as a persistent one if it "
+                           "has to outlast a restart. The settings of this axis on the drive have "
+                           "changed, and not by this window: source 1, table."));
     }
 
     void aMessageOfSuccessDoesNotOutliveItsTruth_data()
@@ -323,7 +341,7 @@ private Q_SLOTS:
             << "restart"
             << "The axis has lost its homing, as after a restart of the drive: the compensation is "
                "off. Home the axis and activate again. Its volatile table is gone: write it again, "
-               "or make it persistent.";
+               "as a persistent one if it has to outlast a restart.";
     }
     void aMessageOfSuccessDoesNotOutliveItsTruth()
     {

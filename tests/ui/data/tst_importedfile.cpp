@@ -56,6 +56,20 @@ std::string joined(const std::vector<Text>& lines)
     return text;
 }
 
+/// As the first source.
+bool hasChosen(ControllerFixture& bench, const std::string& source)
+{
+    bench->chooseSource(1, QString::fromStdString(source));
+    return QTest::qWaitFor(
+        [&] { return bench->setup().edited().sources[0].path == source; }, test::patienceMs);
+}
+
+bool hasErrors(const DataFile& file)
+{
+    return std::ranges::any_of(
+        file.problems, [](const Diagnostic& each) { return each.severity == Severity::Error; });
+}
+
 } // namespace
 
 /// Files of other controllers, and uneven ones, as compensation data.
@@ -122,6 +136,74 @@ private Q_SLOTS:
         QTRY_VERIFY(bench->driveTable());
         QCOMPARE(bench->driveTable()->values, table->values);
         QVERIFY(bench->driveTable()->values[1] > 0.0F);
+    }
+
+    /// What the axis is among its sources decides what its numbers are.
+    void aFileIsReadAgainForOtherSources()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(1);
+        QVERIFY(hasChosen(bench, test::masterY));
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        QVERIFY(bench->selectedTable());
+        const std::vector<float> ofAnother = bench->selectedTable()->values;
+        QVERIFY(hasChosen(bench, test::masterX));
+        QVERIFY(bench.fileRead());
+        const std::vector<float> own = bench->selectedTable()->values;
+        QVERIFY(own != ofAnother);
+        bench->history().undo();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values, ofAnother);
+        bench->history().redo();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values, own);
+        bench->readDataAgain();
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->selectedTable()->values, own);
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        QTRY_VERIFY(bench->driveTable());
+        QCOMPARE(bench->driveTable()->values, own);
+    }
+
+    void aFileIsReadAgainForTheOtherSideOfTheCompensation()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(1);
+        QVERIFY(hasChosen(bench, test::masterX));
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().lookupAt, std::optional(LookupAt::Encoder));
+        QVERIFY(hasChosen(bench, "Axes[0]/Signals/PathPlanner/Position"));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(bench->dataFile().lookupAt, std::optional(LookupAt::Set));
+        QTRY_VERIFY2(bench->action(Action::Write).isEnabled,
+            qPrintable(bench->action(Action::Write).reason));
+        QVERIFY(bench.planAndWrite());
+        QVERIFY2(!bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+    }
+
+    void sourcesForWhichAFileCannotBeReadAreAProblemAndNoQuestion()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        bench->setup().setDimensionality(1);
+        QVERIFY(hasChosen(bench, test::masterY));
+        bench->openData(bench.file(QStringLiteral("comp.txt"), softmc));
+        QVERIFY(bench.fileRead());
+        const std::vector<float> before = bench->selectedTable()->values;
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        QVERIFY(hasChosen(bench, "Axes[0]/Signals/General/MotorTemperature"));
+        QVERIFY(bench.fileRead());
+        QVERIFY(hasErrors(bench->dataFile()));
+        QCOMPARE(bench->selectedTable()->values, before);
+        QVERIFY(hasChosen(bench, test::masterY));
+        QVERIFY(bench.fileRead());
+        QVERIFY(!hasErrors(bench->dataFile()));
+        QCOMPARE(needed.count(), 0);
     }
 
     void theSignCanBeOverruled()
@@ -223,8 +305,7 @@ private Q_SLOTS:
         QCOMPARE(bench->importChoices(path).sign.has_value(), !isCancelled);
         bench->readDataAgain();
         QVERIFY(bench.fileRead());
-        QVERIFY(std::ranges::none_of(bench->dataFile().problems,
-            [](const Diagnostic& each) { return each.severity == Severity::Error; }));
+        QVERIFY(!hasErrors(bench->dataFile()));
         QCOMPARE(bench->selectedTable()->values[1], before);
     }
 
@@ -288,6 +369,26 @@ private Q_SLOTS:
         QVERIFY(!bench->dataFile().problems.empty());
         QCOMPARE(bench->dataFile().problems.front().code, DiagnosticCode::UnevenSpacing);
         QVERIFY(bench->dataFile().problems.front().line > 0);
+    }
+
+    /// A LinuxCNC file that does not say its type has warnings, too.
+    void whyAFileNeedsAChoiceIsSaidBesideItsWarnings()
+    {
+        ControllerFixture bench;
+        QSignalSpy needed(&bench.controller(), &WizardController::importChoiceNeeded);
+        bench->openData(bench.file(
+            QStringLiteral("lcnc.comp"), "0 0 0.001\n20 20.001 20.003\n40 40.002 40.005\n"));
+        QVERIFY(bench.fileRead());
+        QCOMPARE(needed.count(), 1);
+        const auto& problems = bench->dataFile().problems;
+        QCOMPARE(problems.front().severity, Severity::Warning);
+        QCOMPARE(problems.back().severity, Severity::Error);
+        const QString why = problemText(problems.back());
+        QVERIFY2(why.contains(QStringLiteral("direction")), qPrintable(why));
+        const QString said = bench->log().back().text();
+        QVERIFY2(
+            said.contains(QStringLiteral("lcnc.comp cannot be used as it is. ")), qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("direction")), qPrintable(said));
     }
 
     void anUnevenFileBecomesEvenAndSaysItsDeviation()

@@ -104,6 +104,17 @@ private Q_SLOTS:
             !tabsOf(bench).contains(QStringLiteral("All slices")), test::patienceMs);
     }
 
+    void anAxisWithoutATableHasNoSurface()
+    {
+        PageFixture bench;
+        QVERIFY(bench.openWritten());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            tabsOf(bench).contains(QStringLiteral("Surface")), test::patienceMs);
+        QVERIFY(bench.user.choose("axisField", QStringLiteral("Y · ")));
+        QTRY_COMPARE_WITH_TIMEOUT(tabsOf(bench),
+            (QStringList{QStringLiteral("Picture"), QStringLiteral("Values")}), test::patienceMs);
+    }
+
     void theTravelOfTheSourcesIsInThePicture()
     {
         PageFixture bench(withTravel());

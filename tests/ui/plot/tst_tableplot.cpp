@@ -632,6 +632,16 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(path));
     }
 
+    void withoutATableThereIsNoScale()
+    {
+        Fixture bench(sharedTable({9}));
+        QVERIFY(bench.plot->xAxis->tickLabels() && bench.plot->yAxis->tickLabels());
+        bench.shown.setTables(nullptr, nullptr);
+        QVERIFY(!bench.plot->xAxis->tickLabels() && !bench.plot->yAxis->tickLabels());
+        bench.shown.setTables(sharedTable({9}), nullptr);
+        QVERIFY(bench.plot->xAxis->tickLabels() && bench.plot->yAxis->tickLabels());
+    }
+
     void whatCannotBeSavedIsSaidInASentence()
     {
         const QTemporaryDir folder;

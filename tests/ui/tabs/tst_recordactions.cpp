@@ -507,8 +507,26 @@ private Q_SLOTS:
         VERIFY_RESULT(saveRecord((folder + QStringLiteral("/left.axcal")).toStdString(), record));
         QVERIFY(bench.user.isThere());
         QTRY_VERIFY(bench.user.message("recoveryOffer").contains(QStringLiteral("spindle.axcal")));
+        QCOMPARE(bench.user.the<QPushButton>("takeUnsavedButton").text(),
+            QStringLiteral("&Take Them Up"));
         QVERIFY(bench.user.click("takeUnsavedButton"));
         QVERIFY(isNamed(bench, "spindle.axcal*"));
+    }
+
+    void oneRecordThatWasNeverSavedIsNotSeveral()
+    {
+        PageFixture bench;
+        const QString folder = bench.path(QStringLiteral("store/records"));
+        QVERIFY(QDir().mkpath(folder));
+        CalibrationRecord record = test::recordOfFit();
+        record.others = {{"/recovery", R"({"path":"","sha256":""})"}};
+        VERIFY_RESULT(saveRecord((folder + QStringLiteral("/left.axcal")).toStdString(), record));
+        QVERIFY(bench.user.isThere());
+        QTRY_VERIFY(bench.user.message("recoveryOffer").contains(QStringLiteral("never saved")));
+        QCOMPARE(
+            bench.user.the<QPushButton>("takeUnsavedButton").text(), QStringLiteral("&Take It Up"));
+        QCOMPARE(bench.user.the<QPushButton>("forgetUnsavedButton").text(),
+            QStringLiteral("For&get It"));
     }
 
     void aLargeRecordNeverStopsTheWindow()
@@ -549,6 +567,9 @@ private Q_SLOTS:
                            .arg(heart.longestBusy().count())
                            .arg(writing.count())));
         QCOMPARE(savedRecord(bench).after.size(), std::size_t{1});
+        QTRY_VERIFY(bench.user.the<QLabel>("proveHint")
+                        .text()
+                        .contains(QStringLiteral("that is saved: write the report")));
     }
 
     void theTableOfTheRecordTakenOnceMoreKeepsWhatWasWritten()
