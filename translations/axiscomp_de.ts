@@ -10472,13 +10472,6 @@
         <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
         <translation>bei {position} lag die Referenz in {table} um {measured} neben dem Geber; {taken}, also wird der Antrieb {added} addieren</translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
-        <translation>
-            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; {taken}, also wird der Antrieb {added} addieren</numerusform>
-            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; {taken}, also wird der Antrieb {added} addieren</numerusform>
-        </translation>
-    </message>
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
         <translation>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, das Mittel beider Richtungen mit {count} Werten; {taken}, also wird der Antrieb {added} addieren</translation>
@@ -10486,6 +10479,14 @@
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
         <translation>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, das Mittel beider Richtungen mit {count} Werten; der Antrieb wird {added} addieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {taken}, so the drive will add {added}</comment>
+        <translation>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference}, einmal gemessen; {taken}, also wird der Antrieb {added} addieren</numerusform>
+            <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; {taken}, also wird der Antrieb {added} addieren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11154,14 +11155,6 @@
     <message>
         <source>no targets: {kind}</source>
         <translation>keine Zielpositionen: {kind}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
-        <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
-        <translation>
-            <numerusform>1 Zielposition von {from} bis {to}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
-            <numerusform>{count} Zielpositionen von {from} bis {to}, {up} Durchläufe ↑, {down} Durchläufe ↓</numerusform>
-        </translation>
     </message>
     <message>
         <source>{direction} target {target} run {run}</source>

@@ -10472,13 +10472,6 @@
         <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
         <translation>à {position}, la référence était à {measured} du codeur dans {table}&#xa0;; {taken}, le variateur ajoutera donc {added}</translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
-        <translation>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
-            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
-        </translation>
-    </message>
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
         <translation>là où le codeur indique {reading}, la référence indiquait {reference}, moyenne des deux sens avec {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</translation>
@@ -10486,6 +10479,14 @@
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
         <translation>là où le codeur indique {reading}, la référence indiquait {reference}, moyenne des deux sens avec {count} valeurs&#xa0;; le variateur ajoutera {added}</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {taken}, so the drive will add {added}</comment>
+        <translation>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference}, mesuré {count} fois&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
+            <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11154,14 +11155,6 @@
     <message>
         <source>no targets: {kind}</source>
         <translation>pas de positions cibles&#xa0;: {kind}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
-        <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
-        <translation>
-            <numerusform>{count} position cible de {from} à {to}, {up} passes ↑, {down} passes ↓</numerusform>
-            <numerusform>{count} positions cibles de {from} à {to}, {up} passes ↑, {down} passes ↓</numerusform>
-        </translation>
     </message>
     <message>
         <source>{direction} target {target} run {run}</source>

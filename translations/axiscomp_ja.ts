@@ -10423,12 +10423,6 @@
         <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
         <translation>{position} で、{table} の基準とエンコーダの差は {measured} でした。{taken}ので、ドライブは {added} を加算します</translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
-        <translation>
-            <numerusform>エンコーダが {reading} のとき、基準は {count} 個の値の平均で {reference} でした。{taken}ので、ドライブは {added} を加算します</numerusform>
-        </translation>
-    </message>
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
         <translation>エンコーダが {reading} のとき、基準は両方向の平均 ({count} 個の値) で {reference} でした。{taken}ので、ドライブは {added} を加算します</translation>
@@ -10436,6 +10430,13 @@
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
         <translation>エンコーダが {reading} のとき、基準は両方向の平均 ({count} 個の値) で {reference} でした。ドライブは {added} を加算します</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {taken}, so the drive will add {added}</comment>
+        <translation>
+            <numerusform>エンコーダが {reading} のとき、基準は {count} 個の値の平均で {reference} でした。{taken}ので、ドライブは {added} を加算します</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11104,13 +11105,6 @@
     <message>
         <source>no targets: {kind}</source>
         <translation>目標位置なし: {kind}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
-        <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
-        <translation>
-            <numerusform>目標位置 {count} か所 ({from} から {to})、走行 ↑ {up} 回、走行 ↓ {down} 回</numerusform>
-        </translation>
     </message>
     <message>
         <source>{direction} target {target} run {run}</source>

@@ -10423,12 +10423,6 @@
         <source>at {position} the reference was {measured} beside the encoder in {table}; {taken}, so the drive will add {added}</source>
         <translation>在 {position} 处，{table} 中基准与编码器相差 {measured}；{taken}，因此驱动器将叠加 {added}</translation>
     </message>
-    <message numerus="yes">
-        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
-        <translation>
-            <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；{taken}，因此驱动器将叠加 {added}</numerusform>
-        </translation>
-    </message>
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; {taken}, so the drive will add {added}</source>
         <translation>编码器读数为 {reading} 处，基准为 {reference}（双向平均，{count} 个值）；{taken}，因此驱动器将叠加 {added}</translation>
@@ -10436,6 +10430,13 @@
     <message>
         <source>where the encoder reads {reading} the reference said {reference}, the mean of both directions with {count} values; the drive will add {added}</source>
         <translation>编码器读数为 {reading} 处，基准为 {reference}（双向平均，{count} 个值）；驱动器将叠加 {added}</translation>
+    </message>
+    <message numerus="yes">
+        <source>where the encoder reads {reading} the reference said {reference} on average of {count} values; {taken}, so the drive will add {added}</source>
+        <comment>where the encoder reads {reading} the reference said {reference}, measured once; {taken}, so the drive will add {added}</comment>
+        <translation>
+            <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；{taken}，因此驱动器将叠加 {added}</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11104,13 +11105,6 @@
     <message>
         <source>no targets: {kind}</source>
         <translation>无目标位置：{kind}</translation>
-    </message>
-    <message numerus="yes">
-        <source>{count} targets from {from} to {to}, {up} runs ↑, {down} runs ↓</source>
-        <comment>1 target from {from} to {to}, {up} runs ↑, {down} runs ↓</comment>
-        <translation>
-            <numerusform>从 {from} 到 {to} 的 {count} 个目标位置，↑ {up} 趟，↓ {down} 趟</numerusform>
-        </translation>
     </message>
     <message>
         <source>{direction} target {target} run {run}</source>

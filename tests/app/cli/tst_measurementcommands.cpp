@@ -97,9 +97,9 @@ private Q_SLOTS:
         const QJsonObject json = run.json();
         QCOMPARE(json.keys(),
             (QStringList{"after", "afterOfAllValues", "asPredicted", "before", "beforeOfAllValues",
-                "corrections", "excluded", "heldOut", "hints", "largestAsPredicted", "predicted",
-                "residual", "source", "uncertainty", "unit", "verdict", "verdictOfAllValues",
-                "warnings"}));
+                "corrections", "correctionsBefore", "excluded", "heldOut", "hints",
+                "largestAsPredicted", "predicted", "residual", "source", "uncertainty", "unit",
+                "verdict", "verdictOfAllValues", "warnings"}));
         QVERIFY(std::abs(json.value("after").toObject().value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("residual").toArray().size(), 9);
         QVERIFY(json.value("asPredicted").isNull());
