@@ -249,14 +249,31 @@ Result<void> RunFile::write(const std::string& text)
     // What was behind it is older than this; and a part of a line is none.
     const std::size_t whole = problem ? m_size : m_size + text.size();
     const std::error_code uncut = m_opened.resize(whole);
+    m_mayHaveTail = static_cast<bool>(uncut);
     if (problem || uncut)
         return cannotWrite(m_file, fileErrorReason(problem ? problem : uncut));
     m_size = whole;
     return {};
 }
 
+Result<void> RunFile::checkUnchanged() const
+{
+    const auto named = system::identityOf(m_file);
+    const auto state = m_opened.state();
+    const bool isThisOne = named && named == m_opened.identity();
+    const bool hasItsSize =
+        state && (state->size == m_size || (m_mayHaveTail && state->size > m_size));
+    if (!isThisOne || !hasItsSize)
+        return cannotWrite(m_file,
+            AXISCOMP_TEXT("Error",
+                "another program has replaced, changed or deleted it since it was opened; look "
+                "which values it has before you go on with it"));
+    return {};
+}
+
 Result<void> RunFile::append(const CapturedValue& value)
 {
+    AXISCOMP_CHECK(checkUnchanged());
     const std::size_t begin = m_size;
     AXISCOMP_CHECK(write(lineOfValue(value)));
     m_lineBegins.push_back(begin);
@@ -267,6 +284,7 @@ Result<void> RunFile::append(const CapturedValue& value)
 /// One cut at the end of a whole line: whenever it is interrupted the line is there or not.
 Result<void> RunFile::removeLast()
 {
+    AXISCOMP_CHECK(checkUnchanged());
     const std::size_t begin = m_lineBegins.back();
     if (const auto uncut = m_opened.resize(begin))
         return cannotWrite(m_file, fileErrorReason(uncut));

@@ -559,6 +559,45 @@ private Q_SLOTS:
         }
     }
 
+    /// An editor saves by a new file of the same name, or by writing the old one anew.
+    void aFileThatAnotherProgramChangesMeanwhileTakesNoFurtherValue_data()
+    {
+        using Change = std::function<void(const std::filesystem::path&)>;
+        QTest::addColumn<Change>("change");
+        QTest::newRow("replaced") << Change([](const std::filesystem::path& file) {
+            const std::string content = contentOf(file);
+            std::filesystem::rename(file, file.string() + "~");
+            put(file, content);
+        });
+        QTest::newRow("deleted") << Change(
+            [](const std::filesystem::path& file) { std::filesystem::remove(file); });
+        QTest::newRow("longer") << Change(
+            [](const std::filesystem::path& file) { put(file, contentOf(file) + "// Kim\n"); });
+        QTest::newRow("shorter") << Change(
+            [](const std::filesystem::path& file) { put(file, "// axiscomp runs: 1\n"); });
+    }
+    void aFileThatAnotherProgramChangesMeanwhileTakesNoFurtherValue()
+    {
+        QFETCH(const std::function<void(const std::filesystem::path&)>, change);
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        auto runs = RunFile::open(file, plan, origin).value();
+        QVERIFY(runs.append(valueOf(plan, 0)));
+        change(file);
+        const bool isThere = std::filesystem::exists(file);
+        const std::string changed = isThere ? contentOf(file) : std::string();
+        const auto refused = runs.append(valueOf(plan, 1));
+        VERIFY_ERROR(refused, ErrorCode::FileNotWritable);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.find("replaced, changed or deleted") != std::string::npos, said.c_str());
+        VERIFY_ERROR(runs.removeLast(), ErrorCode::FileNotWritable);
+        QCOMPARE(runs.taken(), std::size_t{1});
+        QCOMPARE(std::filesystem::exists(file), isThere);
+        QCOMPARE(isThere ? contentOf(file) : std::string(), changed);
+    }
+
     void aKillWhileAValueIsTakenBackLeavesItOrTakesItWhole()
     {
         const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
