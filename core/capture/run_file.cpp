@@ -21,6 +21,8 @@ constexpr std::string_view tableKey = "// table: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
+constexpr std::string_view feedKey = "// feed: ";
+constexpr std::string_view dwellKey = "// dwell: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -38,6 +40,25 @@ tl::unexpected<Error> notOurs(const std::filesystem::path& file, Text reason)
 std::string unitOf(const MeasuringPlan& plan)
 {
     return plan.isAngular ? "deg" : "mm";
+}
+
+std::string feedText(const MeasuringPlan& plan)
+{
+    return toText(plan.feedPerMinute) + " " + unitOf(plan) + "/min";
+}
+
+std::string dwellText(const MeasuringPlan& plan)
+{
+    return toText(plan.dwellSeconds) + " s";
+}
+
+/// What a line with one of these keys must say.
+std::array<std::pair<std::string_view, std::string>, 7> statedBy(
+    const MeasuringPlan& plan, const RunOrigin& origin)
+{
+    return {{{axisKey, plan.axis}, {stateKey, origin.state}, {tableKey, origin.tablePlace},
+        {referenceKey, origin.reference}, {encoderKey, origin.encoder}, {feedKey, feedText(plan)},
+        {dwellKey, dwellText(plan)}}};
 }
 
 /// "// drive: Demo-X, serial number 4711"
@@ -171,7 +192,6 @@ Result<RunFile> RunFile::open(
 
 Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
 {
-    const std::string unit = unitOf(plan);
     const std::string encoder =
         origin.encoder.empty() ? "" : "\n" + std::string(encoderKey) + origin.encoder;
     const std::string table =
@@ -179,9 +199,9 @@ Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
         + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n" + table
         + std::string(referenceKey) + origin.reference + encoder
-        + (origin.drive ? "\n" + driveLine(*origin.drive) : "")
-        + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
-        + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan) + "\n");
+        + (origin.drive ? "\n" + driveLine(*origin.drive) : "") + "\n" + std::string(feedKey)
+        + feedText(plan) + "\n" + std::string(dwellKey) + dwellText(plan) + "\n" + columnLine(plan)
+        + "\n");
 }
 
 Result<void> RunFile::goOn(
@@ -190,9 +210,7 @@ Result<void> RunFile::goOn(
     const auto isOther = [](std::string_view line, std::string_view key, std::string_view value) {
         return line.starts_with(key) && line.substr(key.size()) != value;
     };
-    const std::array<std::pair<std::string_view, std::string_view>, 5> stated{
-        {{axisKey, plan.axis}, {stateKey, origin.state}, {tableKey, origin.tablePlace},
-            {referenceKey, origin.reference}, {encoderKey, origin.encoder}}};
+    const auto stated = statedBy(plan, origin);
     bool hasColumns = false;
     std::size_t number = 0;
     while (true) {
@@ -213,7 +231,7 @@ Result<void> RunFile::goOn(
             return wrong(Verbatim{std::string(firstLine)});
         for (const auto& [key, value] : stated)
             if (isOther(line, key, value))
-                return wrong(Verbatim{std::string(key) + std::string(value)});
+                return wrong(Verbatim{std::string(key) + value});
         if (origin.drive && isOfAnotherDrive(line, *origin.drive))
             return wrong(Verbatim{driveLine(*origin.drive)});
         if (!hasColumns && !line.starts_with("//")) {

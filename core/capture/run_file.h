@@ -29,9 +29,10 @@ struct RunOrigin {
 class RunFile {
 public:
     /// A file that is there goes on where it ends; its lines must be the first steps of the plan,
-    /// its state, its reference and, where it names them, its encoder, its drive and the place of
-    /// its table these. A drive is told by its serial number: its name may change. One without a
-    /// value begins anew. Errors: FileNotReadable with the line, FileNotWritable.
+    /// its feed, its dwell, its state, its reference and, where it names them, its encoder, its
+    /// drive and the place of its table these. A drive is told by its serial number: its name may
+    /// change. One without a value begins anew. Errors: FileNotReadable with the line,
+    /// FileNotWritable.
     [[nodiscard]] static Result<RunFile> open(
         const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin);
 

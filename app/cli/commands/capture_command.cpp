@@ -113,7 +113,7 @@ Result<void> Capture::begin(int axis, const MeasuringPlan& plan)
     CaptureRequest request;
     request.plan = plan;
     request.file = pathFromText(m_options.output);
-    request.reference = {m_kind, m_options.reference, m_options.scale};
+    request.reference = {m_kind, m_options.reference, m_options.scale, m_options.pattern};
     request.encoder = m_options.encoder;
     request.rules = rulesOf(m_options);
     request.openInstrument = [this, isAngular = plan.isAngular] {

@@ -706,6 +706,12 @@ private Q_SLOTS:
         otherInstrument.replace(otherInstrument.find("laser"), 5, "ruler");
         QVERIFY(
             refusal(otherInstrument).find("// reference: laser is expected") != std::string::npos);
+        std::string otherFeed = whole;
+        otherFeed.replace(otherFeed.find("1000 mm/min"), 4, "500");
+        QVERIFY(refusal(otherFeed).find("// feed: 1000 mm/min is expected") != std::string::npos);
+        std::string otherDwell = whole;
+        otherDwell.replace(otherDwell.find("2.5 s"), 3, "40");
+        QVERIFY(refusal(otherDwell).find("// dwell: 2.5 s is expected") != std::string::npos);
         std::string repeated = whole + whole.substr(whole.find("\n0.000,") + 1);
         QVERIFY(refusal(repeated).find("step 2 of the plan") != std::string::npos);
     }

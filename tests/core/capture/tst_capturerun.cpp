@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_request.h"
 #include "core/capture/capture_run.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/io/local_file.h"
@@ -711,6 +712,22 @@ private Q_SLOTS:
         }
         const auto found = readerOf("mm", "\t.*?([-+]?[0-9.]+)").read("P7\t\u2013\u00a03.5");
         QCOMPARE(found.position, -3.5);
+    }
+
+    /// Another pattern may find another number.
+    void theReferenceOfAFileNamesThePattern()
+    {
+        CaptureReference reference;
+        reference.kind = CaptureReference::Kind::Typed;
+        reference.scale.unit = "mm";
+        QCOMPARE(reference.text(), std::string("typed [mm]"));
+        reference.pattern = "=(.*);\n";
+        QCOMPARE(reference.text(), std::string("typed [mm], pattern =(.*);\u240a"));
+        reference.kind = CaptureReference::Kind::Serial;
+        reference.source = "serial:/dev/ttyUSB1?baud=9600";
+        reference.scale.zeroAt = 12.5;
+        QCOMPARE(reference.text(),
+            std::string("serial:/dev/ttyUSB1?baud=9600 [mm], 0 at 12.5, pattern =(.*);\u240a"));
     }
 
     void signAndZeroOfAnInstrumentAreTakenOut()
