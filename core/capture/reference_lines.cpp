@@ -367,17 +367,17 @@ void ReferenceLines::feed(std::string_view bytes, std::chrono::nanoseconds now)
 
 void ReferenceLines::take(std::chrono::nanoseconds now)
 {
-    const std::string line = std::exchange(m_line, {});
+    std::string line = std::exchange(m_line, {});
     if (std::exchange(m_isWithinLine, false) || !trimmedToken({line, 0, 1}))
         return;
-    m_last = line.size() > longestLine ? tooLong(longestLine) : m_reader.read(line);
+    m_last = std::move(line);
     m_time = now;
 }
 
 InstrumentReading ReferenceLines::at(std::chrono::nanoseconds now) const
 {
     if (m_time && now >= *m_time && now - *m_time <= m_longestAge)
-        return m_last;
+        return m_last.size() > longestLine ? tooLong(longestLine) : m_reader.read(m_last);
     return noPosition(AXISCOMP_TEXT("Error",
         "the instrument says nothing: look whether it sends, and whether its "
         "lines end"));

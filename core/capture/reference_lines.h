@@ -56,8 +56,9 @@ private:
     NumberFinder m_finder;
 };
 
-/// The lines of an instrument as they come. Only the newest counts, and not for long: it may belong
-/// to where the axis was.
+/// The lines of an instrument as they come. Only the newest counts, and only that one is read:
+/// there may be thousands between two readings. It does not count for long: it may belong to where
+/// the axis was.
 class ReferenceLines {
 public:
     /// dwell: as of CaptureRules; a line counts for a second at most, and no longer than this, so
@@ -85,7 +86,7 @@ private:
     std::string m_line; ///< that has not ended
     bool m_isWithinLine = false; ///< of which the beginning was not seen
     std::optional<std::chrono::nanoseconds> m_time; ///< of the last line
-    InstrumentReading m_last;
+    std::string m_last;
 };
 
 /// A reference that a person reads and types, one for each standstill. A number that is further
