@@ -9,6 +9,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace axiscomp {
@@ -120,7 +121,8 @@ std::optional<CapturedValue> valueOfLine(std::string_view line, const MeasuringS
         if (const auto number = numberOf(cell.text))
             numbers.push_back(*number);
     constexpr std::size_t columns = 4; // deviation, encoder, output, time
-    if (cells.size() != columns || numbers.size() != columns)
+    constexpr double latest = 9e9; // s from 1970, in the year 2255: nanoseconds end seven later
+    if (cells.size() != columns || numbers.size() != columns || std::abs(numbers[3]) > latest)
         return std::nullopt;
     return CapturedValue{step, numbers[0], numbers[1], numbers[2],
         std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(numbers[3]))};

@@ -702,6 +702,11 @@ private Q_SLOTS:
         std::string damaged = whole;
         damaged.replace(damaged.rfind(",0.000"), 6, ",now");
         QVERIFY(refusal(damaged).find("step 1 of the plan") != std::string::npos);
+        for (const char* late : {",1795892006764.000", ",9223372036.900", ",1e300"}) {
+            damaged = whole;
+            damaged.replace(damaged.rfind(",0.000"), 6, late);
+            QVERIFY2(refusal(damaged).find("step 1 of the plan") != std::string::npos, late);
+        }
         std::string otherInstrument = whole;
         otherInstrument.replace(otherInstrument.find("laser"), 5, "ruler");
         QVERIFY(
