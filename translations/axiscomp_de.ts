@@ -8649,6 +8649,14 @@
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
         <translation>die Tabelle ist für eine Position nach der Kompensation gemacht, und {source} ist eine davor: eine andere Quelle wählen oder die Tabelle für diese neu machen, aus ihrer Messung oder der Datei ihrer Steuerung (in der Befehlszeile mit --lookup-at encoder)</translation>
     </message>
+    <message>
+        <source>the instrument says {line}: it is not clear where its number begins and ends; set it to one decimal number and its unit, or say what the number is with a pattern</source>
+        <translation>das Messgerät sagt {line}: es ist nicht klar, wo die Zahl beginnt und endet; es auf eine einzige Dezimalzahl mit ihrer Einheit stellen oder mit einem Muster sagen, was die Zahl ist</translation>
+    </message>
+    <message>
+        <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
+        <translation>ein anderes Programm hat sie ersetzt, geändert oder gelöscht, seit sie geöffnet wurde; vor dem Fortsetzen nachsehen, welche Werte sie enthält</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8649,6 +8649,14 @@
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
         <translation>la table a été établie pour une position après compensation, et {source} en est une avant&#xa0;: choisir une autre source ou refaire la table pour celle-ci, à partir de sa mesure ou du fichier de sa commande (en ligne de commande avec --lookup-at encoder)</translation>
     </message>
+    <message>
+        <source>the instrument says {line}: it is not clear where its number begins and ends; set it to one decimal number and its unit, or say what the number is with a pattern</source>
+        <translation>l&apos;instrument indique {line} : on ne voit pas où son nombre commence et finit ; le régler sur un seul nombre décimal avec son unité ou préciser par un motif ce qu&apos;est le nombre</translation>
+    </message>
+    <message>
+        <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
+        <translation>un autre programme l&apos;a remplacé, modifié ou supprimé depuis son ouverture ; vérifier quelles valeurs il contient avant de continuer avec lui</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8608,6 +8608,14 @@
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
         <translation>テーブルは補正後の位置用ですが、{source} は補正前の位置です。別のソースを選ぶか、測定または元のコントローラのファイルからこのソース用にテーブルを作り直してください (コマンドラインでは --lookup-at encoder)</translation>
     </message>
+    <message>
+        <source>the instrument says {line}: it is not clear where its number begins and ends; set it to one decimal number and its unit, or say what the number is with a pattern</source>
+        <translation>測定器の出力 {line} では、数値の始まりと終わりが分かりません。測定器を 1 つの小数とその単位の出力に設定するか、数値をパターンで指定してください</translation>
+    </message>
+    <message>
+        <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
+        <translation>開いた後に別のプログラムがこのファイルを置き換えたか、変更または削除しました。続ける前に、ファイルに残っている値を確認してください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

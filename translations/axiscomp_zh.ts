@@ -8608,6 +8608,14 @@
         <source>the table was made for a position after the compensation, and {source} is one before it: choose another source, or make the table anew for this one, from its measurement or the file of its controller (on the command line with --lookup-at encoder)</source>
         <translation>该表是按补偿后的位置生成的，而 {source} 是补偿前的位置：请选择其他源，或根据其测量或原控制器的文件按此源重新生成表 (命令行用 --lookup-at encoder)</translation>
     </message>
+    <message>
+        <source>the instrument says {line}: it is not clear where its number begins and ends; set it to one decimal number and its unit, or say what the number is with a pattern</source>
+        <translation>仪器给出 {line}：不清楚其中的数字从哪里开始、到哪里结束；请将仪器设为单个小数及其单位，或用匹配模式指明数字</translation>
+    </message>
+    <message>
+        <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
+        <translation>打开之后，另一个程序已替换、更改或删除了该文件；继续之前请检查其中有哪些值</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

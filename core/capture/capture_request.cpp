@@ -2,7 +2,7 @@
 #include "core/capture/capture_request.h"
 
 #include "core/io/system.h"
-#include "core/text/number_text.h"
+#include "core/text/utf8.h"
 
 #include <cmath>
 #include <utility>
@@ -11,16 +11,11 @@ namespace axiscomp {
 
 std::string CaptureReference::text() const
 {
-    switch (kind) {
-    case Kind::Lines:
-        return referenceText("standard input", scale);
-    case Kind::Typed:
-        return referenceText("typed", scale);
-    case Kind::Register:
-    case Kind::Serial:
-        break;
-    }
-    return referenceText(source, scale);
+    const std::string name = kind == Kind::Lines ? "standard input"
+        : kind == Kind::Typed                    ? "typed"
+                                                 : source;
+    const std::string text = referenceText(name, scale);
+    return pattern.empty() ? text : text + ", pattern " + visibleText(pattern);
 }
 
 std::chrono::nanoseconds timeSinceStart()

@@ -22,8 +22,9 @@ struct CaptureReference {
     Kind kind = Kind::Register;
     std::string source; ///< of Register, named as sources are; of Serial, its endpoint
     ReferenceScale scale;
+    std::string pattern = {}; ///< that says where the number of a line is; empty: none
 
-    /// "Machine/Axes[0]/ReferencePosition [mm], inverted, 0 at 12.5": for the file of the values.
+    /// "typed [mm], inverted, 0 at 12.5, pattern =(.*);": for the file of the values.
     [[nodiscard]] std::string text() const;
 };
 

@@ -4,12 +4,14 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/table/position_unit.h"
 #include "core/text/number_text.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 #include "core/text/utf8.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace axiscomp {
@@ -49,15 +51,59 @@ InstrumentReading tooLong(std::size_t longest)
                           .with("count", longest));
 }
 
-/// With "-" for the minus sign of typesetters, which some programs print.
-std::string withPlainSigns(std::string_view line)
+/// Any of the signs that programs print or people paste for a minus: hyphens and dashes too.
+bool isMinusCharacter(std::uint32_t code)
 {
-    constexpr std::string_view minusSign = "\u2212";
-    std::string plain(line);
-    for (std::size_t at = plain.find(minusSign); at != std::string::npos;
-         at = plain.find(minusSign, at))
-        plain.replace(at, minusSign.size(), "-");
-    return plain;
+    constexpr std::array<std::uint32_t, 5> others{0x2212, 0x207B, 0xFE58, 0xFE63, 0xFF0D};
+    constexpr std::uint32_t firstDash = 0x2010;
+    constexpr std::uint32_t lastDash = 0x2015;
+    return (code >= firstDash && code <= lastDash)
+        || std::ranges::find(others, code) != others.end();
+}
+
+/// Blanks of any width, what has none, and the control characters that frame a line (STX, ETX).
+bool isBlankCharacter(std::uint32_t code)
+{
+    constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 9> blanks{
+        {{0x00, 0x20}, {0x7F, 0xA0}, {0x1680, 0x1680}, {0x2000, 0x200F}, {0x2028, 0x2029},
+            {0x202F, 0x202F}, {0x205F, 0x2060}, {0x3000, 0x3000}, {0xFEFF, 0xFEFF}}};
+    return std::ranges::any_of(
+        blanks, [code](const auto& range) { return range.first <= code && code <= range.second; });
+}
+
+std::size_t lengthOfBlanks(std::string_view text)
+{
+    std::size_t length = 0;
+    while (length < text.size()) {
+        const auto [code, bytes] = firstCharacter(text.substr(length));
+        if (!isBlankCharacter(code))
+            break;
+        length += bytes;
+    }
+    return length;
+}
+
+/// With one plain character for each of a kind.
+std::string withPlain(char plain, bool (*isOfKind)(std::uint32_t), std::string_view line)
+{
+    std::string result;
+    while (!line.empty()) {
+        const auto [code, length] = firstCharacter(line);
+        if (isOfKind(code))
+            result += plain;
+        else
+            result += line.substr(0, length);
+        line.remove_prefix(length);
+    }
+    return result;
+}
+
+/// Many an instrument has the micro sign, the degree sign and its dashes in Windows-1252.
+std::string inUtf8(std::string_view line)
+{
+    const bool isOther = findInvalidUtf8(line) != std::string_view::npos
+        && line.find('\0') == std::string_view::npos; // which would end it
+    return isOther ? toUtf8(line, Encoding::Windows1252) : std::string(line);
 }
 
 bool isSign(char c)
@@ -74,7 +120,7 @@ std::string withSignsAtNumbers(std::string_view line)
         close += line[i];
         if (!isSign(line[i]))
             continue;
-        const std::size_t next = std::min(line.find_first_not_of(" \t", i + 1), line.size());
+        const std::size_t next = i + 1 + lengthOfBlanks(line.substr(i + 1));
         if (next < line.size() && (isLineDigit(line[next]) || line[next] == '.'))
             i = next - 1;
     }
@@ -118,23 +164,24 @@ std::string_view firstNumber(std::string_view line)
     return line.substr(begin, end - begin);
 }
 
+std::string_view withoutBlanksInFront(std::string_view text)
+{
+    return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
 /// The word behind a number, up to a blank or what ends a field.
 std::string_view wordBehind(std::string_view rest)
 {
-    const std::size_t begin = std::min(rest.find_first_not_of(" \t"), rest.size());
-    const std::size_t end = rest.find_first_of(" \t,;\r", begin);
-    return rest.substr(begin, end == std::string_view::npos ? end : end - begin);
+    rest = withoutBlanksInFront(rest);
+    return rest.substr(0, rest.find_first_of(" ,;|"));
 }
 
 /// Whether the next number follows with no more than a blank or a mark of degrees and minutes in
-/// between, as in "24°35'29.4", "24 35 29.4" and "24:35:29.4": taken for itself the first one is
-/// another position. Degrees with a decimal point have no minutes.
+/// between, as in "24°35'29.4", "24 35 29.4" and "24:35:29.4", with a sign or without: taken for
+/// itself the first one is another position. Degrees with a decimal point have no minutes.
 bool isFollowedByNumber(std::string_view number, std::string_view rest)
 {
-    const auto skipBlanks = [&] {
-        rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    };
-    skipBlanks();
+    rest = withoutBlanksInFront(rest);
     constexpr std::array<std::string_view, 3> degreeMarks{"\u00b0", "deg", "d"};
     constexpr std::array<std::string_view, 3> otherMarks{"'", "\"", ":"};
     const auto skipMark = [&](std::string_view mark) {
@@ -148,8 +195,75 @@ bool isFollowedByNumber(std::string_view number, std::string_view rest)
     } else {
         static_cast<void>(std::ranges::any_of(otherMarks, skipMark));
     }
-    skipBlanks();
-    return !rest.empty() && isLineDigit(rest[0]);
+    rest = withoutBlanksInFront(rest);
+    const std::size_t first = rest.find_first_not_of("+-.");
+    return first != std::string_view::npos && isLineDigit(rest[first]);
+}
+
+bool isLineLetter(char c)
+{
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+bool isBeyondAscii(char c)
+{
+    return static_cast<unsigned char>(c) >= 0x80U;
+}
+
+/// Whether a number, with its sign, may begin behind this: a blank that no sign stands before, a
+/// separator, and for one with a sign also a name, as in "A-3.5". "X1", "/84.5" and "-+56.5" hold
+/// something else, or a part of a number.
+bool mayStandBefore(std::string_view before, std::string_view number)
+{
+    constexpr std::string_view separators = ":=;|,\"";
+    const bool isApart = before.ends_with(' ');
+    before = before.substr(0, before.find_last_not_of(' ') + 1);
+    if (before.empty())
+        return true;
+    const std::string_view word = before.substr(before.find_last_of(' ') + 1);
+    const char last = word.back();
+    const bool isNamed = std::ranges::any_of(word, isLineLetter);
+    if (isSign(last) || (!isNamed && word.find_first_of("+-") != std::string_view::npos))
+        return false;
+    const bool isSeparated = separators.find(last) != std::string_view::npos;
+    if (isApart)
+        return isNamed || isSeparated;
+    if (word == ",") // ",5" is half of one
+        return false;
+    return isSeparated || (isSign(number[0]) && isLineLetter(last));
+}
+
+/// Whether a number may end before this: a unit, a separator, or a blank and a word without digits
+/// that is no unit of another kind. In "7_000", "12.3#45", "34.5e mm" and "0x10" it goes on.
+bool mayStandBehind(std::string_view rest)
+{
+    constexpr std::string_view separators = ",;|}";
+    const std::string_view word = wordBehind(rest);
+    const std::string_view next = withoutBlanksInFront(rest);
+    if (next.empty() || isPositionUnit(word) || separators.find(next[0]) != std::string_view::npos)
+        return true;
+    const bool isWord = std::ranges::any_of(word, isLineLetter) && !isSign(word[0])
+        && std::ranges::none_of(word, [](char c) { return isLineDigit(c) || isBeyondAscii(c); });
+    return rest[0] == ' ' && isWord && !looksLikeUnknownUnit(word);
+}
+
+/// Why the first number of a line is not taken; empty: it stands by itself.
+Text doubtAboutNumber(std::string_view before, std::string_view number, std::string_view rest)
+{
+    if (rest.size() > 1 && rest[0] == ',' && isLineDigit(rest[1]))
+        return AXISCOMP_TEXT("Error",
+            "the instrument says {line}: its number has a comma; set it to a decimal point, or "
+            "say what the number is with a pattern");
+    if (isFollowedByNumber(number, rest))
+        return AXISCOMP_TEXT("Error",
+            "the instrument says {line}: another number follows its first one, as in degrees, "
+            "minutes and seconds; set it to one decimal number, or say what the number is with a "
+            "pattern");
+    if (!mayStandBefore(before, number) || !mayStandBehind(rest))
+        return AXISCOMP_TEXT("Error",
+            "the instrument says {line}: it is not clear where its number begins and ends; set it "
+            "to one decimal number and its unit, or say what the number is with a pattern");
+    return {};
 }
 
 } // namespace
@@ -194,15 +308,18 @@ std::string ReferenceLineReader::foundByPattern(std::string_view line) const
 
 ReferenceLineReader::Found ReferenceLineReader::find(std::string_view said) const
 {
-    const std::string line = withPlainSigns(said);
+    const auto withPlainSigns = [](std::string_view line) {
+        return withPlain('-', isMinusCharacter, line);
+    };
     if (m_finder)
-        return {foundByPattern(line), {}};
-    const std::string close = withSignsAtNumbers(line);
+        return {{}, foundByPattern(withPlainSigns(said)), {}};
+    const std::string line = withPlainSigns(inUtf8(said));
+    const std::string close = withSignsAtNumbers(withPlain(' ', isBlankCharacter, line));
     const std::string_view number = firstNumber(close);
     if (number.empty())
         return {};
-    const auto end = static_cast<std::size_t>(number.data() - close.data()) + number.size();
-    return {std::string(number), close.substr(end)};
+    const auto begin = static_cast<std::size_t>(number.data() - close.data());
+    return {close.substr(0, begin), std::string(number), close.substr(begin + number.size())};
 }
 
 InstrumentReading ReferenceLineReader::read(std::string_view line) const
@@ -211,17 +328,9 @@ InstrumentReading ReferenceLineReader::read(std::string_view line) const
     const auto number = numberOf(found.number);
     if (!number)
         return noNumber(line);
-    if (found.rest.size() > 1 && found.rest[0] == ',' && isLineDigit(found.rest[1]))
-        return noPosition(AXISCOMP_TEXT("Error",
-            "the instrument says {line}: its number has a comma; set it to a decimal point, or "
-            "say what the number is with a pattern")
-                              .with("line", shownLine(line)));
-    if (isFollowedByNumber(found.number, found.rest))
-        return noPosition(AXISCOMP_TEXT("Error",
-            "the instrument says {line}: another number follows its first one, as in degrees, "
-            "minutes and seconds; set it to one decimal number, or say what the number is with a "
-            "pattern")
-                              .with("line", shownLine(line)));
+    Text doubt = doubtAboutNumber(found.before, found.number, found.rest);
+    if (!doubt.isEmpty())
+        return noPosition(std::move(doubt).with("line", shownLine(line)));
     const std::string_view word = wordBehind(found.rest);
     const std::string said = isPositionUnit(word) ? std::string(word) : std::string();
     if (said.empty() && m_scale.unit.empty())
@@ -258,17 +367,17 @@ void ReferenceLines::feed(std::string_view bytes, std::chrono::nanoseconds now)
 
 void ReferenceLines::take(std::chrono::nanoseconds now)
 {
-    const std::string line = std::exchange(m_line, {});
+    std::string line = std::exchange(m_line, {});
     if (std::exchange(m_isWithinLine, false) || !trimmedToken({line, 0, 1}))
         return;
-    m_last = line.size() > longestLine ? tooLong(longestLine) : m_reader.read(line);
+    m_last = std::move(line);
     m_time = now;
 }
 
 InstrumentReading ReferenceLines::at(std::chrono::nanoseconds now) const
 {
     if (m_time && now >= *m_time && now - *m_time <= m_longestAge)
-        return m_last;
+        return m_last.size() > longestLine ? tooLong(longestLine) : m_reader.read(m_last);
     return noPosition(AXISCOMP_TEXT("Error",
         "the instrument says nothing: look whether it sends, and whether its "
         "lines end"));

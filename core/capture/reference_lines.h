@@ -26,9 +26,11 @@ using NumberFinder = std::function<std::string(std::string_view line)>;
 
 /// Reads positions from lines of text such as "+517.3000042 mm": the first number of a line with a
 /// decimal point, with the sign before it even where blanks are between, and the unit behind it.
-/// The minus sign U+2212 is a "-". Nothing is guessed: a line without a unit needs the one of the
-/// scale, and one with another unit, with a comma in its number, with another number right behind
-/// it (degrees, minutes and seconds) or without a number is a problem.
+/// Every kind of minus and dash is a "-", and every kind of blank a blank. Nothing is guessed: a
+/// line without a unit needs the one of the scale, and one with another unit, with a comma in its
+/// number, with another number right behind it (degrees, minutes and seconds, grouped digits) or
+/// without a number is a problem, and so is one in which anything but a blank, a separator or the
+/// unit touches the number.
 class ReferenceLineReader {
 public:
     /// finder: where the number is; none: it is the first. Only a number that was found by it may
@@ -40,8 +42,9 @@ public:
 
 private:
     ReferenceLineReader(ReferenceScale scale, std::string wanted, NumberFinder finder);
-    /// The number and what stands behind it; an empty number: there is none.
+    /// The number and what stands round it; an empty number: there is none.
     struct Found {
+        std::string before;
         std::string number;
         std::string rest;
     };
@@ -53,8 +56,9 @@ private:
     NumberFinder m_finder;
 };
 
-/// The lines of an instrument as they come. Only the newest counts, and not for long: it may belong
-/// to where the axis was.
+/// The lines of an instrument as they come. Only the newest counts, and only that one is read:
+/// there may be thousands between two readings. It does not count for long: it may belong to where
+/// the axis was.
 class ReferenceLines {
 public:
     /// dwell: as of CaptureRules; a line counts for a second at most, and no longer than this, so
@@ -82,7 +86,7 @@ private:
     std::string m_line; ///< that has not ended
     bool m_isWithinLine = false; ///< of which the beginning was not seen
     std::optional<std::chrono::nanoseconds> m_time; ///< of the last line
-    InstrumentReading m_last;
+    std::string m_last;
 };
 
 /// A reference that a person reads and types, one for each standstill. A number that is further

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace axiscomp {
@@ -21,6 +22,8 @@ constexpr std::string_view tableKey = "// table: ";
 constexpr std::string_view referenceKey = "// reference: ";
 constexpr std::string_view encoderKey = "// encoder: ";
 constexpr std::string_view axisKey = "// axis: ";
+constexpr std::string_view feedKey = "// feed: ";
+constexpr std::string_view dwellKey = "// dwell: ";
 constexpr std::size_t mostRunFileBytes = 64 * 1024 * 1024;
 
 tl::unexpected<Error> cannotWrite(const std::filesystem::path& file, Text reason)
@@ -38,6 +41,25 @@ tl::unexpected<Error> notOurs(const std::filesystem::path& file, Text reason)
 std::string unitOf(const MeasuringPlan& plan)
 {
     return plan.isAngular ? "deg" : "mm";
+}
+
+std::string feedText(const MeasuringPlan& plan)
+{
+    return toText(plan.feedPerMinute) + " " + unitOf(plan) + "/min";
+}
+
+std::string dwellText(const MeasuringPlan& plan)
+{
+    return toText(plan.dwellSeconds) + " s";
+}
+
+/// What a line with one of these keys must say.
+std::array<std::pair<std::string_view, std::string>, 7> statedBy(
+    const MeasuringPlan& plan, const RunOrigin& origin)
+{
+    return {{{axisKey, plan.axis}, {stateKey, origin.state}, {tableKey, origin.tablePlace},
+        {referenceKey, origin.reference}, {encoderKey, origin.encoder}, {feedKey, feedText(plan)},
+        {dwellKey, dwellText(plan)}}};
 }
 
 /// "// drive: Demo-X, serial number 4711"
@@ -99,7 +121,8 @@ std::optional<CapturedValue> valueOfLine(std::string_view line, const MeasuringS
         if (const auto number = numberOf(cell.text))
             numbers.push_back(*number);
     constexpr std::size_t columns = 4; // deviation, encoder, output, time
-    if (cells.size() != columns || numbers.size() != columns)
+    constexpr double latest = 9e9; // s from 1970, in the year 2255: nanoseconds end seven later
+    if (cells.size() != columns || numbers.size() != columns || std::abs(numbers[3]) > latest)
         return std::nullopt;
     return CapturedValue{step, numbers[0], numbers[1], numbers[2],
         std::chrono::round<std::chrono::nanoseconds>(std::chrono::duration<double>(numbers[3]))};
@@ -171,7 +194,6 @@ Result<RunFile> RunFile::open(
 
 Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
 {
-    const std::string unit = unitOf(plan);
     const std::string encoder =
         origin.encoder.empty() ? "" : "\n" + std::string(encoderKey) + origin.encoder;
     const std::string table =
@@ -179,9 +201,9 @@ Result<void> RunFile::begin(const MeasuringPlan& plan, const RunOrigin& origin)
     return write(std::string(firstLine) + "\n" + std::string(axisKey) + plan.axis
         + "\n// date: " + origin.date + "\n" + std::string(stateKey) + origin.state + "\n" + table
         + std::string(referenceKey) + origin.reference + encoder
-        + (origin.drive ? "\n" + driveLine(*origin.drive) : "")
-        + "\n// feed: " + toText(plan.feedPerMinute) + " " + unit
-        + "/min\n// dwell: " + toText(plan.dwellSeconds) + " s\n" + columnLine(plan) + "\n");
+        + (origin.drive ? "\n" + driveLine(*origin.drive) : "") + "\n" + std::string(feedKey)
+        + feedText(plan) + "\n" + std::string(dwellKey) + dwellText(plan) + "\n" + columnLine(plan)
+        + "\n");
 }
 
 Result<void> RunFile::goOn(
@@ -190,9 +212,7 @@ Result<void> RunFile::goOn(
     const auto isOther = [](std::string_view line, std::string_view key, std::string_view value) {
         return line.starts_with(key) && line.substr(key.size()) != value;
     };
-    const std::array<std::pair<std::string_view, std::string_view>, 5> stated{
-        {{axisKey, plan.axis}, {stateKey, origin.state}, {tableKey, origin.tablePlace},
-            {referenceKey, origin.reference}, {encoderKey, origin.encoder}}};
+    const auto stated = statedBy(plan, origin);
     bool hasColumns = false;
     std::size_t number = 0;
     while (true) {
@@ -213,7 +233,7 @@ Result<void> RunFile::goOn(
             return wrong(Verbatim{std::string(firstLine)});
         for (const auto& [key, value] : stated)
             if (isOther(line, key, value))
-                return wrong(Verbatim{std::string(key) + std::string(value)});
+                return wrong(Verbatim{std::string(key) + value});
         if (origin.drive && isOfAnotherDrive(line, *origin.drive))
             return wrong(Verbatim{driveLine(*origin.drive)});
         if (!hasColumns && !line.starts_with("//")) {
@@ -249,14 +269,31 @@ Result<void> RunFile::write(const std::string& text)
     // What was behind it is older than this; and a part of a line is none.
     const std::size_t whole = problem ? m_size : m_size + text.size();
     const std::error_code uncut = m_opened.resize(whole);
+    m_mayHaveTail = static_cast<bool>(uncut);
     if (problem || uncut)
         return cannotWrite(m_file, fileErrorReason(problem ? problem : uncut));
     m_size = whole;
     return {};
 }
 
+Result<void> RunFile::checkUnchanged() const
+{
+    const auto named = system::identityOf(m_file);
+    const auto state = m_opened.state();
+    const bool isThisOne = named && named == m_opened.identity();
+    const bool hasItsSize =
+        state && (state->size == m_size || (m_mayHaveTail && state->size > m_size));
+    if (!isThisOne || !hasItsSize)
+        return cannotWrite(m_file,
+            AXISCOMP_TEXT("Error",
+                "another program has replaced, changed or deleted it since it was opened; look "
+                "which values it has before you go on with it"));
+    return {};
+}
+
 Result<void> RunFile::append(const CapturedValue& value)
 {
+    AXISCOMP_CHECK(checkUnchanged());
     const std::size_t begin = m_size;
     AXISCOMP_CHECK(write(lineOfValue(value)));
     m_lineBegins.push_back(begin);
@@ -267,6 +304,7 @@ Result<void> RunFile::append(const CapturedValue& value)
 /// One cut at the end of a whole line: whenever it is interrupted the line is there or not.
 Result<void> RunFile::removeLast()
 {
+    AXISCOMP_CHECK(checkUnchanged());
     const std::size_t begin = m_lineBegins.back();
     if (const auto uncut = m_opened.resize(begin))
         return cannotWrite(m_file, fileErrorReason(uncut));

@@ -29,9 +29,10 @@ struct RunOrigin {
 class RunFile {
 public:
     /// A file that is there goes on where it ends; its lines must be the first steps of the plan,
-    /// its state, its reference and, where it names them, its encoder, its drive and the place of
-    /// its table these. A drive is told by its serial number: its name may change. One without a
-    /// value begins anew. Errors: FileNotReadable with the line, FileNotWritable.
+    /// its feed, its dwell, its state, its reference and, where it names them, its encoder, its
+    /// drive and the place of its table these. A drive is told by its serial number: its name may
+    /// change. One without a value begins anew. Errors: FileNotReadable with the line,
+    /// FileNotWritable.
     [[nodiscard]] static Result<RunFile> open(
         const std::filesystem::path& file, const MeasuringPlan& plan, const RunOrigin& origin);
 
@@ -41,7 +42,7 @@ public:
     /// Of the first steps of the plan.
     [[nodiscard]] std::span<const CapturedValue> values() const { return m_values; }
     /// The value of the next step; on the disk when this returns. Errors: FileNotWritable: the file
-    /// is as it was before.
+    /// is as it was before, also where another one has its name by now or somebody has changed it.
     [[nodiscard]] Result<void> append(const CapturedValue& value);
     /// Takes the last value, which there must be, off the file: its line is gone from the disk when
     /// this returns. Errors: FileNotWritable: values() says whether the file still has it, and a
@@ -54,11 +55,14 @@ private:
     [[nodiscard]] Result<void> goOn(
         const std::string& content, const MeasuringPlan& plan, const RunOrigin& origin);
     [[nodiscard]] Result<void> write(const std::string& text);
+    /// What is written goes to the file of this name, and behind what is known of it.
+    [[nodiscard]] Result<void> checkUnchanged() const;
 
     std::filesystem::path m_file;
     std::string m_reference;
     system::File m_opened;
     std::size_t m_size = 0; ///< bytes, whole lines
+    bool m_mayHaveTail = false; ///< part of a line that could not be cut off
     std::vector<CapturedValue> m_values;
     std::vector<std::size_t> m_lineBegins; ///< of the values, in bytes
 };

@@ -36,6 +36,14 @@ struct FileState {
     WallTime lastChange{}; ///< of its content
 };
 
+/// Says whether two paths, or a path and an open file, are one file.
+struct FileIdentity {
+    std::uint64_t volume = 0;
+    std::uint64_t number = 0;
+
+    friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
+};
+
 /// An open file, which other programs may read, replace and delete meanwhile. Programs that are
 /// started do not get it.
 class File {
@@ -53,6 +61,7 @@ public:
     ~File();
 
     [[nodiscard]] Outcome<FileState> state() const;
+    [[nodiscard]] Outcome<FileIdentity> identity() const;
     /// The bytes from a place on until the room is full or the file ends; gives how many. Several
     /// threads may read at once.
     [[nodiscard]] Outcome<std::size_t> readAt(
@@ -104,13 +113,7 @@ inline constexpr std::string_view temporarySuffix = ".tmp";
 [[nodiscard]] Outcome<std::filesystem::path> makeTemporaryFolder(
     const std::filesystem::path& parent);
 
-/// Says whether two paths lead to one file.
-struct FileIdentity {
-    std::uint64_t volume = 0;
-    std::uint64_t number = 0;
-
-    friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
-};
+/// What a path leads to, through links.
 [[nodiscard]] Outcome<FileIdentity> identityOf(const std::filesystem::path& file);
 
 /// Of what is there, by this user.

@@ -216,6 +216,14 @@ Outcome<FileState> File::state() const
     return stateFrom(status);
 }
 
+Outcome<FileIdentity> File::identity() const
+{
+    struct stat status { };
+    if (::fstat(descriptorOf(m_handle), &status) != 0)
+        return failed();
+    return FileIdentity{status.st_dev, status.st_ino};
+}
+
 Outcome<std::size_t> File::readAt(std::uint64_t place, std::span<std::byte> bytes) const
 {
     std::size_t filled = 0;

@@ -179,6 +179,16 @@ Outcome<FileState> stateFrom(HANDLE file)
         timeFrom(found.ftLastWriteTime)};
 }
 
+/// On ReFS two files may have the same number: it has 64 of 128 bits of it here.
+Outcome<FileIdentity> identityFrom(HANDLE file)
+{
+    BY_HANDLE_FILE_INFORMATION found{};
+    if (!::GetFileInformationByHandle(file, &found))
+        return failed(lastError());
+    return FileIdentity{found.dwVolumeSerialNumber,
+        std::uint64_t{found.nFileIndexHigh} << 32 | found.nFileIndexLow};
+}
+
 /// A symbolic link or a junction. Files that are kept in a cloud are reparse points, too, and are
 /// none.
 bool isLink(const fs::path& file)
@@ -328,6 +338,11 @@ File::~File()
 Outcome<FileState> File::state() const
 {
     return stateFrom(handleOf(m_handle));
+}
+
+Outcome<FileIdentity> File::identity() const
+{
+    return identityFrom(handleOf(m_handle));
 }
 
 /// The system lets one thread after the other read: the file is opened for one at a time.
@@ -494,15 +509,12 @@ Outcome<fs::path> makeTemporaryFolder(const fs::path& parent)
     }
 }
 
-/// On ReFS two files may have the same number: it has 64 of 128 bits of it here.
 Outcome<FileIdentity> identityOf(const fs::path& file)
 {
     const Handle handle = openToAsk(file);
-    BY_HANDLE_FILE_INFORMATION found{};
-    if (!handle.isOpen() || !::GetFileInformationByHandle(handle.get(), &found))
+    if (!handle.isOpen())
         return failed(lastError());
-    return FileIdentity{found.dwVolumeSerialNumber,
-        std::uint64_t{found.nFileIndexHigh} << 32 | found.nFileIndexLow};
+    return identityFrom(handle.get());
 }
 
 /// Opens it, which a program that has it open and does not share it is in the way of.

@@ -13,6 +13,7 @@ namespace axiscomp {
 namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
+constexpr std::uint32_t replacementCode = 0xFFFD;
 
 bool isContinuation(char byte)
 {
@@ -101,6 +102,13 @@ std::size_t findInvalidUtf8(std::string_view text)
     return std::string_view::npos;
 }
 
+Character firstCharacter(std::string_view text)
+{
+    const std::size_t length = characterLength(text);
+    return length == 0 ? Character{replacementCode, 1}
+                       : Character{codePoint(text.substr(0, length)), length};
+}
+
 std::string cleanText(std::string_view text)
 {
     text = text.substr(0, text.find('\0'));
@@ -124,17 +132,15 @@ std::string visibleText(std::string_view text, bool keepsLines)
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
-        const std::size_t length = characterLength(text);
-        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-        const std::uint32_t code = length == 0 ? 0xFFFDU : codePoint(character);
+        const auto [code, length] = firstCharacter(text);
         const bool isKept = keepsLines && (code == '\n' || code == '\t');
-        if (length == 0)
+        if (code == replacementCode)
             result += replacement;
         else if (isHidden(code) && !isKept)
             result += symbolOf(code);
         else
-            result += character;
-        text.remove_prefix(character.size());
+            result += text.substr(0, length);
+        text.remove_prefix(length);
     }
     return result;
 }

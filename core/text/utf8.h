@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,13 @@ namespace axiscomp {
 
 /// The offset of the first byte that is not part of well-formed UTF-8 (RFC 3629), or npos.
 [[nodiscard]] std::size_t findInvalidUtf8(std::string_view text);
+
+struct Character {
+    std::uint32_t code = 0; ///< U+FFFD for a byte that is no part of UTF-8
+    std::size_t length = 1; ///< in bytes
+};
+/// That a text begins with, which is not empty.
+[[nodiscard]] Character firstCharacter(std::string_view text);
 
 /// Text from outside that may be shown, logged and put into JSON: ends at the first zero byte; what
 /// is not UTF-8 becomes U+FFFD, a control character becomes a blank.

@@ -48,6 +48,8 @@ struct SerialInstrument::Private {
 
     [[nodiscard]] Result<void> openPort();
     [[nodiscard]] Result<void> exchange(std::chrono::nanoseconds now);
+    [[nodiscard]] Result<void> takeAll(
+        std::chrono::nanoseconds now, const ExchangeDeadline& running);
 
     SerialPortLine port;
     std::string request;
@@ -72,9 +74,28 @@ Result<void> SerialInstrument::Private::exchange(std::chrono::nanoseconds now)
     const ExchangeDeadline running(options);
     if (!request.empty())
         AXISCOMP_CHECK(port.write(asBytes(request), running));
-    AXISCOMP_TRY(const auto bytes, port.read(std::chrono::steady_clock::now(), running));
-    lines.feed(asText(bytes), now);
-    return {};
+    return takeAll(now, running);
+}
+
+/// All that waits: what stayed would be taken for new at the next reading, which may be after a
+/// move. The system gives a few kB at once, and those behind them a moment later.
+Result<void> SerialInstrument::Private::takeAll(
+    std::chrono::nanoseconds now, const ExchangeDeadline& running)
+{
+    using Clock = std::chrono::steady_clock;
+    constexpr std::size_t many = 1024; // bytes, more than come within the moment
+    constexpr std::chrono::milliseconds moment(5);
+    constexpr std::chrono::milliseconds longest(500); // what comes by then was not waiting
+    const auto end = Clock::now() + longest;
+    auto until = Clock::now();
+    while (true) {
+        AXISCOMP_TRY(const auto bytes, port.read(until, running));
+        lines.feed(asText(bytes), now);
+        const auto time = Clock::now();
+        if (bytes.size() < many || time >= end)
+            return {};
+        until = time + moment;
+    }
 }
 
 Result<std::unique_ptr<SerialInstrument>> SerialInstrument::open(

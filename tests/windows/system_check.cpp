@@ -210,6 +210,10 @@ void pathsOfThisComputerAreFound(const fs::path& folder)
     expect(saveFile(folder / "a", asBytes("a")) && saveFile(folder / "b", asBytes("b")), "saved");
     expect(system::identityOf(folder / "a") == system::identityOf(folder / "." / "a"), "the same");
     expect(system::identityOf(folder / "a") != system::identityOf(folder / "b"), "not the same");
+    {
+        const auto opened = system::File::open(folder / "a", system::File::Purpose::Read);
+        expect(opened && opened->identity() == system::identityOf(folder / "a"), "the open one");
+    }
     expect(renameFile(folder / "a", folder / "b").has_value(), "renamed over another one");
     expect(contentOf(folder / "b") == "a" && isMissing(folder / "a"), "it is the one");
     expect(checkOrdinaryFile(folder / "b").has_value(), "a file is one");

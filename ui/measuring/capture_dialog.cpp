@@ -409,8 +409,10 @@ CaptureChoices CaptureDialog::choices() const
         m_pattern->text().toStdString()};
     if (kind() == Kind::Register)
         choices.reference.source = m_register->currentText().trimmed().toStdString();
-    else if (kind() == Kind::Serial)
+    else if (kind() == Kind::Serial) {
         choices.reference.source = choices.serial.endpoint;
+        choices.reference.pattern = choices.serial.pattern;
+    }
     choices.reference.scale = {
         m_unit->currentData().toString().toStdString(), m_invert->isChecked(), m_zero->value()};
     choices.valuesPath = m_values->text();

@@ -113,7 +113,7 @@ Result<void> Capture::begin(int axis, const MeasuringPlan& plan)
     CaptureRequest request;
     request.plan = plan;
     request.file = pathFromText(m_options.output);
-    request.reference = {m_kind, m_options.reference, m_options.scale};
+    request.reference = {m_kind, m_options.reference, m_options.scale, m_options.pattern};
     request.encoder = m_options.encoder;
     request.rules = rulesOf(m_options);
     request.openInstrument = [this, isAngular = plan.isAngular] {
@@ -207,9 +207,12 @@ void Capture::takeInput(const std::string& text)
         m_typedLine.clear();
 }
 
-/// Meanwhile what comes on standard input is taken.
+/// Meanwhile what comes on standard input is taken, and at the end what waits there: of a program
+/// that writes faster than it is read no more than a pipe holds, behind which its lines are new.
 Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
 {
+    constexpr std::size_t largestPipe = std::size_t{1} << 20U;
+    std::size_t late = 0; // bytes
     const bool reads = m_kind == ReferenceKind::Lines || m_kind == ReferenceKind::Typed;
     InputStream standardInput = InputStream::standardInput();
     while (true) {
@@ -226,6 +229,10 @@ Result<void> Capture::waitUntil(std::chrono::steady_clock::time_point moment)
                             "it has ended, and the plan has values that are not taken; the program "
                             "that writes to it must go on for as long as is measured"}}});
         takeInput(text);
+        if (std::chrono::steady_clock::now() >= moment)
+            late += text.size();
+        if (late >= largestPipe)
+            return {};
     }
 }
 

@@ -109,6 +109,14 @@ struct CaptureFixture {
     {
         return RunningCapture(box.start(test::axiscompProgram(), words));
     }
+    /// script: of bash, with %1 for the command, which takes lines from standard input.
+    [[nodiscard]] RunningCapture startInShell(const QString& script) const
+    {
+        QString command = "'" + test::axiscompProgram() + "'";
+        for (const QString& word : words("-"))
+            command += " '" + word + "'";
+        return RunningCapture(box.start("/bin/bash", {"-c", script.arg(command)}));
+    }
     /// Of the whole program.
     [[nodiscard]] ProgramRun run(RunningCapture capture) const
     {
@@ -247,15 +255,23 @@ private Q_SLOTS:
     {
         CaptureFixture fixture;
         fixture.startMachine();
-        QStringList quotedWords;
-        for (const QString& word : fixture.words("-"))
-            quotedWords += "'" + word + "'";
-        const ProgramRun run = fixture.run(RunningCapture(fixture.box.start("/bin/bash",
-            {"-c", "cat laser | '" + test::axiscompProgram() + "' " + quotedWords.join(u' ')})));
+        const ProgramRun run = fixture.run(fixture.startInShell("cat laser | %1"));
         VERIFY_CODE(run, 0);
         verifyRuns(fixture.box, 2e-6);
         QVERIFY(
             fixture.box.content("runs.csv").contains("// reference: standard input, 0 at -17.3\n"));
+    }
+
+    void aProgramThatWritesWithoutAPauseDoesNotKeepTheDriveFromBeingRead()
+    {
+        CaptureFixture fixture;
+        fixture.startMachine();
+        RunningCapture capture = fixture.startInShell("exec %1 < <(yes '17.3 mm')");
+        QVERIFY(fixture.play(capture));
+        QVERIFY2(capture.says("1/4  0.000 mm up"), capture.err.constData());
+        capture.send(SIGINT);
+        VERIFY_CODE(capture.end(), 130);
+        QCOMPARE(fixture.taken(), 1L);
     }
 
     void anInstrumentOnASerialPortIsRead_data()

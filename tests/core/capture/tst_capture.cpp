@@ -559,6 +559,45 @@ private Q_SLOTS:
         }
     }
 
+    /// An editor saves by a new file of the same name, or by writing the old one anew.
+    void aFileThatAnotherProgramChangesMeanwhileTakesNoFurtherValue_data()
+    {
+        using Change = std::function<void(const std::filesystem::path&)>;
+        QTest::addColumn<Change>("change");
+        QTest::newRow("replaced") << Change([](const std::filesystem::path& file) {
+            const std::string content = contentOf(file);
+            std::filesystem::rename(file, file.string() + "~");
+            put(file, content);
+        });
+        QTest::newRow("deleted") << Change(
+            [](const std::filesystem::path& file) { std::filesystem::remove(file); });
+        QTest::newRow("longer") << Change(
+            [](const std::filesystem::path& file) { put(file, contentOf(file) + "// Kim\n"); });
+        QTest::newRow("shorter") << Change(
+            [](const std::filesystem::path& file) { put(file, "// axiscomp runs: 1\n"); });
+    }
+    void aFileThatAnotherProgramChangesMeanwhileTakesNoFurtherValue()
+    {
+        QFETCH(const std::function<void(const std::filesystem::path&)>, change);
+        const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
+        QTemporaryDir folder;
+        const std::filesystem::path file =
+            folder.filePath(QStringLiteral("runs.csv")).toStdString();
+        auto runs = RunFile::open(file, plan, origin).value();
+        QVERIFY(runs.append(valueOf(plan, 0)));
+        change(file);
+        const bool isThere = std::filesystem::exists(file);
+        const std::string changed = isThere ? contentOf(file) : std::string();
+        const auto refused = runs.append(valueOf(plan, 1));
+        VERIFY_ERROR(refused, ErrorCode::FileNotWritable);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.find("replaced, changed or deleted") != std::string::npos, said.c_str());
+        VERIFY_ERROR(runs.removeLast(), ErrorCode::FileNotWritable);
+        QCOMPARE(runs.taken(), std::size_t{1});
+        QCOMPARE(std::filesystem::exists(file), isThere);
+        QCOMPARE(isThere ? contentOf(file) : std::string(), changed);
+    }
+
     void aKillWhileAValueIsTakenBackLeavesItOrTakesItWhole()
     {
         const MeasuringPlan plan = planOver(30.0, 3, 1, 1.0);
@@ -663,10 +702,21 @@ private Q_SLOTS:
         std::string damaged = whole;
         damaged.replace(damaged.rfind(",0.000"), 6, ",now");
         QVERIFY(refusal(damaged).find("step 1 of the plan") != std::string::npos);
+        for (const char* late : {",1795892006764.000", ",9223372036.900", ",1e300"}) {
+            damaged = whole;
+            damaged.replace(damaged.rfind(",0.000"), 6, late);
+            QVERIFY2(refusal(damaged).find("step 1 of the plan") != std::string::npos, late);
+        }
         std::string otherInstrument = whole;
         otherInstrument.replace(otherInstrument.find("laser"), 5, "ruler");
         QVERIFY(
             refusal(otherInstrument).find("// reference: laser is expected") != std::string::npos);
+        std::string otherFeed = whole;
+        otherFeed.replace(otherFeed.find("1000 mm/min"), 4, "500");
+        QVERIFY(refusal(otherFeed).find("// feed: 1000 mm/min is expected") != std::string::npos);
+        std::string otherDwell = whole;
+        otherDwell.replace(otherDwell.find("2.5 s"), 3, "40");
+        QVERIFY(refusal(otherDwell).find("// dwell: 2.5 s is expected") != std::string::npos);
         std::string repeated = whole + whole.substr(whole.find("\n0.000,") + 1);
         QVERIFY(refusal(repeated).find("step 2 of the plan") != std::string::npos);
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/capture/capture_request.h"
 #include "core/capture/capture_run.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/io/local_file.h"
@@ -651,6 +652,82 @@ private Q_SLOTS:
             const auto reading = readerOf("mm", each.pattern).read(each.line);
             QVERIFY2(std::abs(reading.position - each.position) < 1e-12, each.line);
         }
+    }
+
+    void aNumberIsTakenOnlyWhereItStandsByItself_data()
+    {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QByteArray>("problem");
+        for (const char* line : {"+24.468\u202f446", "24.468\u00a0446 mm", "7\u2009000.5 mm",
+                 "7\u200b000.5 mm", "X1: -0.0035 mm", "X1: 0.0035 mm", "CH2 -42.5 mm",
+                 "CH2 - 42.5 mm", "12.3 \u22120.5", "12-5 mm", "24\u00b0-35'", "0.002.345 mm",
+                 "13..5 mm", "36.444.5 mm", "12.3 .5",
+                 "24.468\xA0"
+                 "446 mm"})
+            QTest::newRow(line) << QByteArray(line) << QByteArray("another number follows");
+        for (const char* line : {"12.3#45 mm", "7_000.5", "34.5e mm", "34.5e+ mm", "0x10 mm",
+                 "12\u00b75 mm", "12\u2019345.6 mm", "3.5- mm", "3.5 - mm", "3.5 \u2013",
+                 "12.5 E-3 mm", "5/8 inch", "20.1\u00b0C", "12.5 ft", "/84.5 mm", "-+56.5 mm",
+                 "--56.5 mm", "- -56.5 mm", "-/56.5", "\u00b156.5 mm", "\u00b1 56.5 mm", "-,5 mm",
+                 ",5 mm", "..5 mm", "CH2: OVER", "X12.5 mm", "#1 mm", ">12.5 mm", "(12.5) mm"})
+            QTest::newRow(line) << QByteArray(line)
+                                << QByteArray("not clear where its number begins and ends");
+    }
+    void aNumberIsTakenOnlyWhereItStandsByItself()
+    {
+        QFETCH(const QByteArray, line);
+        QFETCH(const QByteArray, problem);
+        const InstrumentReading reading = readerOf("mm").read(line.toStdString());
+        const std::string said = reading.problem.english();
+        QVERIFY2(said.find(problem.toStdString()) != std::string::npos, said.c_str());
+        QVERIFY2(said.find("with a pattern") != std::string::npos, said.c_str());
+        QVERIFY(std::isnan(reading.position));
+    }
+
+    void namesSeparatorsAndFramesStandRoundANumber()
+    {
+        struct Case {
+            const char* line;
+            double position;
+        };
+        for (const Case& each : {Case{"\x02+0012.345\x03", 12.345}, {"X+12.5mm", 12.5},
+                 {"X = 12.5 mm", 12.5}, {"Pos. 12.5 mm", 12.5}, {"Position (X) -12.5", -12.5},
+                 {"OK;12.5", 12.5}, {"X,12.5,mm", 12.5}, {"{\"x\":12.5}", 12.5},
+                 {"\u00a0\u202f12.5\u00a0mm", 12.5}, {"12.5 mm -20.1 C", 12.5},
+                 {"12.5, -20.1", 12.5}, {"\u4f4d\u7f6e: 12.5 \u6beb\u7c73", 12.5}}) {
+            const auto reading = readerOf("mm").read(each.line);
+            QVERIFY2(reading.problem.isEmpty(), reading.problem.english().c_str());
+            QCOMPARE(reading.position, each.position);
+        }
+    }
+
+    void everyKindOfMinusIsOneWithAnyBlankBehindIt()
+    {
+        for (const char* line :
+            {"\u20130.0035 mm", "\u20140.0035 mm", "\u2010 0.0035 mm", "\uff0d0.0035 mm",
+                "-\u00a0\u20090.0035 mm", "\u200e-0.0035 mm", "\x96 0.0035 mm", "-3.5 \xB5m"}) {
+            const auto reading = readerOf().read(line);
+            QVERIFY2(reading.problem.isEmpty(), reading.problem.english().c_str());
+            QCOMPARE(reading.position, -0.0035);
+        }
+        const auto found = readerOf("mm", "\t.*?([-+]?[0-9.]+)").read("P7\t\u2013\u00a03.5");
+        QCOMPARE(found.position, -3.5);
+    }
+
+    /// Another pattern may find another number.
+    void theReferenceOfAFileNamesThePattern()
+    {
+        CaptureReference reference;
+        reference.kind = CaptureReference::Kind::Typed;
+        reference.scale.unit = "mm";
+        QCOMPARE(reference.text(), std::string("typed [mm]"));
+        reference.pattern = "=(.*);\n";
+        QCOMPARE(reference.text(), std::string("typed [mm], pattern =(.*);\u240a"));
+        reference.kind = CaptureReference::Kind::Serial;
+        reference.source = "serial:/dev/ttyUSB1?baud=9600";
+        reference.scale.zeroAt = 12.5;
+        QCOMPARE(reference.text(),
+            std::string("serial:/dev/ttyUSB1?baud=9600 [mm], 0 at 12.5, pattern =(.*);\u240a"));
     }
 
     void signAndZeroOfAnInstrumentAreTakenOut()
