@@ -30,7 +30,7 @@ namespace axiscomp::ui {
 
 namespace {
 
-constexpr double digitsScale = 2.4;
+constexpr double digitsScale = 2.0; // three of them fit a window of 1280 pixels
 
 /// As core reads it: with a decimal point. What has one already is not touched.
 QString withDecimalPoint(QString text)

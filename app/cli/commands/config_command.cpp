@@ -92,7 +92,9 @@ Result<ExitCode> exportParameters(Environment& environment, const ConfigOptions&
     const bool writes = !options.isDryRun && !(isSame && options.output.empty());
     if (writes) {
         AXISCOMP_CHECK(saveFile(pathFromText(file), asBytes(after)));
-        environment.print("\nWrote " + file + ": only these registers have changed.\n");
+        environment.print("\nWrote " + file
+            + (isSame ? ", the same: the configuration has all of this already.\n"
+                      : ": only these registers have changed.\n"));
     } else {
         environment.print(isSame ? "\nThe configuration has all of this already.\n"
                                  : "\nNothing was written (--dry-run).\n");

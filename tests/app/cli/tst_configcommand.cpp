@@ -154,7 +154,14 @@ private Q_SLOTS:
         const ProgramRun copied = bench.box.run(
             {"config", "export", "machine.TAMcfg", "--from", "new.TAMcfg", "--station", "Gantry"});
         VERIFY_CODE(copied, 0);
+        QVERIFY(copied.out.contains("Wrote machine.TAMcfg: only these registers have changed."));
         QCOMPARE(bench.box.content("machine.TAMcfg"), bench.box.content("new.TAMcfg"));
+        const ProgramRun same = bench.box.run({"config", "export", "machine.TAMcfg", "--from",
+            "new.TAMcfg", "--station", "Gantry", "-o", "same.TAMcfg"});
+        VERIFY_CODE(same, 0);
+        QVERIFY2(same.out.contains("Wrote same.TAMcfg, the same: the configuration has all"),
+            same.text().constData());
+        QCOMPARE(bench.box.content("same.TAMcfg"), bench.box.content("machine.TAMcfg"));
     }
 };
 

@@ -10,6 +10,8 @@
 
 #include <QAction>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -203,6 +205,22 @@ private Q_SLOTS:
         QCOMPARE(steps.model()->index(0, 3).data().toString(), QStringLiteral("0.00"));
         QCOMPARE(steps.model()->index(2, 3).data().toString(), QStringLiteral("0.36"));
         QVERIFY(bench.page.user.the("captureValues").isEnabled());
+    }
+
+    /// A number that is cut is another one: "1.00" of 1.000 um.
+    void theLargeNumbersFitTheWindow()
+    {
+        CaptureBench bench;
+        bench.holdAfter = 1;
+        QVERIFY(bench.open() && bench.beginWithRegister());
+        QVERIFY(bench.hasTaken(1));
+        QVERIFY(bench.page.user.sees("captureDifference"));
+        const auto& area = bench.page.user.the<QScrollArea>("captureScroll");
+        QTRY_COMPARE(area.horizontalScrollBar()->maximum(), 0);
+        const auto& difference = bench.page.user.the<QLabel>("captureDifference");
+        QVERIFY(difference.width() >= difference.sizeHint().width());
+        bench.goOn();
+        QVERIFY(bench.says(QStringLiteral("Every step has its value")));
     }
 
     /// Under its name would stand another plan than the one that is measured by.
