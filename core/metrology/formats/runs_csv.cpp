@@ -171,7 +171,9 @@ std::optional<RawRunValue> Reader::readLine()
         m_run != 0 && !m_options.takesDirectionFromOrder && m_csv.isEmpty(m_value);
     if (isMissing && target)
         m_measurement.targets.push_back(*target * m_targetFactor);
-    const auto number = isMissing ? std::nullopt : m_csv.number(m_value);
+    std::optional<double> number;
+    if (!isMissing)
+        number = m_csv.number(m_value);
     const bool hasDirection = m_options.takesDirectionFromOrder || readDirection(raw.value);
     const bool hasRun = m_options.takesDirectionFromOrder || readRun(raw.value);
     readFurther(raw.value);
