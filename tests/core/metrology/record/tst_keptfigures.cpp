@@ -122,6 +122,24 @@ private Q_SLOTS:
             std::string("A 3.200 um, 14.300 um before, over part of the travel"));
     }
 
+    void whereTheTableIsLookedUpIsKept()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.tables.clear();
+        QVERIFY(figuresToKeep(record, {})->madeFor == MadeForLookup{});
+        record.fit.emplace();
+        record.fit->settings.lookupAt = LookupAt::Set;
+        record.tables.resize(2);
+        for (RecordedTable& recorded : record.tables)
+            recorded.table.grid.axes = {{"X", "mm", 0.0, 20.0, 3}, {"Y", "mm", 0.0, 20.0, 3}};
+        record.tables[0].table.target = "Y";
+        record.tables[1].table.target = "Z";
+        QVERIFY(
+            figuresToKeep(record, {})->madeFor == (MadeForLookup{LookupAt::Set, {"#2", "other"}}));
+        record.tables[1].table.target.clear(); // may be that of any axis
+        QVERIFY(figuresToKeep(record, {})->madeFor == (MadeForLookup{LookupAt::Set, {}}));
+    }
+
     void aToleranceThatIsMissedByLittleReadsSo()
     {
         CalibrationRecord record = writtenRecord();
