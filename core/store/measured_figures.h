@@ -24,6 +24,9 @@ struct MadeForLookup {
     friend bool operator==(const MadeForLookup&, const MadeForLookup&) = default;
 };
 
+/// Whether the last measurement is one that was made just now, or one that a record has had before.
+enum class Measuring { New, Known };
+
 /// What measurements have said of an axis before and with one of its tables. In mm, or in degrees.
 struct MeasuredFigures {
     struct Figure {
@@ -53,5 +56,11 @@ struct MeasuredFigures {
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;
 };
+
+/// Whether figures of the same table are to be kept instead of those that are. What is known does
+/// not give way to what is not, nor the later measurement to an earlier one: by the dates of their
+/// files, else by what is new.
+[[nodiscard]] bool takesPlaceOf(
+    const MeasuredFigures& next, const MeasuredFigures& kept, Measuring measuring);
 
 } // namespace axiscomp

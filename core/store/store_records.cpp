@@ -315,9 +315,12 @@ SavedState savedState(Connection& database, std::int32_t serialNumber)
     return state;
 }
 
-void putMeasured(
-    Connection& database, std::int32_t serialNumber, int axis, const MeasuredFigures& measured)
+void putMeasured(Connection& database, std::int32_t serialNumber, int axis,
+    const MeasuredFigures& measured, Measuring measuring)
 {
+    const auto kept = records::measured(database, serialNumber, axis, measured.crc);
+    if (kept && !takesPlaceOf(measured, *kept, measuring))
+        return;
     for (const char* table : {"measured", "measured_figure"})
         Statement(database,
             "DELETE FROM " + std::string(table) + " WHERE serial = ?1 AND axis = ?2 AND crc = ?3",

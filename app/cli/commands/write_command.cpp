@@ -384,7 +384,7 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
         if (noted)
             noted = saveRecord(pathFromText(options.record), record);
         if (noted)
-            keepFiguresOrWarn(environment, session.store(), record);
+            keepFiguresOrWarn(environment, session.store(), record, Measuring::Known);
         if (!noted) {
             environment.console().note(
                 "note: the drive has the table; only the record does not say so");

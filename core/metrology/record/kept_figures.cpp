@@ -203,12 +203,13 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
     return kept;
 }
 
-Result<void> keepFigures(DriveStore& store, const CalibrationRecord& record, WallTime time)
+Result<void> keepFigures(
+    DriveStore& store, const CalibrationRecord& record, WallTime time, Measuring measuring)
 {
     const auto kept = figuresToKeep(record, time);
     if (!kept)
         return {};
-    return store.recordMeasured(record.drive->serialNumber, record.drive->axis, *kept);
+    return store.recordMeasured(record.drive->serialNumber, record.drive->axis, *kept, measuring);
 }
 
 Text measuredFiguresText(const MeasuredFigures& measured)
