@@ -122,6 +122,11 @@ class Tables(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "has 3 points, and there are 2 values along it"):
             axiscomp.Table([0, 1], [axiscomp.Axis(5, 2, size=3)])
 
+    def test_what_is_no_number_of_an_axis_is_named(self):
+        for axis in (("0", 1), (0, None), (0, 1, 2), (0, 1, "mm", "X", "two")):
+            with self.assertRaisesRegex(TypeError, "start and distance of an axis are numbers"):
+                axiscomp.Table([0, 1], [axis])
+
     def test_a_table_keeps_the_rules_of_a_table(self):
         for values, axes in (
             ([0, float("nan")], [(0, 1)]),
