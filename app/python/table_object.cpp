@@ -132,15 +132,26 @@ GridAxis axisFrom(const py::handle& given, py::ssize_t size)
 {
     GridAxis axis;
     const py::sequence parts = given.cast<py::sequence>();
-    if (parts.size() < 2 || parts.size() > 4)
-        throw py::value_error("an axis is (start, distance), (start, distance, unit) or "
-                              "(start, distance, unit, name)");
-    axis.start = parts[0].cast<double>();
-    axis.distance = parts[1].cast<double>();
-    if (parts.size() > 2)
-        axis.unit = parts[2].cast<std::string>();
-    if (parts.size() > 3)
-        axis.name = parts[3].cast<std::string>();
+    if (parts.size() < 2 || parts.size() > 5)
+        throw py::value_error("an axis is (start, distance), (start, distance, unit), "
+                              "(start, distance, unit, name) or an Axis");
+    py::ssize_t stated = 0; // not stated
+    try {
+        axis.start = parts[0].cast<double>();
+        axis.distance = parts[1].cast<double>();
+        if (parts.size() > 2)
+            axis.unit = parts[2].cast<std::string>();
+        if (parts.size() > 3)
+            axis.name = parts[3].cast<std::string>();
+        if (parts.size() > 4)
+            stated = parts[4].cast<py::ssize_t>();
+    } catch (const py::cast_error&) {
+        throw py::type_error("start and distance of an axis are numbers, unit and name are texts, "
+                             "and its size is a whole number");
+    }
+    if (stated != 0 && stated != size)
+        throw py::value_error("an axis has " + std::to_string(stated) + " points, and there are "
+            + std::to_string(size) + " values along it");
     axis.size = static_cast<std::uint32_t>(size);
     return axis;
 }

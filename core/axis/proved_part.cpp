@@ -27,7 +27,8 @@ void ProvedPart::add(const std::array<double, 3>& positions)
     std::size_t stride = 1;
     for (std::size_t n = 0; n < m_grid.axes.size(); ++n) {
         const GridAxis& axis = m_grid.axes[n];
-        const double index = std::floor((positions[n] - axis.start) / axis.distance);
+        // what rounding puts before the start is the start
+        const double index = std::floor(std::max(0.0, positions[n] - axis.start) / axis.distance);
         cell += stride * std::min(static_cast<std::size_t>(index), cellsAlong(n) - 1);
         stride *= cellsAlong(n);
     }

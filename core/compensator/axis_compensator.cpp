@@ -35,6 +35,11 @@ AxisCompensator::AxisCompensator(DriveLink& link, const DriveProfile& profile, D
 
 AxisCompensator::~AxisCompensator() = default;
 
+const DriveProfile& AxisCompensator::profile() const
+{
+    return d->profile;
+}
+
 Result<DriveIdentity> AxisCompensator::identify(const OperationOptions& options)
 {
     return d->identify(d->access(options));

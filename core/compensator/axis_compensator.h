@@ -78,6 +78,7 @@ public:
         std::function<WallTime()> clock = [] { return std::chrono::system_clock::now(); });
     ~AxisCompensator();
 
+    [[nodiscard]] const DriveProfile& profile() const;
     [[nodiscard]] Result<DriveIdentity> identify(const OperationOptions& options = {});
     [[nodiscard]] Result<std::vector<AxisInfo>> axes(const OperationOptions& options = {});
     /// An index or a name, as axisAmong takes it. Errors: AxisNotFound, AxisAmbiguous.

@@ -50,15 +50,22 @@ Result<void> checkDriveOfRecord(const CalibrationRecord& record, const AxisStatu
                                    status.drive.serialNumber)));
 }
 
-/// A source may have been changed since the write, and the table left as it is.
-Result<void> checkLookup(
-    const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile)
+std::optional<LookupAt> statedLookupAt(const CalibrationRecord& record)
+{
+    return record.fit ? record.fit->settings.lookupAt : std::nullopt;
+}
+
+/// A source may have been changed since the write, and the table left as it is. made: nothing where
+/// it is not stated.
+Result<void> checkLookup(std::optional<LookupAt> made, std::span<const RecordedTable> tables,
+    const AxisStatus& status, const DriveProfile& profile)
 {
     const auto sources = sourcePaths(status.setup);
-    AXISCOMP_CHECK(checkRecordSources(record, profile, status.axis.index, sources));
+    if (made)
+        AXISCOMP_CHECK(checkLookupSources(*made, profile, status.axis.index, sources));
     // Of several tables the record does not say which was written.
     Result<void> fits;
-    for (const RecordedTable& recorded : record.tables) {
+    for (const RecordedTable& recorded : tables) {
         fits = checkTarget(profile, status.axis.index, sources, recorded.table);
         if (fits)
             break;
@@ -139,9 +146,8 @@ bool hasTable(
 Result<void> checkRecordSources(const CalibrationRecord& record, const DriveProfile& profile,
     int axis, std::span<const std::string> sources)
 {
-    if (!record.fit || !record.fit->settings.lookupAt)
-        return {};
-    return checkLookupSources(*record.fit->settings.lookupAt, profile, axis, sources);
+    const auto made = statedLookupAt(record);
+    return made ? checkLookupSources(*made, profile, axis, sources) : Result<void>();
 }
 
 Result<void> recordWrite(
@@ -181,7 +187,7 @@ Result<void> checkRecordTable(
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
     const TableIdentity found = identityOf(*status.table);
     if (isSameTable(found, record.write->table()))
-        return checkLookup(record, status, profile);
+        return checkLookup(statedLookupAt(record), record.tables, status, profile);
     if (found.crc == record.write->crc)
         return notOfRecord(AXISCOMP_TEXT("Error",
             "the axis has the values of the record's table, {crc}, over other positions: write the "
@@ -192,6 +198,18 @@ Result<void> checkRecordTable(
         "table again (`axiscomp write --record`), or leave the record out")
                            .with("found", crcText(found.crc))
                            .with("recorded", crcText(record.write->crc)));
+}
+
+bool isLookedUpAsMade(
+    const MadeForLookup& made, const AxisStatus& status, const DriveProfile& profile)
+{
+    std::vector<RecordedTable> tables;
+    for (const std::string& target : made.targets) {
+        CompensationTable& table = tables.emplace_back().table;
+        table.target = target;
+        table.grid.axes.resize(status.setup.sources.size());
+    }
+    return checkLookup(made.at, tables, status, profile).has_value();
 }
 
 Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof,

@@ -7,6 +7,7 @@
 #include "core/base/wall_time.h"
 #include "core/drive/drive_profile.h"
 #include "core/metrology/record/calibration_record.h"
+#include "core/store/measured_figures.h"
 #include "core/table/table_identity.h"
 #include "core/table/table_layout.h"
 
@@ -45,6 +46,11 @@ namespace axiscomp {
 /// written, and for another table; as checkRecordSources; TargetMismatch.
 [[nodiscard]] Result<void> checkRecordTable(
     const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile);
+
+/// The same rule for the figures that this computer has kept: whether the axis looks its table up
+/// where that of the record belongs. What is not stated fits.
+[[nodiscard]] bool isLookedUpAsMade(
+    const MadeForLookup& made, const AxisStatus& status, const DriveProfile& profile);
 
 /// Notes the proof of the record's table; one that shows nothing (Proof::Extent) is none and leaves
 /// the record as it is. Errors: as checkRecordTable.

@@ -2,6 +2,7 @@
 #include "core/compensator/drive_summary.h"
 
 #include "core/compensator/axis_compensator.h"
+#include "core/compensator/drive_record.h"
 #include "core/store/backup_folder.h"
 
 namespace axiscomp {
@@ -22,13 +23,14 @@ std::optional<WallTime> lastWriteOf(const DriveStore& store, std::int32_t serial
 } // namespace
 
 std::optional<MeasuredFigures> measuredWith(
-    const AxisStatus& status, const std::filesystem::path& storeRoot)
+    const AxisStatus& status, const DriveProfile& profile, const std::filesystem::path& storeRoot)
 {
     if (!status.table)
         return std::nullopt;
     auto known = DriveStore(storeRoot).measured(
         status.drive.serialNumber, status.axis.index, status.table->crc);
-    if (!known || !*known || !isSameTable(identityOf(*status.table), (*known)->table()))
+    if (!known || !*known || !isSameTable(identityOf(*status.table), (*known)->table())
+        || !isLookedUpAsMade((*known)->madeFor, status, profile))
         return std::nullopt;
     return *std::move(known);
 }
@@ -69,7 +71,7 @@ Result<DriveSummary> summarizeDrive(AxisCompensator& compensator,
     for (AxisSummary& row : summary.axes) {
         row.lastWrite = lastWriteOf(store, summary.drive.serialNumber, row.axis.index);
         if (row.status)
-            row.measured = measuredWith(*row.status, storeRoot);
+            row.measured = measuredWith(*row.status, compensator.profile(), storeRoot);
     }
     auto use = compensator.flashUse(quiet);
     if (!use && endsSummary(use.error()))

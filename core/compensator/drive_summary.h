@@ -24,7 +24,7 @@ struct AxisSummary {
     std::optional<Error> problem{}; ///< why the axis could not be read
     /// Of the newest backup that this computer has: one is kept before each write.
     std::optional<WallTime> lastWrite{};
-    /// With the table that the axis has now, as far as this computer knows.
+    /// With the table that the axis has now, as it looks it up, as far as this computer knows.
     std::optional<MeasuredFigures> measured{};
 };
 
@@ -35,10 +35,11 @@ struct DriveSummary {
     std::optional<FlashUse> flashUse; ///< none: it could not be read
 };
 
-/// What this computer knows of the table that the axis has. A store that cannot be read knows
-/// nothing.
+/// What this computer knows of the table that the axis has, where the axis looks it up as the
+/// record has it (isLookedUpAsMade): elsewhere it is worth something else. A store that cannot be
+/// read knows nothing.
 [[nodiscard]] std::optional<MeasuredFigures> measuredWith(
-    const AxisStatus& status, const std::filesystem::path& storeRoot);
+    const AxisStatus& status, const DriveProfile& profile, const std::filesystem::path& storeRoot);
 
 /// Reads the axes one after the other, without what this computer knows of them; changes nothing.
 /// rows: added to, also when the link fails in between. Errors: those of the link, Cancelled.

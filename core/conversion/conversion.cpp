@@ -6,6 +6,7 @@
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
+#include "core/formats/wrap_range.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
 
@@ -367,6 +368,8 @@ Result<NeutralTable> Converter::signConverted(
             examplePoint(isForSet ? withTurnedSigns(table, SignConvention::Command) : table);
     } else {
         const ConvertedKnots knots = knotsFor(table);
+        if (knots == ConvertedKnots::Same)
+            table = asWholeTurn(std::move(table), m_request.writing.settings);
         AXISCOMP_CHECK(prepareBeside(table, sides));
         const std::size_t own = table.columns.size();
         if (m_beside)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/wrap_range.h"
 
+#include "core/neutral/table_motion.h"
+#include "core/table/position_unit.h"
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace axiscomp {
@@ -33,6 +36,29 @@ Result<void> takeWrapRange(SourceAxis& axis, const SettingValues& values)
                     .with("period", Quantity{roundedText(*axis.wrap)})}});
     axis.wrap = wrap;
     return {};
+}
+
+NeutralTable asWholeTurn(NeutralTable table, const FormatSettings& given)
+{
+    const auto wrap = given.find(wrapRangeKey);
+    const auto range = wrap == given.end() ? std::nullopt : numberOf(wrap->second);
+    if (!range || table.axes.size() != 1 || table.axes[0].wrap)
+        return table;
+    const std::string& unit = table.axes[0].unit;
+    auto fileUnit = given.find("position-unit"); // of such a file it is that of the values
+    if (fileUnit == given.end())
+        fileUnit = given.find("value-unit");
+    const auto factor = fileUnit == given.end() || isSameUnit(fileUnit->second, unit)
+        ? std::optional(1.0)
+        : unitFactor(fileUnit->second, unit);
+    const bool isClosed = std::ranges::all_of(table.columns, [](const CompensationColumn& column) {
+        return column.values.front() == column.values.back();
+    });
+    if (!factor || !isClosed)
+        return table;
+    NeutralTable turn = table;
+    turn.axes[0].wrap = *range * *factor;
+    return isFullTurn(turn.axes[0]) && checkConsistent(turn) ? turn : table;
 }
 
 } // namespace axiscomp

@@ -23,4 +23,9 @@ inline constexpr FormatSetting wrapRangeSetting{.key = wrapRangeKey,
 /// says another one.
 [[nodiscard]] Result<void> takeWrapRange(SourceAxis& axis, const SettingValues& values);
 
+/// Before the sign is converted, where it keeps the knots: a table of exactly one turn by the
+/// setting, and with equal ends, repeats, since its ends would not be equal afterwards. Any other
+/// table stays for the writer to judge. table: consistent.
+[[nodiscard]] NeutralTable asWholeTurn(NeutralTable table, const FormatSettings& given);
+
 } // namespace axiscomp

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/measurement.h"
 
+#include "core/base/wall_time.h"
 #include "core/neutral/drive_note.h"
 #include "core/text/crc_text.h"
 #include "core/text/utf8.h"
@@ -10,6 +11,21 @@
 #include <tuple>
 
 namespace axiscomp {
+
+namespace {
+
+/// "2026-11-20" of "2026-11-20 08:15"; days in this form are in order as texts.
+std::optional<std::string_view> dayOfDate(std::string_view date)
+{
+    constexpr std::string_view form = "0000-00-00";
+    const std::string_view day = date.substr(0, form.size());
+    std::string found(day);
+    std::ranges::replace_if(
+        found, [](char c) { return c >= '0' && c <= '9'; }, '0');
+    return found == form ? std::optional(day) : std::nullopt;
+}
+
+} // namespace
 
 std::string_view approachName(Approach direction)
 {
@@ -75,6 +91,17 @@ std::vector<Text> againstFileTexts(const AgainstFile& asked)
 std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header)
 {
     return driveSerialIn(header.drive);
+}
+
+bool isEarlier(std::string_view date, std::string_view other)
+{
+    const auto time = utcFromText(date);
+    const auto otherTime = utcFromText(other);
+    if (time && otherTime)
+        return *time < *otherTime;
+    const auto day = dayOfDate(date);
+    const auto otherDay = dayOfDate(other);
+    return day && otherDay && *day < *otherDay;
 }
 
 double Measurement::range() const

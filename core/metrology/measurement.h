@@ -116,6 +116,10 @@ struct MeasurementHeader {
 /// Of the drive that measured. Nothing: the header does not say it.
 [[nodiscard]] std::optional<std::int32_t> driveSerialOf(const MeasurementHeader& header);
 
+/// Whether a measurement was certainly made before another one, by the dates of their files: both
+/// begin with a day, 2026-11-20, or are times as utcText writes them.
+[[nodiscard]] bool isEarlier(std::string_view date, std::string_view other);
+
 /// A result that a file carries beside its values, such as E = 0.09065.
 struct PublishedFigure {
     std::string name; ///< "E", "R+" ..., as figureNamed takes it

@@ -16,7 +16,8 @@ ControllerLookup::ControllerLookup(
     assert(m_values.size() == table.pointCount());
     std::size_t stride = 1;
     for (const SourceAxis& axis : table.axes) {
-        m_axes.push_back({axis, KnotSearch(axis.knots), stride});
+        m_axes.push_back({axis, KnotSearch(axis.knots), stride,
+            InsideRange(axis.knots.front(), axis.knots.back())});
         stride *= axis.knots.size();
     }
 }
@@ -29,12 +30,12 @@ ControllerLookup::Place ControllerLookup::placeOf(std::size_t axis, double posit
         return {0, position, false};
     if (source.wrap && std::isfinite(position))
         position -= std::floor((position - knots.front()) / *source.wrap) * *source.wrap;
-    const bool isBefore = position < knots.front();
-    const bool isOutside = isBefore || position > knots.back();
+    const bool isOutside = !m_axes[axis].inside.contains(position);
+    const bool isBefore = isOutside && position < knots.front();
     if ((isBefore && m_behaviour.startsAtFirst)
         || (isOutside && m_behaviour.outside == Outside::Zero))
         return {0, 0.0, true};
-    const bool goesOn = m_behaviour.outside == Outside::Extrapolate && !source.wrap;
+    const bool goesOn = isOutside && m_behaviour.outside == Outside::Extrapolate && !source.wrap;
     if (position <= knots.front() && !goesOn)
         return {0, 0.0, false};
     if (position >= knots.back() && !goesOn)

@@ -95,6 +95,7 @@ private:
         const SourceAxis& source;
         KnotSearch search;
         std::size_t stride = 0; ///< in the values
+        InsideRange inside = {};
     };
     [[nodiscard]] double valueAt(std::size_t index) const
     {

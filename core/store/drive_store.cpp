@@ -216,10 +216,10 @@ Result<void> DriveStore::recordOwnTable(std::int32_t serialNumber, int axis, con
 }
 
 Result<void> DriveStore::recordMeasured(
-    std::int32_t serialNumber, int axis, const MeasuredFigures& measured)
+    std::int32_t serialNumber, int axis, const MeasuredFigures& measured, Measuring measuring)
 {
     return m_database->change([&](sqlite::Connection& database) {
-        records::putMeasured(database, serialNumber, axis, measured);
+        records::putMeasured(database, serialNumber, axis, measured, measuring);
     });
 }
 

@@ -109,9 +109,10 @@ public:
     [[nodiscard]] Result<void> recordOwnTable(
         std::int32_t serialNumber, int axis, const OwnTable& table);
 
-    /// Kept by the CRC of the table: the last 50 of each axis. Replaces what was kept for it.
-    [[nodiscard]] Result<void> recordMeasured(
-        std::int32_t serialNumber, int axis, const MeasuredFigures& measured);
+    /// Kept by the CRC of the table: the last 50 of each axis. Replaces what was kept for it, where
+    /// takesPlaceOf says so.
+    [[nodiscard]] Result<void> recordMeasured(std::int32_t serialNumber, int axis,
+        const MeasuredFigures& measured, Measuring measuring = Measuring::New);
     /// nullopt: nothing was measured with this table, as far as this computer knows.
     [[nodiscard]] Result<std::optional<MeasuredFigures>> measured(
         std::int32_t serialNumber, int axis, std::uint32_t crc);

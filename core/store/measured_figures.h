@@ -3,6 +3,7 @@
 
 #include "core/base/wall_time.h"
 #include "core/metrology/measurement.h"
+#include "core/neutral/lookup_note.h"
 #include "core/table/table_identity.h"
 
 #include <cstddef>
@@ -12,6 +13,19 @@
 #include <vector>
 
 namespace axiscomp {
+
+/// Where a table has to be looked up to be worth what was measured.
+struct MadeForLookup {
+    std::optional<LookupAt> at = {}; ///< nothing: not stated
+    /// What it corrects, "#1" or "other" (target_axis.h); several, where it is one of these tables.
+    /// Empty: not stated.
+    std::vector<std::string> targets = {};
+
+    friend bool operator==(const MadeForLookup&, const MadeForLookup&) = default;
+};
+
+/// Whether the last measurement is one that was made just now, or one that a record has had before.
+enum class Measuring { New, Known };
 
 /// What measurements have said of an axis before and with one of its tables. In mm, or in degrees.
 struct MeasuredFigures {
@@ -37,9 +51,16 @@ struct MeasuredFigures {
     /// Where the last measurement covers less of the axis than the first one; older programs did
     /// not note it.
     std::optional<TwoRanges> lesserRange = {};
+    MadeForLookup madeFor = {}; ///< older programs did not note it
 
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;
 };
+
+/// Whether figures of the same table are to be kept instead of those that are. What is known does
+/// not give way to what is not, nor the later measurement to an earlier one: by the dates of their
+/// files, else by what is new.
+[[nodiscard]] bool takesPlaceOf(
+    const MeasuredFigures& next, const MeasuredFigures& kept, Measuring measuring);
 
 } // namespace axiscomp

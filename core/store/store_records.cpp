@@ -4,6 +4,7 @@
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/store/store_folder.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -56,6 +57,22 @@ std::optional<Grid> gridOf(const std::string& text)
     StrictJson document{text, registerLimits};
     Grid grid = spansFromJson(document.root());
     return document.problem() ? std::nullopt : std::optional(std::move(grid));
+}
+
+std::string targetsText(const std::vector<std::string>& targets)
+{
+    std::string text;
+    for (const std::string& target : targets)
+        text += (text.empty() ? "" : ", ") + target;
+    return text;
+}
+
+std::optional<LookupAt> lookupNamed(const std::string& name)
+{
+    for (const LookupAt at : {LookupAt::Encoder, LookupAt::Set})
+        if (name == lookupAtName(at))
+            return at;
+    return std::nullopt;
 }
 
 } // namespace
@@ -298,9 +315,12 @@ SavedState savedState(Connection& database, std::int32_t serialNumber)
     return state;
 }
 
-void putMeasured(
-    Connection& database, std::int32_t serialNumber, int axis, const MeasuredFigures& measured)
+void putMeasured(Connection& database, std::int32_t serialNumber, int axis,
+    const MeasuredFigures& measured, Measuring measuring)
 {
+    const auto kept = records::measured(database, serialNumber, axis, measured.crc);
+    if (kept && !takesPlaceOf(measured, *kept, measuring))
+        return;
     for (const char* table : {"measured", "measured_figure"})
         Statement(database,
             "DELETE FROM " + std::string(table) + " WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
@@ -311,11 +331,13 @@ void putMeasured(
         ends = {ranges->before.first, ranges->before.last, ranges->after.first, ranges->after.last};
     Statement(database,
         "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out, "
-        "before_first, before_last, after_first, after_last) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12)",
+        "before_first, before_last, after_first, after_last, lookup_at, targets) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
         serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
         measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string(),
-        static_cast<std::int64_t>(measured.excluded), ends[0], ends[1], ends[2], ends[3])
+        static_cast<std::int64_t>(measured.excluded), ends[0], ends[1], ends[2], ends[3],
+        measured.madeFor.at ? std::string(lookupAtName(*measured.madeFor.at)) : std::string(),
+        targetsText(measured.madeFor.targets))
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -341,7 +363,7 @@ std::optional<MeasuredFigures> measured(
 {
     Statement table(database,
         "SELECT time, date, angular, grid, left_out, before_first, before_last, after_first, "
-        "after_last FROM measured "
+        "after_last, lookup_at, targets FROM measured "
         "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
@@ -352,6 +374,9 @@ std::optional<MeasuredFigures> measured(
     if (const auto first = table.real(5))
         measured.lesserRange = TwoRanges{{*first, table.real(6).value_or(*first)},
             {table.real(7).value_or(*first), table.real(8).value_or(*first)}};
+    measured.madeFor.at = lookupNamed(table.text(9));
+    if (const std::string targets = table.text(10); !targets.empty())
+        measured.madeFor.targets = targetList(targets);
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

@@ -56,9 +56,9 @@ void setCovered(sqlite::Connection& database, std::int32_t serialNumber, const s
     bool isCovered);
 [[nodiscard]] SavedState savedState(sqlite::Connection& database, std::int32_t serialNumber);
 
-/// Replaces what was known with the same table.
+/// Replaces what was known with the same table, where takesPlaceOf says so.
 void putMeasured(sqlite::Connection& database, std::int32_t serialNumber, int axis,
-    const MeasuredFigures& measured);
+    const MeasuredFigures& measured, Measuring measuring);
 [[nodiscard]] std::optional<MeasuredFigures> measured(
     sqlite::Connection& database, std::int32_t serialNumber, int axis, std::uint32_t crc);
 

@@ -78,6 +78,11 @@ ALTER TABLE measured ADD COLUMN before_last REAL;
 ALTER TABLE measured ADD COLUMN after_first REAL;
 ALTER TABLE measured ADD COLUMN after_last REAL;
 )",
+    // Where the table has to be looked up: "encoder" or "set", and "#1, other"; empty: not stated.
+    R"(
+ALTER TABLE measured ADD COLUMN lookup_at TEXT NOT NULL DEFAULT '';
+ALTER TABLE measured ADD COLUMN targets TEXT NOT NULL DEFAULT '';
+)",
 };
 
 } // namespace

@@ -17,6 +17,14 @@ bool isSameNumber(double a, double b)
 
 } // namespace
 
+InsideRange::InsideRange(double first, double last)
+{
+    const double rounding =
+        4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(first), std::abs(last));
+    m_from = first - rounding;
+    m_to = last + rounding;
+}
+
 bool sameSpans(const Grid& a, const Grid& b)
 {
     return std::ranges::equal(a.axes, b.axes, [](const GridAxis& x, const GridAxis& y) {
@@ -29,7 +37,7 @@ bool isWithin(const Grid& grid, std::span<const double> positions)
 {
     for (std::size_t n = 0; n < grid.axes.size(); ++n) {
         const GridAxis& axis = grid.axes[n];
-        if (!(axis.start <= positions[n] && positions[n] <= axis.last()))
+        if (!InsideRange(axis.start, axis.last()).contains(positions[n]))
             return false;
     }
     return true;

@@ -26,6 +26,25 @@ struct GridAxis {
     friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
 
+/// The positions that are inside of a table along one axis, for every lookup. start + (size - 1) *
+/// distance may be some units in the last place off the last position that a file gives, so that
+/// what differs from an end by the rounding of doubles alone is that end.
+class InsideRange {
+public:
+    InsideRange() = default;
+    InsideRange(double first, double last);
+
+    /// false for NaN
+    [[nodiscard]] bool contains(double position) const
+    {
+        return position >= m_from && position <= m_to;
+    }
+
+private:
+    double m_from = 0.0;
+    double m_to = 0.0;
+};
+
 /// 1 to 3 grid axes. Element order: dimension 1 fastest (docs/tamtbl.md, "Order of the elements").
 struct Grid {
     std::vector<GridAxis> axes;
@@ -48,8 +67,8 @@ inline constexpr double largestPointShift = 1e-3;
 /// The same sizes, starts and distances, NaN included, whatever the names and units.
 [[nodiscard]] bool sameSpans(const Grid& a, const Grid& b);
 
-/// Whether a position is on the grid or between its points, in every dimension. positions: one per
-/// dimension.
+/// Whether a position is on the grid or between its points (InsideRange), in every dimension.
+/// positions: one per dimension.
 [[nodiscard]] bool isWithin(const Grid& grid, std::span<const double> positions);
 
 /// The position of a point of a table, dimension 1 fastest; one number per dimension.

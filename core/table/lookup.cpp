@@ -37,7 +37,7 @@ Lookup::Lookup(const CompensationTable& table, Outside outside)
         m_axes[i] = {
             {axis.start, axis.last(), axis.distance, perUnit,
                 axis.start - roundingError * axis.distance, static_cast<double>(axis.size - 1)},
-            axis.size - 1, stride};
+            axis.size - 1, stride, InsideRange(axis.start, axis.last())};
         stride *= axis.size;
     }
     const auto& [x, y, z] = m_axes;

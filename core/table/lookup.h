@@ -63,11 +63,9 @@ private:
     struct Axis : AxisNumbers<double> {
         std::size_t lastPoint = 0; ///< size - 1
         std::size_t stride = 0;
+        InsideRange inside = {};
 
-        [[nodiscard]] bool contains(double position) const
-        {
-            return position >= start && position <= last;
-        }
+        [[nodiscard]] bool contains(double position) const { return inside.contains(position); }
     };
     /// A grid point as an offset into the values, and the way from there to the next one.
     struct Cell {

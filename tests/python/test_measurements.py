@@ -75,6 +75,13 @@ class Measurements(unittest.TestCase):
             with self.assertRaises(ValueError):
                 axiscomp.Measurement([0, 10], up=[[0, 1]], axis=axis)
 
+    def test_what_is_of_another_type_is_named(self):
+        with self.assertRaisesRegex(TypeError, "^serial is a text, not 5$"):
+            axiscomp.Measurement([0, 1], [[0, 0]], serial=5)
+        table = axiscomp.Table([0, 1], [(0, 10, "mm", "X")], unit="um", target="X")
+        with self.assertRaisesRegex(TypeError, "^turn is a number, not '360'$"):
+            axiscomp.predict(made(), table, lookup_at="encoder", turn="360")
+
     def test_a_measurement_does_not_change(self):
         measurement = made()
         for array in (measurement.targets, measurement.up, measurement.down):

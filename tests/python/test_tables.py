@@ -114,6 +114,19 @@ class Tables(unittest.TestCase):
         with self.assertRaises(IndexError):
             plane().positions(3)
 
+    def test_a_table_is_made_over_the_axes_of_another_one(self):
+        one = plane()
+        other = axiscomp.Table(one.values * 2, one.axes)
+        self.assertEqual(other.axes, one.axes)
+        self.assertEqual(axiscomp.Table([0, 1], [axiscomp.Axis(5, 2, "mm", "X")]).axes, [(5, 2, "mm", "X", 2)])
+        with self.assertRaisesRegex(ValueError, "has 3 points, and there are 2 values along it"):
+            axiscomp.Table([0, 1], [axiscomp.Axis(5, 2, size=3)])
+
+    def test_what_is_no_number_of_an_axis_is_named(self):
+        for axis in (("0", 1), (0, None), (0, 1, 2), (0, 1, "mm", "X", "two")):
+            with self.assertRaisesRegex(TypeError, "start and distance of an axis are numbers"):
+                axiscomp.Table([0, 1], [axis])
+
     def test_a_table_keeps_the_rules_of_a_table(self):
         for values, axes in (
             ([0, float("nan")], [(0, 1)]),
@@ -174,7 +187,7 @@ class Tables(unittest.TestCase):
                 self.assertEqual(read, plane())
 
     def test_several_tables_stand_in_one_file(self):
-        other = axiscomp.Table(-plane().values, [axis[:4] for axis in plane().axes], name="Y error", unit="mm", target="Y")
+        other = axiscomp.Table(-plane().values, plane().axes, name="Y error", unit="mm", target="Y")
         file = self.folder / "both.csv"
         axiscomp.write([plane(), other], file)
         self.assertEqual(axiscomp.read_all(file, dims=2), [plane(), other])

@@ -53,6 +53,14 @@ bool losesHistory(const CalibrationRecord& there, const CalibrationRecord& made)
     });
 }
 
+/// Whether the last measurement with the table is not that of the file.
+bool hasNewAfter(const CalibrationRecord* there, const CalibrationRecord& made)
+{
+    const RecordedAfter* const known = there ? lastAfter(*there) : nullptr;
+    const RecordedAfter* const last = lastAfter(made);
+    return last && !(known && known->measurement == last->measurement);
+}
+
 } // namespace
 
 RecordFile::RecordFile(RecordModel& record, RecordModel& after, QObject* parent)
@@ -208,7 +216,8 @@ Result<RecordFile::Saving> RecordFile::write(const RecordParts& parts, const Tar
     if (!target.store.empty()) {
         DriveStore store(target.store);
         // What the drive's overview says of the table; the record has it in any case.
-        static_cast<void>(keepFigures(store, made, std::chrono::system_clock::now()));
+        static_cast<void>(keepFigures(store, made, std::chrono::system_clock::now(),
+            hasNewAfter(parts.base.get(), made) ? Measuring::New : Measuring::Known));
     }
     return Saving{
         {}, {std::make_shared<const CalibrationRecord>(std::move(made)), sha256Of(asBytes(text))}};

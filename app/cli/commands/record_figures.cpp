@@ -6,9 +6,10 @@
 
 namespace axiscomp::app {
 
-void keepFiguresOrWarn(Environment& environment, DriveStore& store, const CalibrationRecord& record)
+void keepFiguresOrWarn(Environment& environment, DriveStore& store, const CalibrationRecord& record,
+    Measuring measuring)
 {
-    const auto kept = keepFigures(store, record, std::chrono::system_clock::now());
+    const auto kept = keepFigures(store, record, std::chrono::system_clock::now(), measuring);
     if (!kept)
         environment.warn("axiscomp status will not know the figures of the record: "
             + textOf(kept.error()).english());
@@ -17,7 +18,7 @@ void keepFiguresOrWarn(Environment& environment, DriveStore& store, const Calibr
 void keepFiguresOrWarn(Environment& environment, const CalibrationRecord& record)
 {
     DriveStore store(DriveStore::defaultRoot());
-    keepFiguresOrWarn(environment, store, record);
+    keepFiguresOrWarn(environment, store, record, Measuring::New);
 }
 
 } // namespace axiscomp::app

@@ -3,6 +3,7 @@
 
 #include "app/cli/output/environment.h"
 #include "core/metrology/record/calibration_record.h"
+#include "core/store/measured_figures.h"
 
 namespace axiscomp {
 class DriveStore;
@@ -12,9 +13,9 @@ namespace axiscomp::app {
 
 /// Keeps the figures of a record for `status`. The record has them in any case: a store that cannot
 /// take them is a warning.
-void keepFiguresOrWarn(
-    Environment& environment, DriveStore& store, const CalibrationRecord& record);
-/// The same in the store of this user.
+void keepFiguresOrWarn(Environment& environment, DriveStore& store, const CalibrationRecord& record,
+    Measuring measuring);
+/// Those of a new measurement, in the store of this user.
 void keepFiguresOrWarn(Environment& environment, const CalibrationRecord& record);
 
 } // namespace axiscomp::app

@@ -38,7 +38,7 @@ Result<ExitCode> runStatus(
     if (settled.settled)
         json["unfinishedWrite"] =
             unfinishedToJson(settled.settled->entry, settled.settled->outcome);
-    const auto measured = measuredWith(settled.status, session.storeRoot());
+    const auto measured = measuredWith(settled.status, session.profile(), session.storeRoot());
     if (measured)
         json["measured"] = toJson(*measured);
     environment.document(json);

@@ -315,6 +315,12 @@ Result<TableInput> inputOfRecord(const CalibrationRecord& record, const WriteOpt
     return input;
 }
 
+/// Whether something is asked for that makes another table of a table.
+bool isConverted(const ConversionOptions& options)
+{
+    return options.isAnything() || options.holdsEnds || options.units != StatedUnits{};
+}
+
 /// What would make another table of it, or is about the reading of a file.
 Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOptions& options)
 {
@@ -322,9 +328,8 @@ Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOption
     ConversionOptions conversion = options.conversion;
     if (record.tables.front().table.target.empty())
         conversion.targets.clear(); // it is asked for
-    const bool isChanged = conversion.isAnything() || options.conversion.units != StatedUnits{}
-        || !input.from.empty() || !input.settings.empty() || input.dimensions != 0
-        || !input.fill.empty() || input.crops || input.snap != 0.0;
+    const bool isChanged = isConverted(conversion) || !input.from.empty() || !input.settings.empty()
+        || input.dimensions != 0 || !input.fill.empty() || input.crops || input.snap != 0.0;
     if (isChanged)
         return wrongUsage("the table of a record is written as it is, with its own units: leave "
                           "out --dims, --from and everything that converts or resamples",
@@ -337,8 +342,7 @@ Result<void> checkRecordAlone(const CalibrationRecord& record, const WriteOption
 Result<void> checkNoTable(const WriteOptions& options)
 {
     const TableInputOptions& input = options.input;
-    const bool isForTable = options.conversion.isAnything()
-        || options.conversion.units != StatedUnits{} || !input.from.empty()
+    const bool isForTable = isConverted(options.conversion) || !input.from.empty()
         || !input.settings.empty() || !input.table.empty() || !input.fill.empty() || input.crops
         || input.snap != 0.0 || !options.slot.empty();
     if (isForTable)
@@ -384,7 +388,7 @@ Result<ExitCode> writeAndNote(Environment& environment, CommandSession& session,
         if (noted)
             noted = saveRecord(pathFromText(options.record), record);
         if (noted)
-            keepFiguresOrWarn(environment, session.store(), record);
+            keepFiguresOrWarn(environment, session.store(), record, Measuring::Known);
         if (!noted) {
             environment.console().note(
                 "note: the drive has the table; only the record does not say so");

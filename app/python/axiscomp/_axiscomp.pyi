@@ -25,7 +25,7 @@ class Table:
     def __init__(
         self,
         values: ArrayLike,
-        axes: Sequence[tuple[float, float] | tuple[float, float, str] | tuple[float, float, str, str]],
+        axes: Sequence[tuple[float, float] | tuple[float, float, str] | tuple[float, float, str, str] | Axis],
         name: str = "Table",
         unit: str = "",
         target: str = "",

@@ -43,6 +43,9 @@ class Measurement:
             # What is masked was not measured.
             return numpy.ma.filled(numpy.ma.asarray(given, dtype=float), numpy.nan)
 
+        for name, statement in statements.items():
+            if not isinstance(statement, str):
+                raise TypeError(f"{name} is a text, not {statement!r}")
         targets = floats(targets)
         none = numpy.empty((0, targets.size))
         self._take(
@@ -134,6 +137,8 @@ def predict(
     """
     if isinstance(measured_with, str) and measured_with != "off":
         raise ValueError(f'measured_with is a table or "off", not {measured_with}')
+    if turn is not None and not hasattr(turn, "__float__"):
+        raise TypeError(f"turn is a number, not {turn!r}")
     active = None if isinstance(measured_with, str) else measured_with
     return Prediction(
         _axiscomp.predict(measurement.file, table, lookup_at, active, measured_with == "off", turn)

@@ -11,7 +11,10 @@ from ._call import Document, call, give_warnings, one, with_filled, with_points
 
 
 class Axis(NamedTuple):
-    """One dimension of a table: position(i) = start + i * distance, i = 0 .. size - 1."""
+    """One dimension of a table: position(i) = start + i * distance, i = 0 .. size - 1.
+
+    Table takes it for another one over the same positions; a size of 0 is that of the values.
+    """
 
     start: float
     distance: float

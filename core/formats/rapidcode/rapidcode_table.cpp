@@ -4,8 +4,10 @@
 #include "core/formats/format_writer.h"
 #include "core/formats/units.h"
 #include "core/table/even_spacing.h"
+#include "core/table/grid.h"
 #include "core/text/number_text.h"
 #include "core/text/text_file.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +17,19 @@ namespace axiscomp {
 
 namespace {
 
+/// There is no correction beyond the ends: one that rounding put inside of the last position that a
+/// person gave would take the correction from that.
+double plainEnd(double end)
+{
+    const double plain = numberOf(roundedText(end)).value_or(end);
+    return InsideRange(end, end).contains(plain) ? plain : end;
+}
+
 RapidCodeInput inputOf(const SourceAxis& axis)
 {
     constexpr int noDecimals = -30;
     const double delta = fitEvenSpacing(axis.knots, noDecimals).distance;
-    return {axis.knots.front(), axis.knots.back(), delta, axis.knots.size()};
+    return {plainEnd(axis.knots.front()), plainEnd(axis.knots.back()), delta, axis.knots.size()};
 }
 
 Result<std::vector<std::int64_t>> countsOf(

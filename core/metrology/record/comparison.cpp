@@ -203,6 +203,23 @@ void warnOfLesserRange(Comparison& comparison, const Measurement& before, const 
             {"LesserRange", lesserRangeText(*comparison.lesserRange, after.isAngular)});
 }
 
+void warnOfLaterMeasurement(
+    Comparison& comparison, const std::string& date, const std::string& lastDate)
+{
+    if (isEarlier(date, lastDate))
+        comparison.warnings.push_back({"EarlierMeasurement",
+            AXISCOMP_TEXT("Measurement",
+                "the second measurement is of {date}, and the record has one of {last} with the "
+                "same table, which decides")
+                .with("date", Verbatim{date})
+                .with("last", Verbatim{lastDate})});
+}
+
+std::string dateOfMeasurement(const RecordedMeasurement& recorded)
+{
+    return recorded.files.empty() ? std::string() : recorded.files.front().measurement.header.date;
+}
+
 /// The mean of both directions, or of the one that there is.
 RemainingError remainingAt(const TargetFigures& target)
 {
@@ -532,6 +549,8 @@ ComparisonRequest comparisonRequest(const CalibrationRecord& record)
         request.tableCrc = record.write->crc;
     RecordedJudging judging = judgingOf(record);
     request.isByTemperature = isByTemperature(record);
+    if (const RecordedAfter* const last = lastAfter(record))
+        request.lastDate = dateOfMeasurement(last->measurement);
     request.tolerances = std::move(judging.tolerances);
     request.uncertainty = judging.uncertainty;
     return request;
@@ -556,6 +575,7 @@ Result<Comparison> compareMeasurements(
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     judgeAllValues(comparison, before, after, request);
     warnOfOtherMachine(comparison, before.header, after.header);
+    warnOfLaterMeasurement(comparison, after.header.date, request.lastDate);
     return comparison;
 }
 
@@ -566,7 +586,18 @@ void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Compa
     recorded.figures = figureValues(comparison.after);
     recorded.isAsPredicted = comparison.isAsPredicted;
     recorded.tableCrc = comparisonRequest(record).tableCrc;
-    record.after.push_back(std::move(recorded));
+    const auto isLater = [&recorded](const RecordedAfter& other) {
+        return other.tableCrc == recorded.tableCrc
+            && isEarlier(
+                dateOfMeasurement(recorded.measurement), dateOfMeasurement(other.measurement));
+    };
+    auto place = record.after.end();
+    while (place != record.after.begin() && isLater(*std::prev(place)))
+        --place;
+    const bool isLast = place == record.after.end();
+    record.after.insert(place, std::move(recorded));
+    if (!isLast)
+        return;
     record.verdict = RecordedVerdict{comparison.verdicts};
     // Without a verdict that has it, "as predicted" would rest on what nobody can look up.
     RecordedJudging judging = judgingOf(record);

@@ -28,6 +28,8 @@ struct ComparisonRequest {
     std::optional<bool> isAngular = {};
     /// The table is one over temperature, and the figures are those of a fit by temperature.
     bool isByTemperature = false;
+    /// Of the last measurement with the table that is known already; empty: none, or without one.
+    std::string lastDate = {};
 };
 /// What a record says: its prediction, its table, and the tolerances that hold (judgingOf), in the
 /// unit of its measurement.
@@ -104,7 +106,8 @@ struct Comparison {
     std::optional<Iso230Figures> afterOfAllValues = {};
     std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
     /// "ValuesExcluded"; "OtherVerdict" where all values say otherwise than those in use;
-    /// "OtherMachine", "OtherSerial" where the two state different ones; "LesserRange".
+    /// "OtherMachine", "OtherSerial" where the two state different ones; "LesserRange";
+    /// "EarlierMeasurement" where the table was measured again after the second one (isEarlier).
     std::vector<JudgeWarning> warnings = {};
     std::optional<TwoRanges> lesserRange = {}; ///< of the two measurements
     std::optional<double> uncertainty = {}; ///< as in the request
@@ -130,7 +133,8 @@ struct Comparison {
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 
 /// The second measurement, what it says of the prediction, the verdict, and the uncertainty by
-/// which both are go into the record.
+/// which both are go into the record. One that was made before the last one with the same table
+/// goes before that, whose verdict stays.
 void keepAfter(CalibrationRecord& record, RecordedMeasurement after, const Comparison& comparison);
 
 } // namespace axiscomp

@@ -3,6 +3,7 @@
 
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/record/comparison.h"
+#include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -62,6 +63,22 @@ void addTolerances(MeasuredFigures& kept, const CalibrationRecord& record, bool 
         return;
     for (const Verdict& verdict : record.verdict->figures)
         figureOf(verdict.tolerance.figure).result = verdictName(verdict.result);
+}
+
+/// One table that does not say what it corrects may be that of any axis.
+MadeForLookup madeForLookup(const CalibrationRecord& record)
+{
+    MadeForLookup made;
+    if (record.fit)
+        made.at = record.fit->settings.lookupAt;
+    for (const RecordedTable& recorded : record.tables) {
+        const auto target = targetOf(recorded.table);
+        if (!target)
+            return {made.at, {}};
+        made.targets.push_back(
+            target->source ? sourceTarget(*target->source) : std::string(otherAxis));
+    }
+    return made;
 }
 
 /// A, or the accuracy of one direction.
@@ -159,6 +176,7 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
     MeasuredFigures kept;
     kept.crc = record.write->crc;
     kept.grid = record.write->grid;
+    kept.madeFor = madeForLookup(record);
     kept.time = time;
     if (last && !last->files.empty()) {
         kept.date = last->files.front().measurement.header.date;
@@ -185,12 +203,13 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
     return kept;
 }
 
-Result<void> keepFigures(DriveStore& store, const CalibrationRecord& record, WallTime time)
+Result<void> keepFigures(
+    DriveStore& store, const CalibrationRecord& record, WallTime time, Measuring measuring)
 {
     const auto kept = figuresToKeep(record, time);
     if (!kept)
         return {};
-    return store.recordMeasured(record.drive->serialNumber, record.drive->axis, *kept);
+    return store.recordMeasured(record.drive->serialNumber, record.drive->axis, *kept, measuring);
 }
 
 Text measuredFiguresText(const MeasuredFigures& measured)

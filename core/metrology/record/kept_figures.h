@@ -18,9 +18,10 @@ namespace axiscomp {
 [[nodiscard]] std::optional<MeasuredFigures> figuresToKeep(
     const CalibrationRecord& record, WallTime time);
 
-/// Keeps them by drive, axis and CRC, where there are any. Errors: those of DriveStore.
+/// Keeps them by drive, axis and CRC, where there are any that take the place of what is known
+/// (takesPlaceOf). Errors: those of DriveStore.
 [[nodiscard]] Result<void> keepFigures(
-    DriveStore& store, const CalibrationRecord& record, WallTime time);
+    DriveStore& store, const CalibrationRecord& record, WallTime time, Measuring measuring);
 
 /// "measured 2026-11-20: accuracy A 14.3 um before, 3.2 um after (tolerance 5 um: passed)": each
 /// figure that has a tolerance; where none has, A, or what there is of it. Behind them that values

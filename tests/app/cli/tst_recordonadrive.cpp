@@ -224,6 +224,7 @@ private Q_SLOTS:
         QTest::newRow("fewer points") << QStringList{"--points", "2"};
         QTest::newRow("another target") << QStringList{"--target", "Y"};
         QTest::newRow("dimensions") << QStringList{"--dims", "1"};
+        QTest::newRow("held ends") << QStringList{"--hold"};
     }
     void theTableOfARecordIsWrittenAsItIs()
     {

@@ -220,6 +220,22 @@ private Q_SLOTS:
         status.setup.sources[0].path = "Axes[0]/Signals/PositionController/MasterPosition";
         VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::TargetMismatch);
     }
+
+    void whatIsKeptOfARecordFollowsTheRuleOfTheRecord()
+    {
+        const MadeForLookup made{LookupAt::Encoder, {"#1"}};
+        AxisStatus status = axisWithTable();
+        QVERIFY(isLookedUpAsMade(made, status, profile()));
+        QVERIFY(!isLookedUpAsMade({LookupAt::Encoder, {"other"}}, status, profile()));
+        // Of several tables it may be any.
+        QVERIFY(isLookedUpAsMade({LookupAt::Encoder, {"other", "#1"}}, status, profile()));
+        status.setup.sources[0].path = "Axes[1]/Signals/PathPlanner/Position";
+        QVERIFY(!isLookedUpAsMade(made, status, profile()));
+        QVERIFY(isLookedUpAsMade({LookupAt::Set, {"#1"}}, status, profile()));
+        status.setup.sources[0].path = "Axes[0]/Signals/PositionController/MasterPosition";
+        QVERIFY(!isLookedUpAsMade(made, status, profile()));
+        QVERIFY(isLookedUpAsMade({}, status, profile())); // older programs did not note it
+    }
 };
 
 AXISCOMP_TEST(TestDriveRecord)

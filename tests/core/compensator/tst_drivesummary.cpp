@@ -48,6 +48,34 @@ private Q_SLOTS:
         QVERIFY(summary->flashUse->budget.left < limit);
     }
 
+    /// A table is worth what was measured only where it is looked up as it was then.
+    void aTableThatIsLookedUpElsewhereIsNotSaidToBeWorthWhatWasMeasured()
+    {
+        CompensatorFixture fixture;
+        VERIFY_RESULT(fixture.compensator.write(0, exampleRequest()));
+        const auto status = fixture.compensator.status(0);
+        VERIFY_RESULT(status);
+        MeasuredFigures figures{status->table->crc, {}, "", false, {{"A", 0.013, {}, 0.003}}};
+        figures.madeFor = {LookupAt::Encoder, {"#1"}};
+        VERIFY_RESULT(fixture.store.recordMeasured(4711, 0, figures));
+        const auto measured = [&fixture] {
+            const auto summary = summarizeDrive(fixture.compensator, root(fixture), {});
+            return summary ? summary->axes[0].measured : std::nullopt;
+        };
+        QVERIFY(measured() == figures);
+        WriteRequest swapped = exampleRequest();
+        swapped.sources = {test::masterY, test::masterX};
+        VERIFY_RESULT(fixture.compensator.write(0, swapped));
+        QVERIFY(!measured());
+        VERIFY_RESULT(fixture.compensator.write(0, exampleRequest()));
+        QVERIFY(measured() == figures);
+        AxisStatus other = *status;
+        other.setup.sources[0].path = "Axes[0]/Signals/PathPlanner/Position";
+        const DriveProfile& profile = drivecomm::genericProfile();
+        QVERIFY(measuredWith(*status, profile, root(fixture)));
+        QVERIFY(!measuredWith(other, profile, root(fixture)));
+    }
+
     void aDriveThatDoesNotAnswerHasNoSummary()
     {
         CompensatorFixture fixture;

@@ -498,6 +498,44 @@ private Q_SLOTS:
     }
 
     /// Any other word was taken as feedback, so that the drive got the opposite.
+    /// Looked up beyond its ends as a linear axis, it would not be closed with the other sign.
+    void aTableThatASettingMakesAWholeTurnIsConvertedAsOne()
+    {
+        NeutralTable table;
+        table.sign = SignConvention::Feedback;
+        SourceAxis& axis = table.axes.emplace_back();
+        axis.unit = "deg";
+        CompensationColumn& column = table.columns.emplace_back();
+        column.unit = "deg";
+        column.target = "#1";
+        const auto errorAt = [](int degrees) {
+            return 0.05 * (std::sin((degrees % 360) * 0.017453292519943295 + 0.7) + std::sin(0.7));
+        };
+        for (int degrees = 0; degrees <= 360; degrees += 30) {
+            axis.knots.push_back(degrees);
+            column.values.push_back(degrees == 180 ? 0.0 : errorAt(degrees));
+        }
+        NeutralTable turn = table;
+        turn.axes[0].wrap = 360.0;
+        ConversionRequest request = requestFor(calibration_csv::format(), fanuc::format());
+        request.writing.settings = {{"reference-number", "10"}, {"detection-unit", "0.0001"},
+            {"largest-step", "100000"}, {"reference-position", "180"}, {"wrap-range", "360"}};
+        const auto made = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(made);
+        const auto ofTurn = convertTables(std::span(&turn, 1), request);
+        VERIFY_RESULT(ofTurn);
+        QCOMPARE(made->written.bytes, ofTurn->written.bytes);
+        // In another unit, too.
+        request.writing.settings["position-unit"] = "arcmin";
+        request.writing.settings["wrap-range"] = "21600";
+        request.writing.settings["reference-position"] = "10800";
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        // Ends that differ are an error, which is not to be hidden.
+        table.columns[0].values.back() += 0.01;
+        const auto open = convertTables(std::span(&table, 1), request);
+        VERIFY_ERROR(open, ErrorCode::FormatCannotHold);
+    }
+
     void aSignThatIsNotUnderstoodIsRefused_data()
     {
         QTest::addColumn<std::vector<std::string>>("notes");

@@ -197,6 +197,19 @@ private Q_SLOTS:
         QVERIFY(decimal.axes[0].knots.back() == 0.3); // 3 * 0.1 is more
     }
 
+    void theMaximumIsTheLastPositionWithoutTheRoundingOfDoubles()
+    {
+        NeutralTable table = test::commandTable(
+            {test::evenAxis("X", "mm", 0, 0.3, 4)}, {test::waveColumn("Z", "mm", 4, 0.5)});
+        QVERIFY(table.axes[0].knots.back() < 0.9);
+        for (const TableFormat* each : {&format, &headerFormat}) {
+            const auto written = each->write(std::array{table}, counts("1000"));
+            VERIFY_RESULT(written);
+            QVERIFY(!mentions(written->bytes, "0.89999"));
+            QVERIFY(written->held.front().axes[0].knots.back() == 0.9);
+        }
+    }
+
     void valuesAreRawCountsOfTheOutputAxis()
     {
         READ_TABLE(table, format, oneAxisText(grid, "0,2,-3,2500\n"), {});

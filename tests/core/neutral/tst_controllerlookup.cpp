@@ -163,6 +163,23 @@ private Q_SLOTS:
         }
     }
 
+    void whatRoundingPutsBeyondAnEndIsTheEnd()
+    {
+        NeutralTable table;
+        table.axes.resize(1);
+        table.axes[0].knots = {-0.9, -0.6, 0.3 * 3};
+        table.columns.emplace_back().values = {1.0, 2.0, 3.0};
+        const double beforeFirst = std::nextafter(-0.9, -infinity);
+        for (const TableBehaviour& behaviour : behaviours) {
+            const ControllerLookup lookup(table, 0, behaviour);
+            QVERIFY(lookup.at(std::array{0.9}) == 3.0); // 0.3 * 3 is less
+            QVERIFY(lookup.at(std::array{beforeFirst}) == 1.0);
+        }
+        const ControllerLookup zero(table, 0, {.outside = Outside::Zero});
+        QCOMPARE(zero.at(std::array{0.9 + 1e-14}), 0.0);
+        QCOMPARE(zero.at(std::array{-0.9 - 1e-14}), 0.0);
+    }
+
     void noNumberGivesNoNumberAlsoBesideAPositionOutside()
     {
         NeutralTable table;

@@ -515,6 +515,7 @@ void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
     second.excluded = 3;
     second.lesserRange = TwoRanges{{-0.1, 500.0}, {0.0, 1.0 / 3.0}};
     second.grid = Grid{{{"", "", -0.1, 1.0 / 3.0, 5}, {"", "", 7.0, 2.0, 2}}};
+    second.madeFor = {LookupAt::Set, {"#2", "other"}};
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));
     m_store = std::make_unique<DriveStore>(m_root);

@@ -209,8 +209,8 @@ private Q_SLOTS:
     void zeroAndErrorBeginRightBehindTheEnds()
     {
         const CompensationTable table = randomTable(awkwardGrid(1));
-        const double below = std::nextafter(table.grid.axes[0].start, -infinity);
-        const double above = std::nextafter(table.grid.axes[0].last(), infinity);
+        const double below = table.grid.axes[0].start - 1e-14;
+        const double above = table.grid.axes[0].last() + 1e-14;
         const Lookup zero(table, Outside::Zero);
         const Lookup error(table, Outside::Error);
         for (const double x : {below, above, -infinity, infinity, largest}) {
@@ -219,6 +219,38 @@ private Q_SLOTS:
         }
         QVERIFY(zero.at(table.grid.axes[0].start) != 0.0);
         QVERIFY(error.at(table.grid.axes[0].last()) == static_cast<double>(table.values.back()));
+    }
+
+    void whatRoundingPutsBeyondAnEndIsTheEnd()
+    {
+        CompensationTable table;
+        table.grid.axes = {{{}, {}, 0.0, 0.3, 4}};
+        table.values = {1.0F, 2.0F, 3.0F, 4.0F};
+        CompensationTable mirrored = table;
+        mirrored.grid.axes[0].start = -0.9;
+        QVERIFY(table.grid.axes[0].last() < 0.9); // the decimal of the file
+        const double beyondLast = std::nextafter(0.9, infinity);
+        const double beforeFirst = std::nextafter(-0.9, -infinity);
+        for (const Outside outside :
+            {Outside::Hold, Outside::Zero, Outside::Wrap, Outside::Extrapolate, Outside::Error}) {
+            const Lookup lookup(table, outside);
+            for (const double x : {0.9, beyondLast}) {
+                QVERIFY(lookup.at(x) == 4.0);
+                QCOMPARE(lookup.index(0, x), 3.0);
+            }
+            QVERIFY(Lookup(mirrored, outside).at(beforeFirst) == 1.0);
+        }
+        QVERIFY(isWithin(table.grid, std::array{0.9}));
+        QVERIFY(!isWithin(table.grid, std::array{0.9 + 1e-14}));
+        QVERIFY(!isWithin(table.grid, std::array{notANumber}));
+    }
+
+    void whatRoundingPutsBeyondAnEndIsTheEndInEachDimension()
+    {
+        CompensationTable table = randomTable({{{{}, {}, 0.0, 0.5, 3}, {{}, {}, 0.0, 0.3, 4}}});
+        const Lookup zero(table, Outside::Zero);
+        QVERIFY(zero.at(0.5, 0.9) == valueAt(table, {1, 3, 0}));
+        QVERIFY(zero.at(1.0, 0.9) == valueAt(table, {2, 3, 0}));
     }
 
     void extrapolateContinuesTheOuterCells()

@@ -220,6 +220,51 @@ private Q_SLOTS:
         QCOMPARE(record.after.front().tableCrc, std::optional<std::uint32_t>(8));
     }
 
+    void anEarlierMeasurementDoesNotTakeThePlaceOfALaterOne()
+    {
+        const auto recordedOn = [](const char* date) {
+            RecordedMeasurement recorded{{{"after.csv", "runs", std::string(64, 'a'), {}}}};
+            recorded.files.front().measurement.header.date = date;
+            return recorded;
+        };
+        const auto compared = [](const char* date, const CalibrationRecord& record, double spread) {
+            Measurement after = measured(&errorBefore, spread);
+            after.header.date = date;
+            ComparisonRequest request = comparisonRequest(record);
+            request.tableCrc.reset();
+            request.tolerances = {{Iso230Figure::A, 0.05}};
+            return compareMeasurements(measured(&errorBefore), after, request);
+        };
+        const auto isWarned = [](const Comparison& comparison) {
+            return std::ranges::count(
+                       comparison.warnings, "EarlierMeasurement", &JudgeWarning::name)
+                == 1;
+        };
+        CalibrationRecord record;
+        const auto later = compared("2026-11-27", record, 0.1);
+        VERIFY_RESULT(later);
+        QVERIFY(!isWarned(*later));
+        keepAfter(record, recordedOn("2026-11-27"), *later);
+        QCOMPARE(record.verdict->figures.front().result, VerdictResult::Failed);
+        const auto earlier = compared("2026-11-20", record, 1e-4);
+        VERIFY_RESULT(earlier);
+        QVERIFY(isWarned(*earlier));
+        keepAfter(record, recordedOn("2026-11-20"), *earlier);
+        QCOMPARE(record.after.size(), std::size_t{2});
+        QVERIFY(record.after[1].measurement == recordedOn("2026-11-27"));
+        QCOMPARE(record.verdict->figures.front().result, VerdictResult::Failed);
+        const auto newest = compared("2026-11-28", record, 1e-4);
+        VERIFY_RESULT(newest);
+        QVERIFY(!isWarned(*newest));
+        keepAfter(record, recordedOn("2026-11-28"), *newest);
+        QVERIFY(lastAfter(record)->measurement == recordedOn("2026-11-28"));
+        QCOMPARE(record.verdict->figures.front().result, VerdictResult::Passed);
+        // What was measured with another table has no part in it.
+        record.tables = {{{}, 7}};
+        keepAfter(record, recordedOn("2026-11-21"), *newest);
+        QVERIFY(record.after.back().measurement == recordedOn("2026-11-21"));
+    }
+
     void measurementsOfTwoAxesAreNotCompared()
     {
         Measurement before = measured(&errorBefore);

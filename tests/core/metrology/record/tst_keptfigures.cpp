@@ -122,6 +122,24 @@ private Q_SLOTS:
             std::string("A 3.200 um, 14.300 um before, over part of the travel"));
     }
 
+    void whereTheTableIsLookedUpIsKept()
+    {
+        CalibrationRecord record = writtenRecord();
+        record.tables.clear();
+        QVERIFY(figuresToKeep(record, {})->madeFor == MadeForLookup{});
+        record.fit.emplace();
+        record.fit->settings.lookupAt = LookupAt::Set;
+        record.tables.resize(2);
+        for (RecordedTable& recorded : record.tables)
+            recorded.table.grid.axes = {{"X", "mm", 0.0, 20.0, 3}, {"Y", "mm", 0.0, 20.0, 3}};
+        record.tables[0].table.target = "Y";
+        record.tables[1].table.target = "Z";
+        QVERIFY(
+            figuresToKeep(record, {})->madeFor == (MadeForLookup{LookupAt::Set, {"#2", "other"}}));
+        record.tables[1].table.target.clear(); // may be that of any axis
+        QVERIFY(figuresToKeep(record, {})->madeFor == (MadeForLookup{LookupAt::Set, {}}));
+    }
+
     void aToleranceThatIsMissedByLittleReadsSo()
     {
         CalibrationRecord record = writtenRecord();
@@ -156,11 +174,71 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         DriveStore store(folder.path().toStdString());
         CalibrationRecord record = writtenRecord();
-        VERIFY_RESULT(keepFigures(store, record, {}));
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::New));
         QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
         record.write.reset();
-        VERIFY_RESULT(keepFigures(store, record, {}));
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::New));
         QVERIFY(store.measured(1559, 1, writtenCrc)->has_value());
+    }
+
+    void aLaterMeasurementIsNotReplacedByAnEarlierOne()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord later = writtenRecord();
+        addAfter(later, 0.0250, writtenCrc);
+        CalibrationRecord earlier = writtenRecord();
+        addAfter(earlier, 0.0032, writtenCrc);
+        std::string& date = earlier.after.front().measurement.files.front().measurement.header.date;
+        date = "2026-11-23T17:30:00Z";
+        const auto kept = [&store] { return *store.measured(1559, 1, writtenCrc); };
+        VERIFY_RESULT(keepFigures(store, earlier, {}, Measuring::New));
+        VERIFY_RESULT(keepFigures(store, later, {}, Measuring::Known));
+        QVERIFY(kept() == *figuresToKeep(later, {}));
+        VERIFY_RESULT(keepFigures(store, earlier, {}, Measuring::New));
+        QVERIFY(kept() == *figuresToKeep(later, {}));
+        // Without an order of the dates the new one counts.
+        date = "yesterday";
+        VERIFY_RESULT(keepFigures(store, earlier, {}, Measuring::Known));
+        QVERIFY(kept() == *figuresToKeep(later, {}));
+        VERIFY_RESULT(keepFigures(store, earlier, {}, Measuring::New));
+        QVERIFY(kept() == *figuresToKeep(earlier, {}));
+    }
+
+    void whatWasMeasuredIsNotReplacedByWhatIsOnlyPromised()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0032, writtenCrc);
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::New));
+        VERIFY_RESULT(keepFigures(store, writtenRecord(), {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
+    }
+
+    void theSameMeasurementMayBeJudgedAnew()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0032, writtenCrc);
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::New));
+        record.verdict =
+            RecordedVerdict{{{{Iso230Figure::A, 0.003}, 0.0032, {}, VerdictResult::Failed}}};
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
+    }
+
+    void datesAreOrderedWhereTheyAreDays()
+    {
+        QVERIFY(isEarlier("2026-11-20", "2026-11-21"));
+        QVERIFY(isEarlier("2026-11-20 23:00", "2026-11-21"));
+        QVERIFY(isEarlier("2026-11-20T08:00:00Z", "2026-11-20T08:00:01Z"));
+        QVERIFY(!isEarlier("2026-11-20T08:00:00Z", "2026-11-20"));
+        QVERIFY(!isEarlier("2026-11-20", "2026-11-20"));
+        QVERIFY(!isEarlier("", "2026-11-20"));
+        QVERIFY(!isEarlier("20.11.2026", "2026-11-21"));
+        QVERIFY(!isEarlier("2026-11-2x", "2026-11-21"));
     }
 
     void aFileWithoutADateHasNone()

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/store/measured_figures.h"
+
+#include <algorithm>
+
+namespace axiscomp {
+
+namespace {
+
+/// Of the measurements with the table.
+std::vector<std::pair<std::string, double>> figuresAfter(const MeasuredFigures& measured)
+{
+    std::vector<std::pair<std::string, double>> figures;
+    for (const MeasuredFigures::Figure& figure : measured.figures)
+        if (figure.after)
+            figures.emplace_back(figure.name, *figure.after);
+    return figures;
+}
+
+} // namespace
+
+bool takesPlaceOf(const MeasuredFigures& next, const MeasuredFigures& kept, Measuring measuring)
+{
+    const auto known = figuresAfter(kept);
+    if (known.empty() || !isSameTable(next.table(), kept.table()))
+        return true;
+    const auto found = figuresAfter(next);
+    if (found.empty() || isEarlier(next.date, kept.date))
+        return false;
+    // the same one may be judged by other tolerances
+    const bool isSame = next.date == kept.date && found == known;
+    return isSame || measuring == Measuring::New || isEarlier(kept.date, next.date);
+}
+
+} // namespace axiscomp
