@@ -10496,6 +10496,11 @@
             <numerusform>wo der Geber {reading} anzeigt, sagte die Referenz {reference} im Mittel von {count} Werten; {taken}, also wird der Antrieb {added} addieren</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
+        <comment>{date} and {last}: dates as the files have them</comment>
+        <translation>die zweite Messung ist vom {date}, und das Protokoll hat eine vom {last} mit derselben Tabelle; diese entscheidet</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

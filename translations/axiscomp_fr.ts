@@ -10496,6 +10496,11 @@
             <numerusform>là où le codeur indique {reading}, la référence indiquait {reference} en moyenne de {count} valeurs&#xa0;; {taken}, le variateur ajoutera donc {added}</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
+        <comment>{date} and {last}: dates as the files have them</comment>
+        <translation>la deuxième mesure est du {date}, et la fiche en contient une du {last} avec la même table, qui est déterminante</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

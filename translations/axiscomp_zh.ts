@@ -10446,6 +10446,11 @@
             <numerusform>编码器读数为 {reading} 处，基准为 {reference}（{count} 个值的平均）；{taken}，因此驱动器将叠加 {added}</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
+        <comment>{date} and {last}: dates as the files have them</comment>
+        <translation>第二次测量的日期为 {date}，而档案中已有同一补偿表在 {last} 的测量，以后者为准</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
