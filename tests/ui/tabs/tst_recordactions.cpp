@@ -575,13 +575,20 @@ private Q_SLOTS:
     void theTableOfTheRecordTakenOnceMoreKeepsWhatWasWritten()
     {
         PageFixture bench;
-        CalibrationRecord record = test::recordOfFit();
-        record.write = RecordedWrite{*record.time, "Small1", true, record.tables.front().crc};
-        QVERIFY(bench.user.isThere() && openRecord(bench, record));
-        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Fit);
+        QVERIFY(test::page_states::fitCurve(bench));
         QTRY_VERIFY(bench.user.the("useAsTable").isEnabled());
         bench.user.the<QPushButton>("useAsTable").click();
         QTRY_VERIFY(bench.controller().dataFile().isMade);
+        bench.picked = bench.path(QStringLiteral("first.axcal"));
+        bench.user.press(Qt::Key_S, Qt::ControlModifier);
+        QVERIFY(isNamed(bench, "first.axcal"));
+        CalibrationRecord record = savedRecord(bench, "first.axcal");
+        record.write = RecordedWrite{*record.time, "Small1", true, record.tables.front().crc};
+        QVERIFY(openRecord(bench, record));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Fit);
+        QTRY_VERIFY(bench.user.the("useAsTable").isEnabled());
+        bench.user.the<QPushButton>("useAsTable").click();
+        QTRY_COMPARE(bench.user.the<PageTabs>("pageTabs").currentIndex(), int{PageTabs::Write});
         QVERIFY(QThreadPool::globalInstance()->waitForDone(test::patienceMs));
         QCoreApplication::processEvents();
         QCOMPARE(recordName(bench), QStringLiteral("x.axcal")); // no star: it has not changed
