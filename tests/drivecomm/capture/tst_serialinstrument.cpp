@@ -40,7 +40,7 @@ private Q_SLOTS:
                 ReferenceLines(*std::move(reader), 1s));
         VERIFY_RESULT(instrument);
         std::string said = "\n"; // the end of the line in which the port was opened
-        for (int n = 0; n < 2500; ++n)
+        for (int n = 0; n < 900; ++n)
             said += "1.0000 mm\n";
         said += "2.0000 mm\n";
         QCOMPARE(::write(terminal->master().get(), said.data(), said.size()),
