@@ -10498,7 +10498,6 @@
     </message>
     <message>
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
-        <comment>{date} and {last}: dates as the files have them</comment>
         <translation>die zweite Messung ist vom {date}, und das Protokoll hat eine vom {last} mit derselben Tabelle; diese entscheidet</translation>
     </message>
 </context>

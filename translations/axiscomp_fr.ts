@@ -10498,7 +10498,6 @@
     </message>
     <message>
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
-        <comment>{date} and {last}: dates as the files have them</comment>
         <translation>la deuxième mesure est du {date}, et la fiche en contient une du {last} avec la même table, qui est déterminante</translation>
     </message>
 </context>

@@ -10448,7 +10448,6 @@
     </message>
     <message>
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
-        <comment>{date} and {last}: dates as the files have them</comment>
         <translation>2 回目の測定は {date} のものですが、記録には同じテーブルでの {last} の測定があり、そちらが優先されます</translation>
     </message>
 </context>

@@ -10448,7 +10448,6 @@
     </message>
     <message>
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
-        <comment>{date} and {last}: dates as the files have them</comment>
         <translation>第二次测量的日期为 {date}，而档案中已有同一补偿表在 {last} 的测量，以后者为准</translation>
     </message>
 </context>
