@@ -48,9 +48,8 @@ NeutralTable asWholeTurn(NeutralTable table, const FormatSettings& given)
     auto fileUnit = given.find("position-unit"); // of such a file it is that of the values
     if (fileUnit == given.end())
         fileUnit = given.find("value-unit");
-    const auto factor = fileUnit == given.end() || isSameUnit(fileUnit->second, unit)
-        ? std::optional(1.0)
-        : unitFactor(fileUnit->second, unit);
+    const auto factor =
+        commonUnitFactor(fileUnit == given.end() ? std::string() : fileUnit->second, unit);
     const bool isClosed = std::ranges::all_of(table.columns, [](const CompensationColumn& column) {
         return column.values.front() == column.values.back();
     });

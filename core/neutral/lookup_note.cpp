@@ -11,15 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-/// Nothing: neither side.
-std::optional<LookupAt> sideNamed(std::string_view name)
-{
-    for (const LookupAt known : {LookupAt::Encoder, LookupAt::Set})
-        if (sameLetters(name, lookupAtName(known)))
-            return known;
-    return std::nullopt;
-}
-
 bool isLookupNote(std::string_view note)
 {
     return statedIn(note, lookupKey).has_value();
@@ -30,6 +21,14 @@ bool isLookupNote(std::string_view note)
 std::string_view lookupAtName(LookupAt lookupAt)
 {
     return lookupAt == LookupAt::Encoder ? "encoder" : "set";
+}
+
+std::optional<LookupAt> lookupAtNamed(std::string_view name)
+{
+    for (const LookupAt known : {LookupAt::Encoder, LookupAt::Set})
+        if (sameLetters(name, lookupAtName(known)))
+            return known;
+    return std::nullopt;
 }
 
 std::string lookupNote(LookupAt lookupAt)
@@ -53,7 +52,7 @@ Result<std::optional<LookupAt>> lookupInNotes(std::span<const std::string> notes
         const auto name = statedIn(note, lookupKey);
         if (!name)
             continue;
-        const auto side = sideNamed(*name);
+        const auto side = lookupAtNamed(*name);
         if (!side || (said && side != said))
             return fail(ErrorCode::InvalidArgument,
                 {{"reason",

@@ -17,6 +17,8 @@ enum class LookupAt {
     Set, ///< u and what the drive adds (PathPlanner/Position)
 };
 [[nodiscard]] std::string_view lookupAtName(LookupAt lookupAt); ///< "encoder", "set"
+/// In capital or small letters; nothing: neither.
+[[nodiscard]] std::optional<LookupAt> lookupAtNamed(std::string_view name);
 
 // Where a table has to be looked up, as a note of its file: a file that is written later says for
 // which side of the compensation its values were made.

@@ -67,14 +67,6 @@ std::string targetsText(const std::vector<std::string>& targets)
     return text;
 }
 
-std::optional<LookupAt> lookupNamed(const std::string& name)
-{
-    for (const LookupAt at : {LookupAt::Encoder, LookupAt::Set})
-        if (name == lookupAtName(at))
-            return at;
-    return std::nullopt;
-}
-
 } // namespace
 
 void putJournal(
@@ -374,7 +366,7 @@ std::optional<MeasuredFigures> measured(
     if (const auto first = table.real(5))
         measured.lesserRange = TwoRanges{{*first, table.real(6).value_or(*first)},
             {table.real(7).value_or(*first), table.real(8).value_or(*first)}};
-    measured.madeFor.at = lookupNamed(table.text(9));
+    measured.madeFor.at = lookupAtNamed(table.text(9));
     if (const std::string targets = table.text(10); !targets.empty())
         measured.madeFor.targets = targetList(targets);
     for (Statement row(database,

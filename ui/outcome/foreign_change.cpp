@@ -52,9 +52,8 @@ QString tableLoss(const AxisStatus& before, const AxisStatus& now)
     return before.table->persistent
         ? text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange", "The axis has no table any more."))
         : text(QT_TRANSLATE_NOOP("axiscomp::ui::ForeignChange",
-            "Its volatile table is gone: write it again, as a persistent one if it has to outlast "
-            "a "
-            "restart."));
+            "Its volatile table is gone: write it again, as a persistent one if it has to "
+            "outlast a restart."));
 }
 
 QStringList changedFields(const CompensationSetup& before, const CompensationSetup& now)

@@ -361,7 +361,7 @@ void addConvertCommand(CommandLine& line)
     CLI::App* command = line.add("convert", fileCommands,
         AXISCOMP_HELP("Help", "Convert a table file to another format"),
         [options](Environment& environment) {
-            options->conversion.lookupAt = lookupNamed(options->lookupAt);
+            options->conversion.lookupAt = lookupAtNamed(options->lookupAt);
             return runConvert(environment, *options);
         });
     command

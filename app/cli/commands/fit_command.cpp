@@ -144,7 +144,7 @@ Result<FitSettings> settingsFrom(const FitOptions& options, const Measurement& m
     if (!options.removedDrift.empty())
         settings.drift =
             options.removedDrift == "offset" ? DriftRemoval::Offset : DriftRemoval::Trend;
-    const auto stated = lookupNamed(options.lookupAt);
+    const auto stated = lookupAtNamed(options.lookupAt);
     settings.lookupAt = stated ? stated : sources.lookupAt;
     settings.isByTemperature = !options.by.empty();
     settings.gain = options.gain;
@@ -194,7 +194,7 @@ Result<StateSources> readStates(
 {
     const std::string unit(positionUnit(measurement));
     StateSources sources;
-    auto lookupAt = lookupNamed(options.lookupAt);
+    auto lookupAt = lookupAtNamed(options.lookupAt);
     if (options.onto == ontoDrive) {
         AXISCOMP_TRY(auto drive, options.drive.read(environment, measurement, lookupAt));
         sources.onto = std::move(drive.active);

@@ -232,7 +232,7 @@ void addLookupCommand(CommandLine& line)
             "Print the interpolated value at a position, as the drive or the controller of the "
             "file computes it"),
         [options](Environment& environment) {
-            options->conversion.lookupAt = lookupNamed(options->lookupAt);
+            options->conversion.lookupAt = lookupAtNamed(options->lookupAt);
             return runLookup(environment, *options);
         });
     command

@@ -263,13 +263,6 @@ void addLookupOption(CLI::App& command, std::string& lookupAt)
         ->group(AXISCOMP_HELP("Help", "Conversion"));
 }
 
-std::optional<LookupAt> lookupNamed(const std::string& name)
-{
-    if (name.empty())
-        return std::nullopt;
-    return name == lookupAtName(LookupAt::Set) ? LookupAt::Set : LookupAt::Encoder;
-}
-
 std::vector<std::string> ConversionOptions::given() const
 {
     const std::array<std::pair<bool, const char*>, 14> all{

@@ -58,7 +58,6 @@ void addOutputOptions(CLI::App& command, ConversionOptions& options);
 /// --lookup-at
 CLI::Option* addLookupOption(CLI::App& command, std::string& lookupAt, std::string help);
 void addLookupOption(CLI::App& command, std::string& lookupAt); ///< of a conversion
-[[nodiscard]] std::optional<LookupAt> lookupNamed(const std::string& name); ///< of its values
 
 /// With the sign that the file says of itself (core/neutral/sign_note.h). Errors: InvalidArgument
 /// where another one is stated.

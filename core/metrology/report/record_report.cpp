@@ -94,8 +94,9 @@ Text proofText(const RecordedWrite& write)
 /// At the largest value of a table of one dimension, whose values are in mm or deg.
 /// measurement: that it was made of; null: not on record.
 Text signText(const CompensationTable& table, const CalibrationRecord& record,
-    const Measurement* measurement, bool isAngular)
+    const Measurement* measurement, const ReportContent& content)
 {
+    const bool isAngular = content.isAngular;
     if (table.values.empty() || table.grid.axes.size() != 1)
         return {};
     const auto largest =
@@ -111,7 +112,7 @@ Text signText(const CompensationTable& table, const CalibrationRecord& record,
         return quantityText(fixedDigits(value, placeDecimals), positionSymbol(isAngular));
     };
     const bool isAtSet = record.fit && record.fit->settings.lookupAt == LookupAt::Set;
-    if (measurement && correctsAnotherAxis(table.target, measurement->header.axis))
+    if (!content.corrected.empty())
         return (isAtSet
                 ? AXISCOMP_TEXT("Report",
                     "At the set position {position} of axis {axis} the drive adds {added} to what "
@@ -122,7 +123,7 @@ Text signText(const CompensationTable& table, const CalibrationRecord& record,
             .with("position", place(position))
             .with("axis", Verbatim{measurement->header.axis})
             .with("added", amount)
-            .with("target", Verbatim{table.target});
+            .with("target", Verbatim{content.corrected});
     if (isAtSet)
         return AXISCOMP_TEXT("Report",
             "At the set position {position} the drive adds {added} to what the encoder reads.")
@@ -156,7 +157,7 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
         if (measurement && correctsAnotherAxis(first.table.target, measurement->header.axis))
             content.corrected = first.table.target;
         if (first.table.unit == "mm" || first.table.unit == "deg")
-            content.sign = signText(first.table, record, measurement, content.isAngular);
+            content.sign = signText(first.table, record, measurement, content);
     }
     if (record.write) {
         table.crc = record.write->crc; // of the values in the unit of the drive
