@@ -55,7 +55,7 @@ inline bool on(int fault)
 }}
 """
 STATEMENT = re.compile(r"\s*(if|for|while|switch|return)\b")
-OPERATOR_FIRST = re.compile(r"\s*(\|\||&&|\*\s|[?:,=<>%/.)]|->)")
+OPERATOR_FIRST = re.compile(r"\s*(\|\||&&|\*\s|[?:,=<>%/.)}{]|->)")
 OPERATOR_LAST = re.compile(r"(\|\||&&|[?:,=<>%/.(+*!-])\s*$")
 FAILURE = b"\nFAIL!"  # of Qt Test
 PATIENCE = 60  # seconds for one test, and so many times of what it takes without a fault:
@@ -362,6 +362,8 @@ SAMPLES = {
     "the name of a call": ([{**FOUND, "original": "half(number) * 2", "within": "half(number) * 2",
                              "name": "call"}, {**FOUND, "within": "isEven(-number)", "original": "isEven",
                                                "faulty": "half"}], 2, "whole statements or an expression: isEven"),
+    "braces": ([{**FOUND, "original": "{ return number / 2; }", "faulty": "{ return 1; }"}], 2,
+               "whole statements or an expression: { return"),
     "the end of a statement": ([{**FOUND, "original": "2 == number;", "faulty": "3 == number;"}], 2,
                                "whole statements or an expression: 2 == number;"),
     "no test at all": ([{**FOUND, "tests": []}], 2, "it has no tests"),
