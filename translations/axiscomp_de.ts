@@ -8657,6 +8657,14 @@
         <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
         <translation>ein anderes Programm hat sie ersetzt, geändert oder gelöscht, seit sie geöffnet wurde; vor dem Fortsetzen nachsehen, welche Werte sie enthält</translation>
     </message>
+    <message>
+        <source>column {column}, and values: {said}</source>
+        <translation>Spalte {column}, und values: {said}</translation>
+    </message>
+    <message>
+        <source>one of the two; a column value goes with both</source>
+        <translation>eines von beiden; eine Spalte value geht mit beidem</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10682,10 +10690,6 @@
         <translation>das ist nicht so geschrieben, wie das Format es verlangt</translation>
     </message>
     <message>
-        <source>two statements of the file contradict each other</source>
-        <translation>zwei Angaben der Datei widersprechen einander</translation>
-    </message>
-    <message>
         <source>the positions do not go in one direction</source>
         <translation>die Positionen gehen nicht in einer Richtung</translation>
     </message>
@@ -10956,6 +10960,10 @@
     <message>
         <source>line {line}: {problem}</source>
         <translation>Zeile {line}: {problem}</translation>
+    </message>
+    <message>
+        <source>two statements contradict each other</source>
+        <translation>zwei Angaben widersprechen sich</translation>
     </message>
 </context>
 <context>
@@ -11471,6 +11479,14 @@
     <message>
         <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
         <translation>Wo der Geber der Achse {axis} {position} anzeigt, addiert der Antrieb {added} zur Achse {target}.</translation>
+    </message>
+    <message>
+        <source>values taken as positions of the reference, the file says deviations</source>
+        <translation>Werte als Positionen der Referenz genommen, laut Datei Abweichungen</translation>
+    </message>
+    <message>
+        <source>values taken as deviations, the file says positions of the reference</source>
+        <translation>Werte als Abweichungen genommen, laut Datei Positionen der Referenz</translation>
     </message>
 </context>
 <context>

@@ -8657,6 +8657,14 @@
         <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
         <translation>un autre programme l&apos;a remplacé, modifié ou supprimé depuis son ouverture ; vérifier quelles valeurs il contient avant de continuer avec lui</translation>
     </message>
+    <message>
+        <source>column {column}, and values: {said}</source>
+        <translation>colonne {column}, et values: {said}</translation>
+    </message>
+    <message>
+        <source>one of the two; a column value goes with both</source>
+        <translation>l&apos;un des deux ; une colonne value convient aux deux</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10682,10 +10690,6 @@
         <translation>ce n&apos;est pas écrit comme le format l&apos;exige</translation>
     </message>
     <message>
-        <source>two statements of the file contradict each other</source>
-        <translation>deux indications du fichier se contredisent</translation>
-    </message>
-    <message>
         <source>the positions do not go in one direction</source>
         <translation>les positions ne vont pas dans un seul sens</translation>
     </message>
@@ -10956,6 +10960,10 @@
     <message>
         <source>line {line}: {problem}</source>
         <translation>ligne {line}&#xa0;: {problem}</translation>
+    </message>
+    <message>
+        <source>two statements contradict each other</source>
+        <translation>deux indications se contredisent</translation>
     </message>
 </context>
 <context>
@@ -11471,6 +11479,14 @@
     <message>
         <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
         <translation>Là où le codeur de l&apos;axe {axis} indique {position}, le variateur ajoute {added} à l&apos;axe {target}.</translation>
+    </message>
+    <message>
+        <source>values taken as positions of the reference, the file says deviations</source>
+        <translation>valeurs prises comme positions de la référence, le fichier dit écarts</translation>
+    </message>
+    <message>
+        <source>values taken as deviations, the file says positions of the reference</source>
+        <translation>valeurs prises comme écarts, le fichier dit positions de la référence</translation>
     </message>
 </context>
 <context>

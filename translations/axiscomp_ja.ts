@@ -8616,6 +8616,14 @@
         <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
         <translation>開いた後に別のプログラムがこのファイルを置き換えたか、変更または削除しました。続ける前に、ファイルに残っている値を確認してください</translation>
     </message>
+    <message>
+        <source>column {column}, and values: {said}</source>
+        <translation>列 {column} と values: {said}</translation>
+    </message>
+    <message>
+        <source>one of the two; a column value goes with both</source>
+        <translation>どちらか一方。列名 value ならどちらとも使えます</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10632,10 +10640,6 @@
         <translation>形式の規則に合っていません</translation>
     </message>
     <message>
-        <source>two statements of the file contradict each other</source>
-        <translation>ファイル内の 2 つの記述が矛盾しています</translation>
-    </message>
-    <message>
         <source>the positions do not go in one direction</source>
         <translation>位置が一方向に並んでいません</translation>
     </message>
@@ -10906,6 +10910,10 @@
     <message>
         <source>line {line}: {problem}</source>
         <translation>行 {line}: {problem}</translation>
+    </message>
+    <message>
+        <source>two statements contradict each other</source>
+        <translation>2 つの記述が矛盾しています</translation>
     </message>
 </context>
 <context>
@@ -11418,6 +11426,14 @@
     <message>
         <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
         <translation>軸 {axis} のエンコーダが {position} のとき、ドライブは軸 {target} に {added} を加えます。</translation>
+    </message>
+    <message>
+        <source>values taken as positions of the reference, the file says deviations</source>
+        <translation>値を基準の位置として読み取り(ファイルには偏差とある)</translation>
+    </message>
+    <message>
+        <source>values taken as deviations, the file says positions of the reference</source>
+        <translation>値を偏差として読み取り(ファイルには基準の位置とある)</translation>
     </message>
 </context>
 <context>

@@ -8616,6 +8616,14 @@
         <source>another program has replaced, changed or deleted it since it was opened; look which values it has before you go on with it</source>
         <translation>打开之后，另一个程序已替换、更改或删除了该文件；继续之前请检查其中有哪些值</translation>
     </message>
+    <message>
+        <source>column {column}, and values: {said}</source>
+        <translation>列 {column}，以及 values: {said}</translation>
+    </message>
+    <message>
+        <source>one of the two; a column value goes with both</source>
+        <translation>两者之一；列名 value 两种都可用</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10632,10 +10640,6 @@
         <translation>写法不符合格式要求</translation>
     </message>
     <message>
-        <source>two statements of the file contradict each other</source>
-        <translation>文件中有两处说明相互矛盾</translation>
-    </message>
-    <message>
         <source>the positions do not go in one direction</source>
         <translation>位置不是单向变化</translation>
     </message>
@@ -10906,6 +10910,10 @@
     <message>
         <source>line {line}: {problem}</source>
         <translation>第 {line} 行：{problem}</translation>
+    </message>
+    <message>
+        <source>two statements contradict each other</source>
+        <translation>两处说明相互矛盾</translation>
     </message>
 </context>
 <context>
@@ -11418,6 +11426,14 @@
     <message>
         <source>Where the encoder of axis {axis} reads {position}, the drive adds {added} to axis {target}.</source>
         <translation>当轴 {axis} 的编码器读数为 {position} 时，驱动器在轴 {target} 上加 {added}。</translation>
+    </message>
+    <message>
+        <source>values taken as positions of the reference, the file says deviations</source>
+        <translation>数值按参考位置读取，文件中写的是偏差</translation>
+    </message>
+    <message>
+        <source>values taken as deviations, the file says positions of the reference</source>
+        <translation>数值按偏差读取，文件中写的是参考位置</translation>
     </message>
 </context>
 <context>

@@ -79,6 +79,12 @@ std::vector<Text> againstFileTexts(const AgainstFile& asked)
         list.emplace_back(AXISCOMP_TEXT("Report", "up and down exchanged"));
     if (asked.invertsReference)
         list.emplace_back(AXISCOMP_TEXT("Report", "reference taken with the opposite sign"));
+    if (asked.takesAsReference)
+        list.emplace_back(AXISCOMP_TEXT(
+            "Report", "values taken as positions of the reference, the file says deviations"));
+    if (asked.takesAsDeviations)
+        list.emplace_back(AXISCOMP_TEXT(
+            "Report", "values taken as deviations, the file says positions of the reference"));
     for (const StatedUnit& unit : asked.units)
         list.push_back(
             AXISCOMP_TEXT("Report", "unit of {what} taken as {stated}, the file says {unit}")

@@ -143,6 +143,8 @@ struct StatedUnit {
 struct AgainstFile {
     bool swapsDirections = false; ///< up is what the file calls down
     bool invertsReference = false; ///< of joined files: of one of them at least
+    bool takesAsReference = false; ///< what the file calls deviations; joined as above
+    bool takesAsDeviations = false; ///< what the file calls positions of the reference
     std::vector<StatedUnit> units = {};
 
     friend bool operator==(const AgainstFile&, const AgainstFile&) = default;

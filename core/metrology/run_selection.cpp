@@ -240,6 +240,8 @@ void keepAgainstFile(AgainstFile& whole, const AgainstFile& other)
 {
     whole.swapsDirections = whole.swapsDirections || other.swapsDirections;
     whole.invertsReference = whole.invertsReference || other.invertsReference;
+    whole.takesAsReference = whole.takesAsReference || other.takesAsReference;
+    whole.takesAsDeviations = whole.takesAsDeviations || other.takesAsDeviations;
     for (const StatedUnit& unit : other.units)
         if (std::ranges::find(whole.units, unit) == whole.units.end())
             whole.units.push_back(unit);

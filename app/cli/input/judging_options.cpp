@@ -157,6 +157,10 @@ Json againstFileJson(const AgainstFile& asked)
         json["swapDirections"] = true;
     if (asked.invertsReference)
         json["invertReference"] = true;
+    if (asked.takesAsReference)
+        json["asReference"] = true;
+    if (asked.takesAsDeviations)
+        json["asDeviations"] = true;
     for (const StatedUnit& unit : asked.units)
         json["units"].push_back(
             {{"what", unit.what}, {"stated", unit.stated}, {"file", unit.ofFile}});

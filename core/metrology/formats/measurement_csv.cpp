@@ -451,6 +451,16 @@ void MeasurementCsv::settleValues(std::optional<bool> isReference, bool haveSign
         refuseSignOfReference(m_statements.at("sign").line);
 }
 
+void MeasurementCsv::noteValues(bool areReference)
+{
+    using Values = MeasurementReadOptions::Values;
+    AgainstFile& asked = m_measurement.againstFile;
+    if (areReference && m_options.values == Values::Deviation)
+        asked.takesAsDeviations = true;
+    if (!areReference && m_options.values == Values::Reference)
+        asked.takesAsReference = true;
+}
+
 void MeasurementCsv::refuseSignOfReference(std::size_t line)
 {
     m_diagnostics.error(DiagnosticCode::Contradiction, line, 0,
@@ -588,8 +598,10 @@ void MeasurementCsv::takeValues(const std::string& value, std::size_t line)
         refuse(line, value, AXISCOMP_TEXT("Error", "values: deviation, or values: reference"));
     else if (m_settledReference && *m_settledReference != isReference)
         refuseLate(line, "values: " + value);
-    else
+    else {
         m_comments.holdsReference = isReference;
+        noteValues(isReference);
+    }
 }
 
 void MeasurementCsv::takeSign(const std::string& value, std::size_t line)

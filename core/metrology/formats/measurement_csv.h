@@ -102,6 +102,9 @@ public:
     /// decide. haveSign: whether "sign" decides; otherwise all values are positions of the
     /// reference, with which a sign that turns them is a contradiction.
     void settleValues(std::optional<bool> isReference, bool haveSign);
+    /// That the file says this of its values, in its header or a comment: --values may say
+    /// otherwise.
+    void noteValues(bool areReference);
     [[nodiscard]] const MeasurementComments& comments() const { return m_comments; }
 
 private:

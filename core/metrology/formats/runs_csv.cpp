@@ -51,6 +51,7 @@ public:
 
 private:
     void decideValues();
+    void checkValuesComment(bool isReference);
     [[nodiscard]] bool findUnits();
     [[nodiscard]] std::optional<RawRunValue> readLine();
     [[nodiscard]] bool readDirection(RunValue& value);
@@ -119,12 +120,29 @@ void Reader::decideValues()
         return;
     }
     m_value = deviation != 0 ? deviation : reference;
+    checkValuesComment(reference != 0);
     m_isReference = reference != 0 || m_csv.comments().holdsReference.value_or(false);
     if (m_options.values != MeasurementReadOptions::Values::AsFileSays)
         m_isReference = m_options.values == MeasurementReadOptions::Values::Reference;
     const bool isUpToFile =
         reference == 0 && m_options.values == MeasurementReadOptions::Values::AsFileSays;
     m_csv.settleValues(isUpToFile ? std::optional(m_isReference) : std::nullopt, !m_isReference);
+}
+
+/// isReference: by the name of the column, as a comment may say it too. The name "value" says
+/// nothing.
+void Reader::checkValuesComment(bool isReference)
+{
+    const std::string& name = m_csv.columns()[m_value - 1].name;
+    if (sameLetters(name, "value"))
+        return;
+    m_csv.noteValues(isReference);
+    if (m_csv.comments().holdsReference.value_or(isReference) != isReference)
+        m_csv.error(DiagnosticCode::Contradiction, m_value,
+            AXISCOMP_TEXT("Error", "column {column}, and values: {said}")
+                .with("column", name)
+                .with("said", Verbatim{isReference ? "deviation" : "reference"}),
+            AXISCOMP_TEXT("Error", "one of the two; a column value goes with both"));
 }
 
 bool Reader::findUnits()

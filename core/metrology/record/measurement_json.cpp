@@ -280,6 +280,10 @@ OrderedJson toJson(const AgainstFile& asked)
     OrderedJson object = OrderedJson::object();
     if (asked.invertsReference)
         object["invertReference"] = true;
+    if (asked.takesAsReference)
+        object["asReference"] = true;
+    if (asked.takesAsDeviations)
+        object["asDeviations"] = true;
     for (const StatedUnit& unit : asked.units)
         object["units"].push_back(
             {{"what", unit.what}, {"stated", unit.stated}, {"file", unit.ofFile}});
@@ -290,6 +294,8 @@ AgainstFile againstFileFromJson(const JsonNode& node)
 {
     AgainstFile asked;
     asked.invertsReference = maybeTrue(node, "invertReference");
+    asked.takesAsReference = maybeTrue(node, "asReference");
+    asked.takesAsDeviations = maybeTrue(node, "asDeviations");
     if (isThere(node, "units"))
         for (const JsonNode& item : node["units"].items())
             asked.units.push_back(

@@ -408,6 +408,66 @@ private Q_SLOTS:
         }
     }
 
+    void aStatedKindOfValuesAgainstTheFileIsSaid_data()
+    {
+        using Values = MeasurementReadOptions::Values;
+        QTest::addColumn<QString>("format");
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<Values>("stated");
+        QTest::addColumn<QByteArray>("said");
+        const QByteArray reference =
+            "values taken as positions of the reference, the file says deviations";
+        const QByteArray deviation =
+            "values taken as deviations, the file says positions of the reference";
+        const QByteArray runs = "target [mm],direction,value [mm]\n0,+,0.001\n10,+,10.002\n";
+        QTest::newRow("a comment of runs")
+            << "runs"
+            << "// values: deviation\n" + runs << Values::Reference << reference;
+        QTest::newRow("a comment of columns of runs")
+            << "wide"
+            << QByteArray("// values: reference\ntarget [mm],up1 [mm]\n0,0.001\n10,0.002\n")
+            << Values::Deviation << deviation;
+        QTest::newRow("a column reference")
+            << "runs" << QByteArray("target [mm],direction,reference [mm]\n0,+,0.001\n10,+,0.002\n")
+            << Values::Deviation << deviation;
+        QTest::newRow("a column deviation")
+            << "runs"
+            << QByteArray("target [mm],direction,deviation [mm]\n0,+,0.001\n10,+,10.002\n")
+            << Values::Reference << reference;
+        QTest::newRow("the same as the comment")
+            << "runs"
+            << "// values: reference\n" + runs << Values::Reference << QByteArray();
+        QTest::newRow("a column that says nothing")
+            << "runs" << runs << Values::Reference << QByteArray();
+    }
+    void aStatedKindOfValuesAgainstTheFileIsSaid()
+    {
+        QFETCH(const QString, format);
+        QFETCH(const QByteArray, text);
+        QFETCH(const MeasurementReadOptions::Values, stated);
+        MeasurementReadOptions options;
+        options.values = stated;
+        const MeasurementReading reading =
+            test::readAs(format.toStdString(), text.toStdString(), options);
+        VERIFY_MEASUREMENT(reading);
+        QByteArrayList said;
+        for (const Text& phrase : againstFileTexts(reading.measurement->againstFile))
+            said += QByteArray::fromStdString(phrase.english());
+        QTEST(said.join('\n'), "said");
+    }
+
+    void aColumnThatContradictsTheCommentOnItsValuesIsRefused()
+    {
+        for (const auto& [comment, column] :
+            {std::pair{"reference", "deviation"}, std::pair{"deviation", "reference"}}) {
+            const MeasurementReading reading = test::readAs("runs",
+                std::string("// values: ") + comment + "\ntarget [mm],direction," + column
+                    + " [mm]\n0,+,0\n10,+,10\n");
+            QVERIFY(!reading.measurement);
+            QCOMPARE(reading.diagnostics.front().code, DiagnosticCode::Contradiction);
+        }
+    }
+
     void commentsBetweenHeaderAndValuesHoldForAllValues()
     {
         const std::string head = "target [mm],direction,value [mm]\n";

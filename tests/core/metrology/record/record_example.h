@@ -40,6 +40,7 @@ inline CalibrationRecord fullRecord()
     runs.published = {{"E", 0.09065, 5e-6, 12}};
     runs.halfPrintedUnit = 5e-6;
     runs.againstFile.invertsReference = true;
+    runs.againstFile.takesAsDeviations = true;
     runs.againstFile.units = {{"reference", "nm", "um"}};
     runs.values[3].encoder = 12.34567890123456789;
     runs.values[4].output = -1e-3;
