@@ -211,11 +211,14 @@ void OperationRunner::askForPlan()
 void OperationRunner::planned(const Result<WritePlan>& result)
 {
     if (!result) {
-        m_outcome.show([error = result.error()] { return errorOutcome(error); });
-        if (isLinkFailure(result.error().code))
+        const auto refusal = [error = result.error()] { return errorOutcome(error); };
+        if (isLinkFailure(result.error().code)) {
+            m_outcome.show(refusal);
             m_axis.take(fail(result.error()));
-        else
+        } else {
+            m_outcome.showOfChoice(refusal);
             m_axis.readNow();
+        }
         return;
     }
     if (!(m_setup.edited() == m_plannedSetup)) {

@@ -141,6 +141,8 @@ void WizardController::wireAxis()
     connect(
         &m_parts->setup, &SetupModel::fieldChanged, &m_parts->runner, &OperationRunner::dropPlan);
     connect(&m_parts->setup, &SetupModel::fieldChanged, &m_parts->actions, &WizardActions::update);
+    connect(&m_parts->setup, &SetupModel::changedByUser, &m_parts->outcome,
+        &LastOutcome::choiceChanged);
 }
 
 /// A file of another controller is read for what the axis is among its sources.
@@ -186,6 +188,7 @@ void WizardController::wireTables()
     connect(file, &DataFileModel::choiceNeeded, this, &WizardController::importChoiceNeeded);
     connect(file, &DataFileModel::changed, this, &WizardController::dataFileChanged);
     connect(file, &DataFileModel::changed, &m_parts->actions, &WizardActions::update);
+    connect(file, &DataFileModel::dataReplaced, &m_parts->outcome, &LastOutcome::choiceChanged);
 }
 
 void WizardController::wireOperations()

@@ -14,6 +14,7 @@ void LastOutcome::show(const std::function<Outcome()>& make)
                               : LogLine::Kind::Information,
         [make] { return make().text; }, shown.detail);
     m_make = make;
+    m_isOfChoice = false;
     if (shown.text == m_outcome.text && shown.isError == m_outcome.isError
         && shown.isWarning == m_outcome.isWarning)
         return;
@@ -24,6 +25,18 @@ void LastOutcome::show(const std::function<Outcome()>& make)
 void LastOutcome::refuse(const Wording& reason)
 {
     show([reason] { return Outcome{reason(), true, {}}; });
+}
+
+void LastOutcome::showOfChoice(const std::function<Outcome()>& make)
+{
+    show(make);
+    m_isOfChoice = true;
+}
+
+void LastOutcome::choiceChanged()
+{
+    if (m_isOfChoice)
+        dismiss();
 }
 
 void LastOutcome::dismiss()

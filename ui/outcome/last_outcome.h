@@ -25,6 +25,9 @@ public:
     void show(const std::function<Outcome()>& make);
     /// As show(), an error.
     void refuse(const Wording& reason);
+    /// As show(): why what is chosen cannot be done, until something else is chosen.
+    void showOfChoice(const std::function<Outcome()>& make);
+    void choiceChanged();
     /// There is none any more.
     void dismiss();
     /// What it says of the drive may no longer be so.
@@ -40,6 +43,7 @@ private:
     WizardLog& m_log;
     Outcome m_outcome;
     std::function<Outcome()> m_make; ///< none: there is no outcome
+    bool m_isOfChoice = false;
 };
 
 } // namespace axiscomp::ui

@@ -268,6 +268,32 @@ private Q_SLOTS:
         QCOMPARE(bench.drive().text(tableX), "Disabled");
     }
 
+    void whyAWriteIsRefusedGoesWithWhatWasChosen_data()
+    {
+        QTest::addColumn<bool>("opensAnother");
+        QTest::newRow("another file") << true;
+        QTest::newRow("another persistency") << false;
+    }
+    void whyAWriteIsRefusedGoesWithWhatWasChosen()
+    {
+        QFETCH(const bool, opensAnother);
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        const QByteArray other = "// target: Z\n" + ControllerFixture::calibration2D(1);
+        bench->openData(bench.file(QStringLiteral("other.csv"), other));
+        QVERIFY(bench.fileRead());
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        QVERIFY(!bench->plan().has_value());
+        QVERIFY2(bench->isOutcomeAnError(), qPrintable(bench->outcome()));
+        if (opensAnother)
+            QVERIFY(bench.prepare2D(2));
+        else
+            bench->setup().setPersistency(Persistency::Persistent);
+        QCOMPARE(bench->outcome(), QString());
+    }
+
     void whatSomebodyElseChangesBetweenPlanAndWriteIsNotOverwritten()
     {
         ControllerFixture bench;
