@@ -10508,6 +10508,10 @@
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
         <translation>die zweite Messung ist vom {date}, und das Protokoll hat eine vom {last} mit derselben Tabelle; diese entscheidet</translation>
     </message>
+    <message>
+        <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
+        <translation>die Zielpositionen der zweiten Messung liegen bis zu {second} auseinander, die der ersten bis zu {first}: was dazwischen liegt, ist nicht nachgemessen</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

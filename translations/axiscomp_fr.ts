@@ -10508,6 +10508,10 @@
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
         <translation>la deuxième mesure est du {date}, et la fiche en contient une du {last} avec la même table, qui est déterminante</translation>
     </message>
+    <message>
+        <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
+        <translation>les positions cibles de la seconde mesure sont espacées de {second} au plus, celles de la première de {first} : ce qui se trouve entre elles n&apos;est pas remesuré</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

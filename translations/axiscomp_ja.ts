@@ -10458,6 +10458,10 @@
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
         <translation>2 回目の測定は {date} のものですが、記録には同じテーブルでの {last} の測定があり、そちらが優先されます</translation>
     </message>
+    <message>
+        <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
+        <translation>2 回目の測定の目標位置の間隔は最大 {second}、1 回目は最大 {first} です。その間は再測定されていません</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

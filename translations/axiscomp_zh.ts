@@ -10458,6 +10458,10 @@
         <source>the second measurement is of {date}, and the record has one of {last} with the same table, which decides</source>
         <translation>第二次测量的日期为 {date}，而档案中已有同一补偿表在 {last} 的测量，以后者为准</translation>
     </message>
+    <message>
+        <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
+        <translation>第二次测量的目标位置最大间距为 {second}，第一次为 {first}：其间未重新测量</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>

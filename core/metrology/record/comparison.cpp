@@ -128,6 +128,14 @@ SecondRange secondRangeOf(const Numbers& before, const Numbers& after, bool isAn
     return lacking <= gap + rounding ? SecondRange::Whole : SecondRange::Less;
 }
 
+double largestDistance(const Numbers& targets)
+{
+    double largest = 0.0;
+    for (std::size_t i = 1; i < targets.size(); ++i)
+        largest = std::max(largest, targets[i] - targets[i - 1]);
+    return largest;
+}
+
 Result<void> checkComparedRanges(const Measurement& before, const Measurement& after)
 {
     const Numbers first = targetsInUse(before);
@@ -195,12 +203,16 @@ void warnOfOtherMachine(
                 .with("after", after.serial)});
 }
 
-void warnOfLesserRange(Comparison& comparison, const Measurement& before, const Measurement& after)
+void warnOfLesserTravel(Comparison& comparison, const Measurement& before, const Measurement& after)
 {
     comparison.lesserRange = lesserRange(before, after);
     if (comparison.lesserRange)
         comparison.warnings.push_back(
             {"LesserRange", lesserRangeText(*comparison.lesserRange, after.isAngular)});
+    const auto wider = widerTargetsText(before, after);
+    comparison.isWider = wider.has_value();
+    if (wider)
+        comparison.warnings.push_back({"WiderTargets", *wider});
 }
 
 void warnOfLaterMeasurement(
@@ -388,8 +400,9 @@ void judgePrediction(Comparison& comparison, const ComparisonRequest& request)
     comparison.largestAsPredicted = allowance * request.heldOut->range
         + std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
     const bool isWithin = *spread <= *comparison.largestAsPredicted;
-    // What was promised is of all of the travel: over less of it M is smaller by itself.
-    if (!isWithin || !comparison.lesserRange)
+    // What was promised is of all of the travel: over less of it, or at fewer of its targets, M is
+    // smaller by itself.
+    if (!isWithin || !(comparison.lesserRange || comparison.isWider))
         comparison.isAsPredicted = isWithin;
 }
 
@@ -485,6 +498,24 @@ Text lesserRangeText(const TwoRanges& ranges, bool isAngular)
         .with("ranges", rangesText(ranges, isAngular));
 }
 
+std::optional<Text> widerTargetsText(const Measurement& before, const Measurement& after)
+{
+    constexpr double wide = 2.0 * (1.0 + rangeRounding);
+    const double first = largestDistance(targetsInUse(before));
+    const double second = largestDistance(targetsInUse(after));
+    if (first == 0.0 || second <= wide * first)
+        return std::nullopt;
+    const std::string_view unit = after.isAngular ? "deg" : "mm";
+    const auto shown = [unit](double distance) {
+        return Quantity{roundedText(distance), std::string(unit)};
+    };
+    return AXISCOMP_TEXT("Measurement",
+        "the targets of the second measurement are up to {second} apart, those of the first one up "
+        "to {first}: what lies between them is not measured again")
+        .with("second", shown(second))
+        .with("first", shown(first));
+}
+
 std::optional<double> changeOf(
     const std::optional<double>& before, const std::optional<double>& after)
 {
@@ -567,7 +598,7 @@ Result<Comparison> compareMeasurements(
     comparison.uncertainty = request.uncertainty;
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
-    warnOfLesserRange(comparison, before, after);
+    warnOfLesserTravel(comparison, before, after);
     judgePrediction(comparison, request);
     if (isSuspicious(comparison))
         comparison.hints =

@@ -68,6 +68,11 @@ enum class CorrectedAlike {
 /// The same, with what it means.
 [[nodiscard]] Text lesserRangeText(const TwoRanges& ranges, bool isAngular);
 
+/// Where the second measurement has targets more than twice as far apart as the first one: what
+/// lies between them is not measured again. Nothing otherwise. measurements: with targets.
+[[nodiscard]] std::optional<Text> widerTargetsText(
+    const Measurement& before, const Measurement& after);
+
 /// What is left of the error at a target.
 struct RemainingError {
     double position = 0.0;
@@ -96,7 +101,7 @@ struct Comparison {
     /// pooled standard deviation of the second measurement, n its runs in each direction.
     std::optional<double> largestAsPredicted = {};
     /// Nothing without a held-out figure, without M, or where M is that small over less of the
-    /// axis.
+    /// axis or at targets that are wider apart.
     std::optional<bool> isAsPredicted = {};
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
@@ -107,9 +112,11 @@ struct Comparison {
     std::vector<Verdict> verdictsOfAllValues = {}; ///< with afterOfAllValues; they decide nothing
     /// "ValuesExcluded"; "OtherVerdict" where all values say otherwise than those in use;
     /// "OtherMachine", "OtherSerial" where the two state different ones; "LesserRange";
+    /// "WiderTargets" (widerTargetsText);
     /// "EarlierMeasurement" where the table was measured again after the second one (isEarlier).
     std::vector<JudgeWarning> warnings = {};
     std::optional<TwoRanges> lesserRange = {}; ///< of the two measurements
+    bool isWider = false; ///< the targets of the second one: widerTargetsText
     std::optional<double> uncertainty = {}; ///< as in the request
     bool isByTemperature = false; ///< as in the request
 

@@ -200,6 +200,8 @@ void addWarnings(ReportContent& content)
     const auto lesser = lesserRange(content.before->measurement, content.after->measurement);
     if (lesser)
         content.warnings.push_back(lesserRangeText(*lesser, content.isAngular));
+    if (auto wider = widerTargetsText(content.before->measurement, content.after->measurement))
+        content.warnings.push_back(std::move(*wider));
 }
 
 } // namespace

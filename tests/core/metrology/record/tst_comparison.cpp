@@ -301,7 +301,7 @@ private Q_SLOTS:
         QTest::addColumn<bool>("isAngular");
         QTest::addColumn<bool>("isLess");
         QTest::newRow("same targets") << QList{0.0, 500.0, 11.0} << false << false;
-        QTest::newRow("beyond") << QList{-10.0, 510.0, 5.0} << false << false;
+        QTest::newRow("beyond") << QList{-10.0, 510.0, 11.0} << false << false;
         QTest::newRow("midpoints") << QList{25.0, 475.0, 10.0} << false << false;
         QTest::newRow("one target less") << QList{0.0, 450.0, 10.0} << false << false;
         QTest::newRow("two targets less") << QList{50.0, 450.0, 9.0} << false << true;
@@ -327,6 +327,26 @@ private Q_SLOTS:
         // M is 0: as predicted, if it were of all of the axis.
         QCOMPARE(result->isAsPredicted, isLess ? std::nullopt : std::optional(true));
         QVERIFY(result->largestAsPredicted.has_value());
+    }
+
+    /// Two targets at the ends show nothing of what a table does between them.
+    void targetsMuchWiderApartThanThoseOfTheFirstMeasurementAreSaid()
+    {
+        const Measurement before = over(spaced(0.0, 500.0, 11));
+        const auto ends = compareMeasurements(before, over({0.0, 500.0}), promised(1e-3));
+        VERIFY_RESULT(ends);
+        QCOMPARE(ends->warnings.size(), std::size_t{1});
+        QCOMPARE(ends->warnings.front().name, std::string_view("WiderTargets"));
+        QCOMPARE(ends->warnings.front().text.english(),
+            std::string(
+                "the targets of the second measurement are up to 500 mm apart, those of the "
+                "first one up to 50 mm: what lies between them is not measured again"));
+        QVERIFY(!ends->isAsPredicted.has_value());
+        const auto everyOther =
+            compareMeasurements(before, over(spaced(0.0, 500.0, 6)), promised(1e-3));
+        VERIFY_RESULT(everyOther);
+        QVERIFY(everyOther->warnings.empty());
+        QCOMPARE(everyOther->isAsPredicted, std::optional(true));
     }
 
     void theWarningOfAShorterTravelNamesBothRanges()
