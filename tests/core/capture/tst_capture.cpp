@@ -15,6 +15,7 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+#include <fstream>
 #include <functional>
 
 namespace tst_capture {
@@ -571,10 +572,12 @@ private Q_SLOTS:
         });
         QTest::newRow("deleted") << Change(
             [](const std::filesystem::path& file) { std::filesystem::remove(file); });
-        QTest::newRow("longer") << Change(
-            [](const std::filesystem::path& file) { put(file, contentOf(file) + "// Kim\n"); });
-        QTest::newRow("shorter") << Change(
-            [](const std::filesystem::path& file) { put(file, "// axiscomp runs: 1\n"); });
+        QTest::newRow("longer") << Change([](const std::filesystem::path& file) {
+            std::ofstream(file, std::ios::app) << "// Kim\n";
+        });
+        QTest::newRow("shorter") << Change([](const std::filesystem::path& file) {
+            std::ofstream(file, std::ios::trunc) << "// axiscomp runs: 1\n";
+        });
     }
     void aFileThatAnotherProgramChangesMeanwhileTakesNoFurtherValue()
     {
