@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace axiscomp::ui {
 
@@ -63,7 +64,7 @@ public:
         , m_positionUnit(axis.unit)
         , m_unit(unitSymbol(axis.unit))
         , m_value(static_cast<double>(table.values[element]))
-        , m_own(place.own ? static_cast<int>(*place.own) : -1)
+        , m_own(place.own)
     {
         for (const GridAxis& gridAxis : table.grid.axes) {
             m_position.push_back(gridAxis.position(element % gridAxis.size));
@@ -75,11 +76,11 @@ public:
     {
         if (m_value == 0.0)
             return tr("all values are 0: the drive will add nothing");
-        const bool isOfTheDrive = isOfTheAxis(m_table.unit)
-            && (m_own < 0 || isOfTheAxis(m_table.grid.axes[static_cast<std::size_t>(m_own)].unit));
+        const bool isOfTheDrive =
+            isOfTheAxis(m_table.unit) && (!m_own || isOfTheAxis(m_table.grid.axes[*m_own].unit));
         if (!isOfTheDrive) // what could be converted has been
             return {};
-        return m_own >= 0 ? withReadings() : withDifference();
+        return m_own ? withReadings(*m_own) : withDifference();
     }
 
 private:
@@ -96,9 +97,8 @@ private:
     }
 
     /// The table is over the axis's own position: both readings can be told.
-    [[nodiscard]] QString withReadings() const
+    [[nodiscard]] QString withReadings(std::size_t own) const
     {
-        const auto own = static_cast<std::size_t>(m_own);
         const double encoder = m_position[own];
         const int decimals = std::max(decimalsOf(encoder), decimalsFor(m_value));
         const QString position = withUnit(fixedText(encoder, decimals), positionUnit(own));
@@ -108,27 +108,27 @@ private:
             ? tr("where the encoder reads %1, the drive will add %2").arg(position, added())
             : tr("where the encoder reads %1, the reference reads %2: the drive will add %3")
                   .arg(position, withUnit(fixedText(encoder + m_value, decimals), m_unit), added());
-        const QString others = place(m_own);
+        const QString others = place(own);
         return others.isEmpty() ? where : tr("at %1, %2").arg(others, where);
     }
 
     [[nodiscard]] QString withDifference() const
     {
         if (m_isComputed)
-            return tr("at %1 the drive will add %2").arg(place(-1), added());
+            return tr("at %1 the drive will add %2").arg(place(std::nullopt), added());
         const QString amount = withUnit(fixedText(std::abs(m_value), decimalsFor(m_value)), m_unit);
         return (m_value > 0.0
                 ? tr("at %1 the reference reads %2 more than the encoder: the drive will add %3")
                 : tr("at %1 the reference reads %2 less than the encoder: the drive will add %3"))
-            .arg(place(-1), amount, added());
+            .arg(place(std::nullopt), amount, added());
     }
 
     /// The position, without one of the dimensions: "Y 30 mm, T 20.5"
-    [[nodiscard]] QString place(int except) const
+    [[nodiscard]] QString place(std::optional<std::size_t> except) const
     {
         QStringList parts;
         for (std::size_t n = 0; n < m_position.size(); ++n) {
-            if (static_cast<int>(n) == except)
+            if (n == except)
                 continue;
             const QString number = fixedText(m_position[n], decimalsOf(m_position[n]));
             parts.append(dimensionName(m_table.grid, n) + u' '
@@ -149,7 +149,7 @@ private:
     std::string m_positionUnit; ///< as the drive says it
     QString m_unit; ///< of what the drive adds
     double m_value = 0.0;
-    int m_own = -1; ///< the dimension that is the axis's own position
+    std::optional<std::size_t> m_own; ///< the dimension that is the axis's own position
     std::vector<double> m_position;
 };
 
