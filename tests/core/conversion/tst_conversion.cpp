@@ -1133,6 +1133,33 @@ private Q_SLOTS:
         }
     }
 
+    /// The column that is written says how many points are enough.
+    void theColumnsBesideOneAreBroughtOntoItsGrid()
+    {
+        NeutralTable table = tableThatMovesBoth(true);
+        for (std::size_t i = 0; i < table.pointCount(); ++i)
+            table.columns[0].values[i] = 0.05 * static_cast<double>(i / 5); // a plane
+        const std::vector whole{table};
+        const std::vector<NeutralTable> columns = separateColumns(whole);
+        ConversionRequest request = requestFor(aerotech_2d::format(), calibration_csv::format());
+        request.beside = sourcesBeside(whole, 0);
+        request.resampling = WantedDeviation{0.01, ResamplingMethod::Linear};
+        const auto fitted = convertTables(std::span(columns).first(1), request);
+        VERIFY_RESULT(fitted);
+        QCOMPARE(knotCounts(fitted->tables[0].result), (std::vector<std::size_t>{2, 2}));
+        request.resampling =
+            ResamplingRequest{{AxisRequest{.points = 2}, AxisRequest{.points = 2}}};
+        const auto asked = convertTables(std::span(columns).first(1), request);
+        VERIFY_RESULT(asked);
+        QCOMPARE(fitted->tables[0].result, asked->tables[0].result);
+        request.beside.reset();
+        const auto alone = convertTables(std::span(columns).first(1), request);
+        VERIFY_RESULT(alone);
+        QVERIFY(test::largestDifference(alone->tables[0].result.columns[0].values,
+                    fitted->tables[0].result.columns[0].values)
+            > 1e-4);
+    }
+
     void theColumnsOfAFileAreImportedAsTheWholeFileIsConverted()
     {
         const TableImport import = imported(QStringLiteral("g.cal"),
