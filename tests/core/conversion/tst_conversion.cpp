@@ -294,6 +294,27 @@ private Q_SLOTS:
         QCOMPARE(import.data->grid.axes[0].unit, std::string("mm"));
     }
 
+    /// What a file calls um may be read in mm, so that the statement would be about other numbers.
+    void noUnitIsStatedAgainstThatOfAControllersFile()
+    {
+        const QString name = QStringLiteral("x.cal");
+        const std::string file = ":START 1 POSUNIT=METRIC CORUNIT=METRIC/1000\n"
+                                 ":START SAMPLEDIST=10\n0.5 0.25 0\n:END\n";
+        ImportChoices choices;
+        for (const StatedUnits& stated : {StatedUnits{"um", {}}, StatedUnits{{}, "um"}}) {
+            choices.units = stated;
+            const auto refused = imported(name, file, choices);
+            QVERIFY(refused.refusal && !refused.data);
+            QVERIFY(contains({textOf(*refused.refusal)},
+                "the unit um is stated, and the numbers of the file were read in mm"));
+        }
+        choices.units = {"mm", "mm"};
+        const auto same = imported(name, file, choices);
+        choices.units = {};
+        QCOMPARE(valuesOf(same), valuesOf(imported(name, file, choices)));
+        QVERIFY(same.data);
+    }
+
     void aFileIsWrittenInTheSignThatAPersonSays()
     {
         CompensationTable table;
