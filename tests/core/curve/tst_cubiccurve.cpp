@@ -75,10 +75,12 @@ private Q_SLOTS:
 
     void aGridSeesAPeakOfItsCurveBetweenItsPoints()
     {
-        const CubicCurve narrow{{0.0, 1.0, 1.01, 1.02, 8.0}, {0.0, 0.0, 1.0, 0.0, 0.0}, {}, {}};
+        // without their knots only the wide, lower one is seen, and the search stays there
+        const CubicCurve peaks{
+            {0.0, 1.0, 1.01, 1.02, 4.0, 6.0, 8.0}, {0.0, 0.0, 1.0, 0.0, 0.0, 0.5, 0.0}, {}, {}};
         const CubicCurve flat{{0.0, 8.0}, {0.0, 0.0}, {}, {}};
         for (const FittedCurve& curve :
-            {FittedCurve{narrow}, FittedCurve{.base = flat, .onto = narrow}}) {
+            {FittedCurve{peaks}, FittedCurve{.base = flat, .onto = peaks}}) {
             const CurveGrid grid = curveGrid(curve, 0.0, 8.0, 3);
             QVERIFY(std::abs(grid.largestDistance - 1.0) < 1e-6);
             QVERIFY(std::abs(grid.distanceAt - 1.01) < 1e-6);
