@@ -188,6 +188,9 @@ void describeSwitchedOff(test::FormatSample& sample)
         "13:1 Assumption \"ERRORMAPOFF 0, 0\", which switches a table of the file off|tables that "
         "are in use; this one does not act on the machine");
     ends("removed", program + "errorunmap 0, 0\n", "13:1 Assumption \"errorunmap 0, 0\", which");
+    const std::string inZone1 = test::with(
+        with("ERRORMAP1D 0, 0", "ERRORMAP1D 0, 1"), "ERRORMAPON 0, 0", "ERRORMAPON 0, 1");
+    ends("a zone above 0", inZone1 + "ERRORMAPOFF 0, 1\n", "13:1 Assumption \"ERRORMAPOFF 0, 1\"");
     ends("all zones of the axis", program + "ERRORMAPOFF 0\n", "13:1 Assumption \"ERRORMAPOFF 0\"");
     ends("switched off, on and off", program + "ERRORMAPOFF 0,0;ERRORMAPON 0,0\nERRORMAPOFF 0,0\n",
         "14:1 Assumption \"ERRORMAPOFF 0,0\"");
@@ -203,6 +206,7 @@ void describeSwitchedOff(test::FormatSample& sample)
     acts("switched off before", "ERRORMAPOFF 0, 0\n" + program);
     acts("switched on again", program + "ERRORMAPOFF 0, 0\nERRORMAPON 0, 0\n");
     acts("another zone and another axis", program + "ERRORMAPOFF 0, 1\nERRORUNMAP 1, 0\n");
+    acts("zone 0 and a map of zone 1", inZone1 + "ERRORMAPOFF 0, 0\n");
     acts("switched off in another buffer", "#1\n" + program + "#2\nERRORMAPOFF 0, 0\n");
     acts("the connection of another axis", connected + "CONNECT RPOS(1) = APOS(1)\n");
     acts("other flags", connected + "MFLAGS(0).17 = 0\nMFLAGS(0).8 = 1\nMFLAGS(1).17 = 1\n");
