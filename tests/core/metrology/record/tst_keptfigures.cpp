@@ -216,6 +216,23 @@ private Q_SLOTS:
         QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
     }
 
+    /// The same table, made of the axis as it was measured once more, or nobody knows when.
+    void whatWasMeasuredIsNotReplacedByALaterPromise()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord record = writtenRecord();
+        addAfter(record, 0.0032, writtenCrc);
+        VERIFY_RESULT(keepFigures(store, record, {}, Measuring::New));
+        for (const char* const date : {"2026-11-25", ""})
+            for (const Measuring measuring : {Measuring::New, Measuring::Known}) {
+                CalibrationRecord promised = writtenRecord();
+                promised.before->files.front().measurement.header.date = date;
+                VERIFY_RESULT(keepFigures(store, promised, {}, measuring));
+                QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
+            }
+    }
+
     void theSameMeasurementMayBeJudgedAnew()
     {
         const QTemporaryDir folder;
