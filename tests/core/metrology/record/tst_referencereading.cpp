@@ -60,6 +60,10 @@ private Q_SLOTS:
         row("a smaller value between the targets", true, [](CalibrationRecord& r) {
             r.tables[0].table.grid.axes = {{"X", "mm", 5.0, 5.0, 3}};
         });
+        row("the table corrects another axis", false, [](CalibrationRecord& r) {
+            r.before->files[0].measurement.header.axis = "X";
+            r.tables[0].table.target = "Y";
+        });
         row("no measurement", false, [](CalibrationRecord& r) { r.before.reset(); });
         row("no table", false, [](CalibrationRecord& r) { r.tables.clear(); });
         row("an exclusion that fits no value", false, [](CalibrationRecord& r) {
