@@ -1012,6 +1012,20 @@ private Q_SLOTS:
         }
     }
 
+    /// It gives each line the separators of the longest one.
+    void aFileThatASpreadsheetHasSavedSaysWhichDriveWasMeasured()
+    {
+        for (const char* const text :
+            {"// axiscomp runs: 1,,,\n// drive: Mill, serial number 850618,,\n"
+             "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n",
+                "// axiscomp runs: 1;;;\n// drive: Mill, serial number 850618;;;\n"
+                "target [mm];direction;run;deviation [um]\n0;+;1;1\n10;+;1;2\n"}) {
+            const auto read = test::readAs("runs", text);
+            QVERIFY(read.measurement);
+            QCOMPARE(driveSerialOf(read.measurement->header), std::optional<std::int32_t>(850618));
+        }
+    }
+
     /// Neither does the silent one say it, nor may it be stated otherwise.
     void aStateThatOnlySomeFilesSayIsKeptOfThose()
     {
