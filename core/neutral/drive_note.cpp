@@ -26,9 +26,7 @@ std::optional<std::int32_t> driveSerialIn(std::string_view text)
     const std::size_t key = text.rfind(driveSerialKey);
     if (key == std::string_view::npos)
         return std::nullopt;
-    std::string_view digits = trimmed(text.substr(key + driveSerialKey.size()));
-    // A spreadsheet gives each line the separators of the longest one.
-    digits = trimmed(digits.substr(0, digits.find_last_not_of(",;") + 1));
+    const std::string_view digits = withoutSeparators(text.substr(key + driveSerialKey.size()));
     std::int32_t serial = 0;
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), serial);
     if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())

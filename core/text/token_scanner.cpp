@@ -235,12 +235,17 @@ std::optional<std::string_view> behindKey(std::string_view text, std::string_vie
     return text.substr(colon + 1);
 }
 
+std::string_view withoutSeparators(std::string_view statement)
+{
+    return trimmed(statement.substr(0, statement.find_last_not_of(",; \t") + 1));
+}
+
 std::optional<std::string_view> statedIn(std::string_view comment, std::string_view key)
 {
     const auto value = behindKey(trimmed(comment), key);
     if (!value)
         return std::nullopt;
-    return trimmed(value->substr(0, value->find_last_not_of(",; \t") + 1));
+    return withoutSeparators(*value);
 }
 
 bool isReadableText(std::string_view text, std::size_t mostBytes, DiagnosticList& diagnostics)

@@ -92,6 +92,9 @@ void readNumbers(std::span<const Token> tokens, const TextPattern& expected,
 [[nodiscard]] std::optional<std::int64_t> readWholeNumber(
     const Token& token, Text expected, DiagnosticList& diagnostics);
 
+/// Without the separators at its end: a spreadsheet gives each line those of the longest one.
+[[nodiscard]] std::string_view withoutSeparators(std::string_view statement);
+
 /// The same letters, upper or lower case (ASCII).
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
 /// What stands behind a key such as "sign:" at the beginning of a text, in letters of either case

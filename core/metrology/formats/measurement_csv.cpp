@@ -487,7 +487,7 @@ void MeasurementCsv::takeComment(std::string_view comment, std::size_t line)
     const std::string_view key = trimmed(std::string_view(text).substr(0, colon));
     const std::string value(colon == std::string::npos
             ? std::string_view()
-            : trimmed(std::string_view(text).substr(colon + 1)));
+            : withoutSeparators(std::string_view(text).substr(colon + 1)));
     if (colon != std::string::npos && takeStatement(key, value, line)) {
         checkSaidBefore(lowerCase(std::string(key)), value, line);
         return;

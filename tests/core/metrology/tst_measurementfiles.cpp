@@ -1013,17 +1013,27 @@ private Q_SLOTS:
     }
 
     /// It gives each line the separators of the longest one.
-    void aFileThatASpreadsheetHasSavedSaysWhichDriveWasMeasured()
+    /// It gives each line the separators of the longest one.
+    void aFileThatASpreadsheetHasSavedSaysTheSame()
     {
         for (const char* const text :
-            {"// axiscomp runs: 1,,,\n// drive: Mill, serial number 850618,,\n"
-             "target [mm],direction,run,deviation [um]\n0,+,1,1\n10,+,1,2\n",
-                "// axiscomp runs: 1;;;\n// drive: Mill, serial number 850618;;;\n"
-                "target [mm];direction;run;deviation [um]\n0;+;1;1\n10;+;1;2\n"}) {
+            {"// axiscomp runs: 1,,,\n// axis: X,,,\n// drive: Mill, serial number 850618,,\n"
+             "// compensation: off,,,\ntarget [mm],direction,run,deviation [um]\n"
+             "0,+,1,1\n10,+,1,2\n",
+                "// axiscomp runs: 1;;;\n// axis: X;;;\n// drive: Mill, serial number 850618;;;\n"
+                "// compensation: off;;;\ntarget [mm];direction;run;deviation [um]\n"
+                "0;+;1;1\n10;+;1;2\n"}) {
             const auto read = test::readAs("runs", text);
-            QVERIFY(read.measurement);
-            QCOMPARE(driveSerialOf(read.measurement->header), std::optional<std::int32_t>(850618));
+            VERIFY_MEASUREMENT(read);
+            const MeasurementHeader& header = read.measurement->header;
+            QCOMPARE(header.axis, std::string("X"));
+            QCOMPARE(header.drive, std::string("Mill, serial number 850618"));
+            QCOMPARE(header.compensation, MeasuredState(MeasuredState::Kind::Off));
+            QCOMPARE(driveSerialOf(header), std::optional<std::int32_t>(850618));
         }
+        MeasurementHeader recorded; // by a program that kept the separators
+        recorded.drive = "Mill, serial number 850618,,";
+        QCOMPARE(driveSerialOf(recorded), std::optional<std::int32_t>(850618));
     }
 
     /// Neither does the silent one say it, nor may it be stated otherwise.
