@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
 
+#include "core/conversion/added_tables.h"
 #include "core/conversion/columns_beside.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
@@ -569,6 +570,13 @@ Result<void> checkSigns(const ConversionRequest& request)
     return checkSignStated(request.to->facts, request.targetSign.has_value(), "--to-sign", {});
 }
 
+bool changesSign(const Conversion& conversion, const ConversionRequest& request)
+{
+    const SignConvention sign = request.targetSign.value_or(request.to->facts.sign);
+    return std::ranges::any_of(conversion.tables,
+        [sign](const TableConversion& table) { return table.source.sign != sign; });
+}
+
 } // namespace
 
 Result<Conversion> convertTables(
@@ -592,10 +600,15 @@ Result<Conversion> convertTables(
     AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
     AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
     conversion.written = std::move(written);
+    AXISCOMP_CHECK(checkAddedTables(
+        request.from->facts, request.to->facts, prepared, conversion.written.held));
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
         AXISCOMP_CHECK(converter.finish(
             tables[n], prepared[n], conversion.written.held[n], conversion.tables[n]));
+    if (request.to->facts.addsTables && changesSign(conversion, request))
+        for (const Text& remark : signRemarksOfAdded(prepared))
+            remarkOnce(conversion.remarks, remark);
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;

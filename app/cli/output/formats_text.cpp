@@ -39,6 +39,7 @@ std::string limitsText(const FormatFacts& facts)
     else
         text += ", several columns";
     text += facts.mostTables == 1 ? ", one table in a file" : ", several tables in a file";
+    text += facts.addsTables ? "; tables for one axis are added" : "";
     return text;
 }
 

@@ -328,6 +328,7 @@ const TableFormat& format()
             .knots = KnotRule::Even,
             .mostColumns = mostOutputs,
             .mostTables = 0,
+            .addsTables = true,
             .holdsUnits = true,
             .holdsNotes = true,
             .numbers = "decimal text",

@@ -308,6 +308,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = lists.size(),
+            .addsTables = true,
             .holdsNames = true,
             .holdsUnits = true,
             .numbers = "decimal text",

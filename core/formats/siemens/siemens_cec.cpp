@@ -426,6 +426,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = 0,
+            .addsTables = true,
             .holdsNames = true,
             .holdsUnits = true,
             .holdsNotes = true,

@@ -776,6 +776,100 @@ private Q_SLOTS:
         QVERIFY(sentence(conversion.error()).find("mean") != std::string::npos);
     }
 
+    /// Of profiles, measuring systems or maps of a program; together they would move the axis by
+    /// their sum.
+    void tablesOfWhichOneCountsAreNotWrittenWhereTheyAreAdded_data()
+    {
+        QTest::addColumn<int>("index");
+        const auto formats = tableFormats();
+        for (int i = 0; i < static_cast<int>(formats.size()); ++i) {
+            const TableFormat& format = *formats[static_cast<std::size_t>(i)];
+            if (format.facts.addsTables && format.write && format.facts.mostTables != 1)
+                QTest::newRow(std::string(format.facts.name).c_str()) << i;
+        }
+    }
+    void tablesOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
+    {
+        QFETCH(const int, index);
+        const TableFormat& format = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable table =
+            exampleTable(format.facts.fewestDimensions, calibration_csv::format().facts.sign);
+        nameAxes(table, format);
+        std::vector tables{table, table};
+        const ConversionRequest request = requestFor(calibration_csv::format(), format);
+        const auto refused = convertTables(tables, request);
+        VERIFY_ERROR(refused, ErrorCode::FormatCannotHold);
+        QVERIFY2(test::mentions(sentence(refused.error()), "two tables for axis"),
+            sentence(refused.error()).c_str());
+        QVERIFY(test::mentions(sentence(refused.error()), "choose one of them"));
+        VERIFY_RESULT(convertTables(std::span(tables).first(1), request));
+
+        for (NeutralTable& added : tables)
+            added.sign = format.facts.sign;
+        const auto copied = convertTables(tables, requestFor(format, format));
+        VERIFY_RESULT(copied);
+        QCOMPARE(copied->written.held.size(), std::size_t{2});
+        QVERIFY(!contains(copied->remarks, "as if it were alone"));
+    }
+
+    void columnsOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
+    {
+        NeutralTable table = tableThatMovesBoth(false);
+        const ConversionRequest request =
+            requestFor(calibration_csv::format(), aerotech_2d::format());
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        table.columns[1].target = "1";
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::FormatCannotHold);
+
+        NeutralTable pair = exampleTable(1, SignConvention::Feedback);
+        pair.columns.push_back(pair.columns[0]);
+        pair.columns[0].direction = Direction::Positive;
+        pair.columns[1].direction = Direction::Negative;
+        VERIFY_RESULT(convertTables(
+            std::span(&pair, 1), requestFor(calibration_csv::format(), siemens_cec::format())));
+    }
+
+    /// The columns of zeros beside them, which the format adds, are for the same axis.
+    void tablesForDifferentAxesAreWrittenTogether()
+    {
+        NeutralTable first = exampleTable(2, SignConvention::Feedback);
+        nameAxes(first, aerotech_2d::format());
+        NeutralTable second = first;
+        first.columns[0].target = "3";
+        second.columns[0].target = "4";
+        VERIFY_RESULT(convertTables(std::array{first, second},
+            requestFor(calibration_csv::format(), aerotech_2d::format())));
+    }
+
+    /// One number for all axes is a statement about a file of one.
+    void aSettingDoesNotAddTheTablesOfDifferentAxes()
+    {
+        NeutralTable first = exampleTable(1, SignConvention::Command);
+        nameAxes(first, aerotech_1d::format());
+        NeutralTable second = first;
+        second.axes[0].name = second.columns[0].target = "2";
+        ConversionRequest request = requestFor(aerotech_1d::format(), aerotech_1d::format());
+        VERIFY_RESULT(convertTables(std::array{first, second}, request));
+        request.writing.settings["axis"] = "3";
+        VERIFY_ERROR(
+            convertTables(std::array{first, second}, request), ErrorCode::FormatCannotHold);
+        VERIFY_RESULT(convertTables(std::array{first, first}, request));
+    }
+
+    /// Each moves the place where the other one is looked up.
+    void aSignOfAddedTablesIsSaidToBeConvertedOneByOne()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Command);
+        nameAxes(table, aerotech_1d::format());
+        ConversionRequest request = requestFor(aerotech_1d::format(), siemens_cec::format());
+        request.writing.settings = {{"input-axis", "X1"}, {"output-axis", "X1"}};
+        request.targetSign = SignConvention::Feedback;
+        const auto converted = convertTables(std::array{table, table}, request);
+        VERIFY_RESULT(converted);
+        QVERIFY2(contains(converted->remarks, "the controller adds the tables for 1: the sign"),
+            test::joined(converted->remarks).c_str());
+    }
+
     void aTableWithoutValuesIsRefusedBeforeAnythingIsMadeOfIt()
     {
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
