@@ -113,6 +113,7 @@ template <std::size_t sources> const TableFormat& formatOf()
                                         .fewestDimensions = sources,
                                         .mostDimensions = sources,
                                         .knots = KnotRule::Even,
+                                        .addsTables = true,
                                         .holdsNotes = true,
                                         .holdsWrap = true,
                                         .numbers = "whole numbers of 1/16 count",

@@ -45,6 +45,9 @@ void describe(test::FormatSample& sample)
     sample.spareBytes = 1;
     sample.applies({{{0, 0}, 0.0}, {{1, 0}, 0.001}, {{0, 2}, 0.003}, {{2, 2}, 0.005},
         {{1, 1}, 0.0025}, {{4, 5}, 0.0025}, {{-2, -2}, 0.004}});
+    sample.warning("two tables for one motor, which the controller adds",
+        file + "#4\nDEFINE COMP 1.1,#1D,#4D,#3,3000,4000\n0 0 0\n",
+        {"0:0 Assumption several tables of 1, 2 to 3, 1, 4 to 3|their sum, since"});
     sample.recognises(Recognition::Certain, {file});
     sample.recognises(Recognition::No, {"DEFINE COMP 4,#1,#2,10\n"});
     sample.recognises(Recognition::Possible, {file + "DEFINE COMP 4,#1,#2,10\n"});
