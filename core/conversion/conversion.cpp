@@ -466,6 +466,23 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     return result;
 }
 
+/// What a controller does beyond the ends of a table.
+TextPattern endWords(Outside outside)
+{
+    switch (outside) {
+    case Outside::Extrapolate:
+        return AXISCOMP_TEXT("Error", "goes on as in the last cell");
+    case Outside::Zero:
+        return AXISCOMP_TEXT("Error", "applies nothing");
+    case Outside::Wrap:
+        return AXISCOMP_TEXT("Error", "begins again at the other end");
+    case Outside::Hold:
+    case Outside::Error:
+        break;
+    }
+    return AXISCOMP_TEXT("Error", "holds the end values");
+}
+
 /// A controller that goes on beyond the ends, and another one that does not.
 void Converter::remarkOnEnds(const TableConversion& conversion) const
 {
@@ -473,12 +490,6 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
     const Outside to = m_request.to->facts.behaviour.outside;
     if (from == to || (from != Outside::Extrapolate && to != Outside::Extrapolate))
         return;
-    constexpr TextPattern held = AXISCOMP_TEXT("Error", "holds the end values");
-    constexpr TextPattern nothing = AXISCOMP_TEXT("Error", "applies nothing");
-    constexpr TextPattern goesOn = AXISCOMP_TEXT("Error", "goes on as in the last cell");
-    const auto words = [&](Outside outside) {
-        return outside == Outside::Extrapolate ? goesOn : outside == Outside::Zero ? nothing : held;
-    };
     for (const ColumnDifference& difference : conversion.difference.columns) {
         const CompensationColumn& column = conversion.source.columns[difference.columnA];
         if (difference.where.empty())
@@ -489,9 +500,9 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
                 "{after}: up to one cell beyond them, the corrections for {column} differ by at "
                 "most {largest}, at {place}")
                 .with("from", m_request.from->facts.name)
-                .with("before", words(from))
+                .with("before", endWords(from))
                 .with("to", m_request.to->facts.name)
-                .with("after", words(to))
+                .with("after", endWords(to))
                 .with("column", columnText(conversion.source, column))
                 .with("largest", quantityOf(difference.largest, column.unit))
                 .with("place", positionText(conversion.source, difference.where)));

@@ -119,7 +119,7 @@ template <std::size_t sources> const TableFormat& formatOf()
                                         .numbers = "whole numbers of 1/16 count",
                                         .sign = SignConvention::Command,
                                         .signEvidence = Evidence::Assumed,
-                                        .behaviour = {.outside = Outside::Hold},
+                                        .behaviour = {.outside = Outside::Wrap},
                                         .outsideEvidence = Evidence::Published,
                                         .settings = words[sources - 1].settings,
                                         .rules = words[sources - 1].rules,

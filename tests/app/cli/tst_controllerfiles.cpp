@@ -798,6 +798,22 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("Assumptions"), run.out.constData());
     }
 
+    /// What is looked up outside of a table is what is said of its controller.
+    void aFormatWhoseTablesRollOverSaysSo()
+    {
+        const Sandbox box;
+        box.file("x.pmc", "#1\nDEFINE COMP 4,#1D,#1,4000\n160 -80 32 0\n");
+        const ProgramRun run = box.run({"lookup", "x.pmc", "--sign", "command", "--", "-1000"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.out.trimmed(), QByteArray("2"));
+        for (const char* name : {"pmac-1d", "pmac-2d"}) {
+            const ProgramRun facts = box.run({"formats", name, "--json"});
+            QCOMPARE(facts.json().value("outside").toString(),
+                QStringLiteral("outside of the table the position rolls over to its other end"));
+            QCOMPARE(facts.json().value("outsideEvidence").toString(), QStringLiteral("published"));
+        }
+    }
+
     void completionKnowsEveryFormat()
     {
         const Sandbox box;

@@ -1110,6 +1110,12 @@ private Q_SLOTS:
             std::vector{table}, requestFor(softmc::format(), calibration_csv::format()));
         VERIFY_RESULT(other);
         QVERIFY(!contains(other->remarks, "beyond the ends"));
+        table.columns[0].target = "3";
+        const auto rolling =
+            convertTables(std::vector{table}, requestFor(kmotion_geo::format(), pmac_2d::format()));
+        VERIFY_RESULT(rolling);
+        QVERIFY2(contains(rolling->remarks, "and that of pmac-2d begins again at the other end"),
+            test::joined(rolling->remarks).c_str());
     }
 
     void aDriveGetsValuesInTheUnitOfThePositions()
