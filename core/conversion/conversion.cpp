@@ -54,6 +54,35 @@ std::size_t nearestKnot(const std::vector<double>& knots, double position)
     return isBelow ? index - 1 : index;
 }
 
+/// Where the file has its own distance between the knots, which moves each of them more than the
+/// one before: in their order, from the one that is nearest to the first.
+std::optional<WrittenKnots> movedKnots(const SourceAxis& from, const SourceAxis& to)
+{
+    const double factor = factorOf(from.unit, to.unit);
+    const double turn = to.wrap.value_or(0.0);
+    const std::size_t size = to.knots.size();
+    std::size_t first = 0;
+    if (to.wrap) {
+        const double position = from.knots.front() * factor;
+        const double turns = std::floor((position - to.knots.front()) / turn);
+        first = nearestKnot(to.knots, position - turns * turn);
+    }
+    const bool isWithin = first + from.knots.size() <= size;
+    const bool isOnCircle = isFullTurn(to) && from.knots.size() <= size;
+    if (to.wrap ? !isWithin && !isOnCircle : from.knots.size() != size)
+        return std::nullopt;
+    WrittenKnots moved;
+    moved.areSame = first == 0 && from.knots.size() == size;
+    for (std::size_t i = 0; i < from.knots.size(); ++i) {
+        const std::size_t place = first + i < size ? first + i : first + i - (size - 1);
+        const double distance = from.knots[i] * factor - to.knots[place];
+        const double turns = to.wrap ? std::round(distance / turn) : 0.0;
+        moved.places.push_back(place);
+        moved.rounding = std::max(moved.rounding, std::abs(distance - turns * turn));
+    }
+    return moved;
+}
+
 /// Nothing where the file lacks one of them. It may have more, such as the one that closes a table,
 /// and begin elsewhere on its circle.
 std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxis& to)
@@ -73,7 +102,7 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
         }
         const double rounding = std::abs(position - to.knots[place]);
         if (rounding > allowance)
-            return std::nullopt;
+            return movedKnots(from, to);
         written.areSame = written.areSame && place == written.places.size();
         written.places.push_back(place);
         written.rounding = std::max(written.rounding, rounding);
@@ -81,8 +110,8 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
     return written;
 }
 
-/// Nothing for formats that arrange the points anew: the conversion's difference tells. roundings:
-/// of the positions of each axis.
+/// Nothing for formats that have other points: the conversion's difference tells. roundings: of the
+/// positions of each axis.
 std::optional<WrittenPoints> writtenPoints(
     const NeutralTable& prepared, const NeutralTable& held, std::vector<double>& roundings)
 {

@@ -1156,6 +1156,58 @@ private Q_SLOTS:
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
     }
 
+    /// A PMAC has whole counts for the length of a table alone, so that each of its positions lies
+    /// further off than the one before.
+    void whatAFileDoesToPositionsThatItMovesIsReported_data()
+    {
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("rounding");
+        QTest::newRow("from 0") << 0.0 << 0.6; // at 76.5 mm, in place of 75.9
+        QTest::newRow("behind the positive positions") << -50.6 << 0.4;
+    }
+    void whatAFileDoesToPositionsThatItMovesIsReported()
+    {
+        QFETCH(const double, first);
+        QFETCH(const double, rounding);
+        NeutralTable table =
+            test::tableOf(SignConvention::Feedback, {test::evenAxis("1", "mm", first, 25.3, 4)},
+                {test::columnOf("1", "mm", {0, 0.03001, 0, 0.02})});
+        table.columns[0].filled = {3};
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_1d::format());
+        request.targetSign = SignConvention::Feedback;
+        request.writing.settings = {{"counts-per-unit", "1000"}, {"source-counts-per-unit", "0.5"}};
+        const auto moved = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(moved);
+        const TableConversion& conversion = moved->tables[0];
+        QCOMPARE(conversion.positionRounding.size(), std::size_t{1});
+        QVERIFY(std::abs(conversion.positionRounding[0] - rounding) < 1e-9);
+        QCOMPARE(conversion.valueRounding.size(), std::size_t{1});
+        QVERIFY(std::abs(conversion.valueRounding[0] - 1e-5) < 1e-12);
+        const CompensationColumn& held = conversion.result.columns[0];
+        QCOMPARE(held.filled.size(), std::size_t{1});
+        QVERIFY(std::abs(held.values[held.filled[0]] - 0.02) < 1e-12);
+        const auto lines = conversionReport(*moved, request);
+        QVERIFY2(contains(lines, "the positions of the file are rounded by up to 0."),
+            test::joined(lines).c_str());
+        QVERIFY(contains(lines, "the values of the file are rounded by up to 1e-05 mm"));
+    }
+
+    void aTableOfWhichNothingIsLeftIsReported()
+    {
+        NeutralTable table = test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("1", "mm", 0, 10, 2), test::evenAxis("2", "mm", 0, 10, 2)},
+            {test::columnOf("3", "mm", {0, 0.001, 0.002, 0.003})});
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_2d::format());
+        request.writing.settings = {{"counts-per-unit", "3"}, {"source-counts-per-unit", "3.3333"}};
+        const auto lost = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(lost);
+        const auto lines = conversionReport(*lost, request);
+        QVERIFY2(contains(lines, "the values of the file are rounded by up to 0.003 mm"),
+            test::joined(lines).c_str());
+        QVERIFY2(contains(lines, "the positions of the file are rounded by up to 0.0501 mm"),
+            test::joined(lines).c_str());
+    }
+
     /// A distance that the positions do not give back to the last bit is what the file states.
     void aDistanceThatIsStatedIsKeptToTheLastBit()
     {
