@@ -196,6 +196,12 @@ bool Reader::readArguments(Definition& definition, std::vector<Token> cells)
     motors.resize(std::max(motors.size(), m_dimensions + 1), m_addressed);
     for (std::size_t n = 0; n < m_dimensions; ++n)
         definition.sources[n] = motors[n];
+    if (m_dimensions == 2 && motors[0] == motors[1]) {
+        diagnostics.error(DiagnosticCode::Contradiction, definition.place.line,
+            definition.place.column, quoted(definition.place.text),
+            AXISCOMP_TEXT("Error", "another axis than that of the first source"));
+        return false;
+    }
     definition.target = motors[m_dimensions];
     definition.owner = m_addressed.empty() ? definition.target : m_addressed;
     return true;
