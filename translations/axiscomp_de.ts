@@ -8665,6 +8665,26 @@
         <source>one of the two; a column value goes with both</source>
         <translation>eines von beiden; eine Spalte value geht mit beidem</translation>
     </message>
+    <message>
+        <source>the controller adds the tables for {axis}: the sign of each is converted, and each is compared, as if it were alone</source>
+        <translation>die Steuerung addiert die Tabellen für {axis}: umgerechnet ist das Vorzeichen jeder Tabelle, und verglichen ist jede, als wäre sie allein</translation>
+    </message>
+    <message>
+        <source>a second table that belongs to the same motor</source>
+        <translation>eine zweite Tabelle, die zum selben Motor gehört</translation>
+    </message>
+    <message>
+        <source>one for each motor; the last one counts</source>
+        <translation>eine für jeden Motor; die letzte zählt</translation>
+    </message>
+    <message>
+        <source>begins again at the other end</source>
+        <translation>beginnt am anderen Ende von vorn</translation>
+    </message>
+    <message>
+        <source>another axis than that of the first source</source>
+        <translation>eine andere Achse als die der ersten Quelle</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

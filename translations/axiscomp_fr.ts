@@ -8665,6 +8665,26 @@
         <source>one of the two; a column value goes with both</source>
         <translation>l&apos;un des deux ; une colonne value convient aux deux</translation>
     </message>
+    <message>
+        <source>the controller adds the tables for {axis}: the sign of each is converted, and each is compared, as if it were alone</source>
+        <translation>la commande additionne les tables pour {axis} : le signe de chacune est converti, et chacune est comparée, comme si elle était seule</translation>
+    </message>
+    <message>
+        <source>a second table that belongs to the same motor</source>
+        <translation>une deuxième table qui appartient au même moteur</translation>
+    </message>
+    <message>
+        <source>one for each motor; the last one counts</source>
+        <translation>une pour chaque moteur ; la dernière compte</translation>
+    </message>
+    <message>
+        <source>begins again at the other end</source>
+        <translation>recommence à l&apos;autre extrémité</translation>
+    </message>
+    <message>
+        <source>another axis than that of the first source</source>
+        <translation>un autre axe que celui de la première source</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8624,6 +8624,26 @@
         <source>one of the two; a column value goes with both</source>
         <translation>どちらか一方。列名 value ならどちらとも使えます</translation>
     </message>
+    <message>
+        <source>the controller adds the tables for {axis}: the sign of each is converted, and each is compared, as if it were alone</source>
+        <translation>コントローラは {axis} のテーブルを加算します。符号の変換と比較は、テーブルごとに単独のものとして行っています</translation>
+    </message>
+    <message>
+        <source>a second table that belongs to the same motor</source>
+        <translation>同じモータに属する 2 つ目のテーブル</translation>
+    </message>
+    <message>
+        <source>one for each motor; the last one counts</source>
+        <translation>モータごとに 1 つ。最後のものを使います</translation>
+    </message>
+    <message>
+        <source>begins again at the other end</source>
+        <translation>反対側の端に戻って繰り返します</translation>
+    </message>
+    <message>
+        <source>another axis than that of the first source</source>
+        <translation>1 番目のソースとは別の軸</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

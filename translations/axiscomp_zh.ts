@@ -8624,6 +8624,26 @@
         <source>one of the two; a column value goes with both</source>
         <translation>两者之一；列名 value 两种都可用</translation>
     </message>
+    <message>
+        <source>the controller adds the tables for {axis}: the sign of each is converted, and each is compared, as if it were alone</source>
+        <translation>控制器会将 {axis} 的各个表相加：每个表的符号转换和比较都按该表单独使用进行</translation>
+    </message>
+    <message>
+        <source>a second table that belongs to the same motor</source>
+        <translation>属于同一电机的第二个表</translation>
+    </message>
+    <message>
+        <source>one for each motor; the last one counts</source>
+        <translation>每个电机一个；以最后一个为准</translation>
+    </message>
+    <message>
+        <source>begins again at the other end</source>
+        <translation>从另一端循环</translation>
+    </message>
+    <message>
+        <source>another axis than that of the first source</source>
+        <translation>与第一个源不同的轴</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -3,6 +3,7 @@
 
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
+#include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 
@@ -22,6 +23,20 @@ Grid widened(Grid grid)
         axis.size += 2 * more;
     }
     return grid;
+}
+
+/// With axes that roll over. From the last value of a table that does not close one more interval
+/// leads to the first one, as in its file: looked at are the points alone, none of which is
+/// between.
+NeutralTable rollingOver(NeutralTable table)
+{
+    for (std::size_t n = 0; n < table.axes.size(); ++n) {
+        SourceAxis& axis = table.axes[n];
+        const double span = axis.knots.back() - axis.knots.front();
+        const auto intervals = static_cast<double>(axis.knots.size() - 1);
+        axis.wrap = isClosed(table, n) ? span : span + span / intervals;
+    }
+    return table;
 }
 
 std::vector<float> valuesAt(const Grid& grid, const ControllerLookup& applied)
@@ -49,6 +64,8 @@ Result<CompensationTable> tableAsAppliedBy(
             convertSign(neutral, facts.sign, calibration_csv::format().facts.behaviour));
         neutral = std::move(converted.table);
     }
+    if (facts.behaviour.outside == Outside::Wrap)
+        neutral = rollingOver(std::move(neutral));
     CompensationTable applied{table.name, table.unit, widened(table.grid), {}};
     applied.values = valuesAt(applied.grid, ControllerLookup(neutral, 0, facts.behaviour));
     return applied;

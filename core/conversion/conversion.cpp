@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
 
+#include "core/conversion/added_tables.h"
 #include "core/conversion/columns_beside.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
@@ -53,6 +54,35 @@ std::size_t nearestKnot(const std::vector<double>& knots, double position)
     return isBelow ? index - 1 : index;
 }
 
+/// Where the file has its own distance between the knots, which moves each of them more than the
+/// one before: in their order, from the one that is nearest to the first.
+std::optional<WrittenKnots> movedKnots(const SourceAxis& from, const SourceAxis& to)
+{
+    const double factor = factorOf(from.unit, to.unit);
+    const double turn = to.wrap.value_or(0.0);
+    const std::size_t size = to.knots.size();
+    std::size_t first = 0;
+    if (to.wrap) {
+        const double position = from.knots.front() * factor;
+        const double turns = std::floor((position - to.knots.front()) / turn);
+        first = nearestKnot(to.knots, position - turns * turn);
+    }
+    const bool isWithin = first + from.knots.size() <= size;
+    const bool isOnCircle = isFullTurn(to) && from.knots.size() <= size;
+    if (to.wrap ? !isWithin && !isOnCircle : from.knots.size() != size)
+        return std::nullopt;
+    WrittenKnots moved;
+    moved.areSame = first == 0 && from.knots.size() == size;
+    for (std::size_t i = 0; i < from.knots.size(); ++i) {
+        const std::size_t place = first + i < size ? first + i : first + i - (size - 1);
+        const double distance = from.knots[i] * factor - to.knots[place];
+        const double turns = to.wrap ? std::round(distance / turn) : 0.0;
+        moved.places.push_back(place);
+        moved.rounding = std::max(moved.rounding, std::abs(distance - turns * turn));
+    }
+    return moved;
+}
+
 /// Nothing where the file lacks one of them. It may have more, such as the one that closes a table,
 /// and begin elsewhere on its circle.
 std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxis& to)
@@ -72,7 +102,7 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
         }
         const double rounding = std::abs(position - to.knots[place]);
         if (rounding > allowance)
-            return std::nullopt;
+            return movedKnots(from, to);
         written.areSame = written.areSame && place == written.places.size();
         written.places.push_back(place);
         written.rounding = std::max(written.rounding, rounding);
@@ -80,8 +110,8 @@ std::optional<WrittenKnots> writtenKnots(const SourceAxis& from, const SourceAxi
     return written;
 }
 
-/// Nothing for formats that arrange the points anew: the conversion's difference tells. roundings:
-/// of the positions of each axis.
+/// Nothing for formats that have other points: the conversion's difference tells. roundings: of the
+/// positions of each axis.
 std::optional<WrittenPoints> writtenPoints(
     const NeutralTable& prepared, const NeutralTable& held, std::vector<double>& roundings)
 {
@@ -465,6 +495,23 @@ Result<NeutralTable> Converter::prepare(NeutralTable table, TableConversion& con
     return result;
 }
 
+/// What a controller does beyond the ends of a table.
+TextPattern endWords(Outside outside)
+{
+    switch (outside) {
+    case Outside::Extrapolate:
+        return AXISCOMP_TEXT("Error", "goes on as in the last cell");
+    case Outside::Zero:
+        return AXISCOMP_TEXT("Error", "applies nothing");
+    case Outside::Wrap:
+        return AXISCOMP_TEXT("Error", "begins again at the other end");
+    case Outside::Hold:
+    case Outside::Error:
+        break;
+    }
+    return AXISCOMP_TEXT("Error", "holds the end values");
+}
+
 /// A controller that goes on beyond the ends, and another one that does not.
 void Converter::remarkOnEnds(const TableConversion& conversion) const
 {
@@ -472,12 +519,6 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
     const Outside to = m_request.to->facts.behaviour.outside;
     if (from == to || (from != Outside::Extrapolate && to != Outside::Extrapolate))
         return;
-    constexpr TextPattern held = AXISCOMP_TEXT("Error", "holds the end values");
-    constexpr TextPattern nothing = AXISCOMP_TEXT("Error", "applies nothing");
-    constexpr TextPattern goesOn = AXISCOMP_TEXT("Error", "goes on as in the last cell");
-    const auto words = [&](Outside outside) {
-        return outside == Outside::Extrapolate ? goesOn : outside == Outside::Zero ? nothing : held;
-    };
     for (const ColumnDifference& difference : conversion.difference.columns) {
         const CompensationColumn& column = conversion.source.columns[difference.columnA];
         if (difference.where.empty())
@@ -488,9 +529,9 @@ void Converter::remarkOnEnds(const TableConversion& conversion) const
                 "{after}: up to one cell beyond them, the corrections for {column} differ by at "
                 "most {largest}, at {place}")
                 .with("from", m_request.from->facts.name)
-                .with("before", words(from))
+                .with("before", endWords(from))
                 .with("to", m_request.to->facts.name)
-                .with("after", words(to))
+                .with("after", endWords(to))
                 .with("column", columnText(conversion.source, column))
                 .with("largest", quantityOf(difference.largest, column.unit))
                 .with("place", positionText(conversion.source, difference.where)));
@@ -569,6 +610,13 @@ Result<void> checkSigns(const ConversionRequest& request)
     return checkSignStated(request.to->facts, request.targetSign.has_value(), "--to-sign", {});
 }
 
+bool changesSign(const Conversion& conversion, const ConversionRequest& request)
+{
+    const SignConvention sign = request.targetSign.value_or(request.to->facts.sign);
+    return std::ranges::any_of(conversion.tables,
+        [sign](const TableConversion& table) { return table.source.sign != sign; });
+}
+
 } // namespace
 
 Result<Conversion> convertTables(
@@ -592,10 +640,15 @@ Result<Conversion> convertTables(
     AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
     AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
     conversion.written = std::move(written);
+    AXISCOMP_CHECK(checkAddedTables(
+        request.from->facts, request.to->facts, prepared, conversion.written.held));
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
         AXISCOMP_CHECK(converter.finish(
             tables[n], prepared[n], conversion.written.held[n], conversion.tables[n]));
+    if (request.to->facts.addsTables && changesSign(conversion, request))
+        for (const Text& remark : signRemarksOfAdded(prepared))
+            remarkOnce(conversion.remarks, remark);
     for (const Text& remark : conversion.written.remarks)
         remarkOnce(conversion.remarks, remark);
     return conversion;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_reader.h"
 
+#include "core/neutral/added_columns.h"
+
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace axiscomp {
@@ -107,37 +108,13 @@ void TextReading::error(std::string_view number, DiagnosticCode code, std::size_
 
 void warnOfAddedTables(std::span<const NeutralTable> tables, DiagnosticList& diagnostics)
 {
-    constexpr unsigned positive = 1;
-    constexpr unsigned negative = 2;
-    std::map<std::string, unsigned> directionsOf;
-    std::map<std::string, std::pair<std::string, Text>> firstOf; // of a target, its sources
-    std::set<std::string> named;
-    const auto warn = [&](const std::string& axes, std::vector<Text> columns) {
-        if (named.insert(axes).second)
-            diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
-                AXISCOMP_TEXT("Error", "several tables of {axes}").with("axes", std::move(columns)),
-                AXISCOMP_TEXT("Error",
-                    "their sum, since the controller adds them; a table that is converted "
-                    "alone is a part of it"));
-    };
-    for (const NeutralTable& table : tables)
-        for (const CompensationColumn& column : table.columns) {
-            std::string sources;
-            for (const SourceAxis& axis : table.axes)
-                sources += axis.name + '\n';
-            const unsigned directions = column.direction == Direction::Both ? positive | negative
-                : column.direction == Direction::Positive                   ? positive
-                                                                            : negative;
-            const Text text = columnText(table, column);
-            unsigned& before = directionsOf[sources + column.target];
-            if ((before & directions) != 0)
-                warn(sources + column.target, {text});
-            before |= directions;
-            const std::string target = targetName(table, column);
-            const auto first = firstOf.try_emplace(target, sources, text).first;
-            if (!target.empty() && first->second.first != sources)
-                warn(target, {first->second.second, text});
-        }
+    for (AddedColumns& added : addedColumns(tables))
+        diagnostics.warning(DiagnosticCode::Assumption, 0, 0,
+            AXISCOMP_TEXT("Error", "several tables of {axes}")
+                .with("axes", std::move(added.columns)),
+            AXISCOMP_TEXT("Error",
+                "their sum, since the controller adds them; a table that is converted "
+                "alone is a part of it"));
 }
 
 void warnOfSwitchedOff(const Token& statement, DiagnosticList& diagnostics)

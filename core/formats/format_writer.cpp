@@ -79,6 +79,19 @@ Result<std::int64_t> axisNumber(const FormatFacts& facts, const SettingValues& s
         {{"reason", std::move(reason).with("format", facts.name).with("key", key)}});
 }
 
+Result<void> checkTwoSources(
+    std::string_view first, std::string_view second, std::span<const std::string_view> keys)
+{
+    if (first != second)
+        return {};
+    return fail(ErrorCode::InvalidArgument,
+        {{"reason",
+            AXISCOMP_TEXT("Error", "both sources are axis {axis}: {key} and {other}")
+                .with("axis", first)
+                .with("key", keys[0])
+                .with("other", keys[1])}});
+}
+
 bool isClosed(const NeutralTable& table, std::size_t axis)
 {
     return largestGap(table, axis) == 0.0;

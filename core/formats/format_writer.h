@@ -21,6 +21,11 @@ namespace axiscomp {
 [[nodiscard]] Result<std::int64_t> axisNumber(const FormatFacts& facts,
     const SettingValues& settings, std::string_view key, const std::string& name);
 
+/// That the sources of a table are two axes: of one it would be looked up on its diagonal alone.
+/// keys: of the settings that say them. Errors: InvalidArgument.
+[[nodiscard]] Result<void> checkTwoSources(
+    std::string_view first, std::string_view second, std::span<const std::string_view> keys);
+
 /// Whether the values at both ends of an axis are the same, column by column.
 [[nodiscard]] bool isClosed(const NeutralTable& table, std::size_t axis);
 /// What a modulo axis must be where the format takes the first and the last position for the same

@@ -60,6 +60,7 @@ struct FormatFacts {
     std::size_t mostPoints = 0; ///< of one table; 0: no limit is known
     std::size_t mostColumns = 1; ///< of one table; 0: no limit. A pair of directions is one
     std::size_t mostTables = 1; ///< of one file; 0: no limit
+    bool addsTables = false; ///< of one axis, on the controller; otherwise one of them counts
     std::size_t mostBytes = 64U << 20U; ///< of a file
     bool holdsNames = false; ///< of axes
     bool holdsUnits = false;

@@ -15,7 +15,8 @@ namespace axiscomp {
 /// What a controller makes of a table: the same numbers mean different corrections.
 struct TableBehaviour {
     /// Hold, Zero or Extrapolate: dimension by dimension the first and the last cell go on. An axis
-    /// with a wrap period wraps first, and is held where it has no knots.
+    /// with a wrap period wraps first, and is held where it has no knots. Wrap: each axis of a
+    /// table of this controller has one; one without is held.
     Outside outside = Outside::Hold;
     bool startsAtFirst = false; ///< nothing until every source has reached its first value
     bool usesFloat = false; ///< values are float32 in the controller

@@ -39,6 +39,7 @@ std::string limitsText(const FormatFacts& facts)
     else
         text += ", several columns";
     text += facts.mostTables == 1 ? ", one table in a file" : ", several tables in a file";
+    text += facts.addsTables ? "; tables for one axis are added" : "";
     return text;
 }
 
@@ -159,6 +160,8 @@ std::string outsideWords(const FormatFacts& facts)
         text = "no correction outside of the table";
     if (facts.behaviour.outside == Outside::Extrapolate)
         text = "outside of the table the first and the last cell go on, in each dimension";
+    if (facts.behaviour.outside == Outside::Wrap)
+        text = "outside of the table the position rolls over to its other end";
     if (facts.behaviour.startsAtFirst)
         text += "; nothing before every source has reached its first value";
     return text;

@@ -244,11 +244,7 @@ Result<NeutralTable> numbered(NeutralTable table, const SettingValues& given)
         AXISCOMP_TRY(sources[n], acs::numberFromZero(facts, given, sourceKeys[n]));
         table.axes[n].name = std::to_string(sources[n]);
     }
-    if (sources[0] == sources[1])
-        return refuse(AXISCOMP_TEXT("Error", "both sources are axis {axis}: {key} and {other}")
-                          .with("axis", sources[0])
-                          .with("key", sourceKeys[0])
-                          .with("other", sourceKeys[1]));
+    AXISCOMP_CHECK(checkTwoSources(table.axes[0].name, table.axes[1].name, sourceKeys));
     std::int64_t target = own ? sources[*own] : 0;
     if (given.has(targetKey)) {
         AXISCOMP_TRY(target, acs::numberFromZero(facts, given, targetKey));

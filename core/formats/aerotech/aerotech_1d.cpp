@@ -5,7 +5,6 @@
 #include "core/text/text_file.h"
 
 #include <algorithm>
-#include <set>
 
 namespace axiscomp::aerotech_1d {
 
@@ -140,19 +139,11 @@ Result<WrittenTables> write(std::span<const NeutralTable> tables, const TableWri
     AXISCOMP_TRY(const auto given, SettingValues::of(format.facts, options.settings, true));
     WrittenTables written;
     std::vector<NeutralTable> prepared;
-    std::set<std::int64_t> axes;
     for (const NeutralTable& source : tables) {
         AXISCOMP_CHECK(checkOwnAxis(
             format.facts, source, AXISCOMP_TEXT("Error", "choose a table of an axis for itself")));
         AXISCOMP_TRY(
             const auto axis, axisNumber(format.facts, given, "axis", source.axes.front().name));
-        if (!axes.insert(axis).second)
-            return cannotHold(format.facts,
-                AXISCOMP_TEXT("Error",
-                    "there are two tables for axis {axis}, and the controller adds their "
-                    "corrections")
-                    .with("axis", axis),
-                AXISCOMP_TEXT("Error", "choose one of them"));
         AXISCOMP_TRY(auto table, aerotech::inFileUnits(source, given, written.remarks));
         table.axes[0].name = std::to_string(axis);
         table.columns[0].target = table.axes[0].name;
@@ -178,6 +169,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = 0,
+            .addsTables = true,
             .holdsUnits = true,
             .holdsNotes = true,
             .numbers = "decimal text",

@@ -252,6 +252,7 @@ Result<NeutralTable> numbered(const NeutralTable& source, const SettingValues& g
         AXISCOMP_TRY(const auto axis, axisNumber(facts, given, sourceKeys[n], source.axes[n].name));
         table.axes[n].name = std::to_string(axis);
     }
+    AXISCOMP_CHECK(checkTwoSources(table.axes[0].name, table.axes[1].name, sourceKeys));
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         // A target that is one of the sources has the number of that source.
         const auto own = ownAxis(source, source.columns[n]);
@@ -328,6 +329,7 @@ const TableFormat& format()
             .knots = KnotRule::Even,
             .mostColumns = mostOutputs,
             .mostTables = 0,
+            .addsTables = true,
             .holdsUnits = true,
             .holdsNotes = true,
             .numbers = "decimal text",

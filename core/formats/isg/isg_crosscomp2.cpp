@@ -32,11 +32,12 @@ constexpr FormatSetting moduloSetting(std::string_view key, TextPattern meaning)
         .standard = "no",
         .forReading = true};
 }
+constexpr std::array<std::string_view, 2> masterKeys{"master1-axis", "master2-axis"};
 constexpr std::array settings{isg::listUnit, isg::incrementsPerUnit, isg::decimals,
     isg::axisSetting,
-    masterSetting("master1-axis",
+    masterSetting(masterKeys[0],
         AXISCOMP_TEXT("Error", "logical number of master axis 1, for master1_ax_nr")),
-    masterSetting("master2-axis",
+    masterSetting(masterKeys[1],
         AXISCOMP_TEXT("Error", "logical number of master axis 2, for master2_ax_nr")),
     masterSetting("n-cycles",
         AXISCOMP_TEXT("Error", "cycles over which switching is smoothed, for n_cycles")),
@@ -170,6 +171,10 @@ std::optional<NeutralTable> build(const isg::List& list, const SettingValues& se
     auto master2 = masterOf(list, *scale, settingValues, '2', (*distances)[1]);
     if (!master1 || !master2)
         return std::nullopt;
+    if (master1->axis.name == master2->axis.name)
+        list.diagnostics().error(DiagnosticCode::Contradiction, list.line("master2_ax_nr"), 0,
+            Verbatim{list.path("master2_ax_nr") + ' ' + master2->axis.name},
+            AXISCOMP_TEXT("Error", "another axis than that of the first source"));
     if (!list.checkMostPoints(master1->size * master2->size, mostPoints))
         return std::nullopt;
     const auto corrections = list.field("correction", {master2->size, master1->size});
@@ -267,10 +272,11 @@ Result<isg::Draft> draftOf(const NeutralTable& source, const SettingValues& give
     std::int64_t axis, std::vector<Text>& remarks)
 {
     const FormatFacts& facts = isg_crosscomp2::format().facts;
-    const auto master1 = axisNumber(facts, given, "master1-axis", source.axes[0].name);
-    const auto master2 = axisNumber(facts, given, "master2-axis", source.axes[1].name);
+    const auto master1 = axisNumber(facts, given, masterKeys[0], source.axes[0].name);
+    const auto master2 = axisNumber(facts, given, masterKeys[1], source.axes[1].name);
     if (!master1 || !master2)
         return fail(master1 ? master2.error() : master1.error());
+    AXISCOMP_CHECK(checkTwoSources(std::to_string(*master1), std::to_string(*master2), masterKeys));
     auto draft = isg::beginDraft(section, source, given, axis, remarks);
     if (!draft)
         return fail(draft.error());

@@ -261,6 +261,7 @@ std::vector<NeutralTable> parse(TextReading& reading)
                 .with("section", Verbatim{std::string(sectionName)})
                 .with("list", lists[0].values)
                 .with("list2", lists[1].values));
+    warnOfAddedTables(tables, reading.diagnostics);
     return tables;
 }
 
@@ -308,6 +309,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = lists.size(),
+            .addsTables = true,
             .holdsNames = true,
             .holdsUnits = true,
             .numbers = "decimal text",

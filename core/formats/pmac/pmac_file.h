@@ -50,8 +50,11 @@ void takeMotorUnits(NeutralTable& table, std::span<const std::string_view> sourc
 [[nodiscard]] Result<void> checkCounted(const FormatFacts& facts, const NeutralTable& table,
     std::span<const std::string_view> sourceKeys, const SettingValues& settings);
 
-inline constexpr std::array<std::string_view, 4> assumptions{
+inline constexpr std::array<std::string_view, 5> assumptions{
     "The correction is added to the commanded position; the documentation gives no sign.",
+    "The corrections of several tables for one motor are added. Each table belongs to a motor, the "
+    "one that is addressed in front of it; a second table of the same takes the place of the "
+    "first.",
     "An entry has 24 bits.",
     "A table that does not close is written with one more interval that leads back to its first "
     "value; negative positions are written behind the positive ones.",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace axiscomp::pmac {
 
@@ -73,6 +74,7 @@ Token takeAddress(Token line, std::string& addressed)
 struct Definition {
     Token place;
     std::string owner; ///< the motor that was addressed
+    bool isGone = false; ///< deleted, or replaced by another table of its owner, further on
     std::array<std::size_t, 2> sizes{1, 0}; ///< intervals along the first and second source
     std::array<std::int64_t, 2> spans{}; ///< in counts
     std::array<std::string, 2> sources;
@@ -139,6 +141,8 @@ public:
 private:
     void begin(const Token& line, const Token& arguments);
     [[nodiscard]] bool readArguments(Definition& definition, std::vector<Token> cells);
+    /// Whether there was one.
+    bool dropTableOf(const std::string& owner);
     void takeEntries(const Token& line);
     void checkSwitchedOff(const Token& line);
     void takeCommand(const Token& line);
@@ -149,6 +153,7 @@ private:
     std::string m_addressed;
     Token m_switchedOff; ///< "I51=0", unless it is switched on behind it
     std::vector<Definition> m_definitions;
+    std::map<std::string, std::size_t> m_owned; ///< of each motor, the definition that is its own
     std::vector<Token> m_tokens;
     std::vector<std::string> m_notes;
     bool m_isOpen = false; ///< entries belong to the last definition
@@ -191,6 +196,12 @@ bool Reader::readArguments(Definition& definition, std::vector<Token> cells)
     motors.resize(std::max(motors.size(), m_dimensions + 1), m_addressed);
     for (std::size_t n = 0; n < m_dimensions; ++n)
         definition.sources[n] = motors[n];
+    if (m_dimensions == 2 && motors[0] == motors[1]) {
+        diagnostics.error(DiagnosticCode::Contradiction, definition.place.line,
+            definition.place.column, quoted(definition.place.text),
+            AXISCOMP_TEXT("Error", "another axis than that of the first source"));
+        return false;
+    }
     definition.target = motors[m_dimensions];
     definition.owner = m_addressed.empty() ? definition.target : m_addressed;
     return true;
@@ -224,6 +235,11 @@ void Reader::begin(const Token& line, const Token& arguments)
     definition.sizes = {*columns, *rows};
     definition.entryCount = (*columns + 1) * (*rows + 1) - 1;
     definition.notes = std::exchange(m_notes, {});
+    if (dropTableOf(definition.owner))
+        diagnostics.warning(DiagnosticCode::Assumption, line.line, line.column,
+            AXISCOMP_TEXT("Error", "a second table that belongs to the same motor"),
+            AXISCOMP_TEXT("Error", "one for each motor; the last one counts"));
+    m_owned[definition.owner] = m_definitions.size();
     m_definitions.push_back(std::move(definition));
     m_isOpen = true;
 }
@@ -267,6 +283,16 @@ void Reader::takeEntries(const Token& line)
     }
 }
 
+bool Reader::dropTableOf(const std::string& owner)
+{
+    const auto owned = m_owned.find(owner);
+    if (owned == m_owned.end())
+        return false;
+    m_definitions[owned->second].isGone = true;
+    m_owned.erase(owned);
+    return true;
+}
+
 /// "I51=0" and "DELETE COMP" behind the table.
 void Reader::checkSwitchedOff(const Token& line)
 {
@@ -275,9 +301,7 @@ void Reader::checkSwitchedOff(const Token& line)
     auto deleted = behindWord(line, "DELETE");
     if (!deleted)
         deleted = behindWord(line, "DEL");
-    const bool isOwned = deleted && behindWord(*deleted, "COMP")
-        && std::ranges::find(m_definitions, m_addressed, &Definition::owner) != m_definitions.end();
-    if (isOwned)
+    if (deleted && behindWord(*deleted, "COMP") && dropTableOf(m_addressed))
         warnOfSwitchedOff(line, m_reading.diagnostics);
 }
 
@@ -376,6 +400,21 @@ NeutralTable tableOf(Definition& definition, const TextReading& reading, std::si
     return table;
 }
 
+void warnOfSeveral(
+    const std::vector<Definition>& definitions, std::size_t dimensions, DiagnosticList& diagnostics)
+{
+    std::vector<NeutralTable> names;
+    for (const Definition& definition : definitions) {
+        if (definition.isGone)
+            continue;
+        NeutralTable& table = names.emplace_back();
+        for (std::size_t n = 0; n < dimensions; ++n)
+            table.axes.emplace_back().name = definition.sources[n];
+        table.columns.emplace_back().target = definition.target;
+    }
+    warnOfAddedTables(names, diagnostics);
+}
+
 } // namespace
 
 std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimensions)
@@ -384,6 +423,7 @@ std::vector<NeutralTable> readTables(TextReading& reading, std::size_t dimension
     std::vector<Definition> definitions = Reader(reading, dimensions).read();
     if (reading.diagnostics.hasErrors())
         return {};
+    warnOfSeveral(definitions, dimensions, reading.diagnostics);
     for (Definition& definition : definitions)
         tables.push_back(tableOf(definition, reading, dimensions));
     return tables;

@@ -127,6 +127,8 @@ Result<std::vector<std::string>> motorsOf(const FormatFacts& facts, const Keys& 
     };
     for (std::size_t n = 0; n < table.axes.size(); ++n)
         AXISCOMP_CHECK(add(keys.motors[n], table.axes[n].name));
+    if (motors.size() == 2)
+        AXISCOMP_CHECK(checkTwoSources(motors[0], motors[1], keys.motors));
     const auto own = ownAxis(table, table.columns[0]);
     const std::string target = own ? motors[*own] : targetName(table, table.columns[0]);
     AXISCOMP_CHECK(add("target-motor", target));

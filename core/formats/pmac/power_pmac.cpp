@@ -48,9 +48,10 @@ constexpr std::array<std::string_view, 6> rules{
     "number.",
     "Positions and values are in motor units.",
 };
-constexpr std::array<std::string_view, 5> assumptions{
+constexpr std::array<std::string_view, 6> assumptions{
     "The values are added to the position of the feedback, only because both feedback loops of the "
     "motor get them; nobody has published the sign.",
+    "The values of several tables for one motor are added.",
     "Outside of the span the value at that end is held; between the values it is linear.",
     "Sf[0] multiplies the values: 1 is written, and another one is read with a warning.",
     "Ctrl = 7 and OutCtrl = 0 are what the library that was read writes; their bits were not "
@@ -447,6 +448,7 @@ std::vector<NeutralTable> Reader::read()
     const auto inUse = countOfTablesInUse(m_inUse.text);
     if (inUse && !m_definitions.empty() && m_definitions.rbegin()->first >= *inUse)
         warnOfSwitchedOff(m_inUse, m_diagnostics);
+    std::size_t used = 0;
     for (const auto& [number, definition] : m_definitions) {
         auto one = table(number, definition);
         if (!one)
@@ -454,7 +456,9 @@ std::vector<NeutralTable> Reader::read()
         pmac::takeMotorUnits(*one, std::span(&sourceCountsKey, 1), m_reading, definition.line,
             AXISCOMP_TEXT("Error", "a table in motor units"));
         tables.push_back(*std::move(one));
+        used += number < inUse.value_or(mostNumber + 1) ? 1 : 0;
     }
+    warnOfAddedTables(std::span(tables).first(used), m_diagnostics);
     return tables;
 }
 
@@ -582,6 +586,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostPoints = mostValues,
+            .addsTables = true,
             .numbers = "decimal text",
             .sign = SignConvention::Feedback,
             .signEvidence = Evidence::Assumed,

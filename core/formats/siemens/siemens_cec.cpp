@@ -285,7 +285,8 @@ void add(std::vector<NeutralTable>& tables, NeutralTable table)
     tables.push_back(std::move(table));
 }
 
-std::vector<NeutralTable> parse(TextReading& reading)
+/// With a table of one direction each by itself.
+std::vector<NeutralTable> parseApart(TextReading& reading)
 {
     Collector collector(reading.diagnostics);
     std::vector<std::string> notes;
@@ -300,11 +301,24 @@ std::vector<NeutralTable> parse(TextReading& reading)
     std::vector<NeutralTable> tables;
     for (const auto& [index, entry] : collector.entries())
         if (auto table = tableOf(entry, reading))
-            add(tables, std::move(*table));
+            tables.push_back(std::move(*table));
     if (!tables.empty())
         tables.front().notes = std::move(notes);
+    return tables;
+}
+
+std::vector<NeutralTable> parse(TextReading& reading)
+{
+    std::vector<NeutralTable> tables;
+    for (NeutralTable& table : parseApart(reading))
+        add(tables, std::move(table));
     warnOfAddedTables(tables, reading.diagnostics);
     return tables;
+}
+
+Result<TableReading> readApart(std::string_view text, const TableReadOptions& options)
+{
+    return readText(siemens_cec::format().facts, text, options, parseApart);
 }
 
 Result<TableReading> read(std::string_view text, const TableReadOptions& options)
@@ -354,6 +368,7 @@ public:
 private:
     const SettingValues& m_given;
     std::int64_t m_index = 0;
+    std::vector<std::size_t> m_columns; ///< of each table
     WrittenTables m_written{.bytes = "CHANDATA(1)\n", .held = {}, .remarks = {}};
     std::string m_rotary;
 };
@@ -376,6 +391,7 @@ Result<void> Writer::add(const NeutralTable& source)
     if (table.columns[0].unit == "deg")
         m_rotary += *output + ',';
     m_written.bytes += noteLines(table, "; ");
+    m_columns.push_back(table.columns.size());
     for (const CompensationColumn& column : table.columns) {
         if (m_index < 0 || m_index >= mostTables)
             return cannotHold(facts,
@@ -400,8 +416,18 @@ Result<WrittenTables> Writer::finish()
     FormatSettings reading;
     if (!m_rotary.empty())
         reading["rotary-axes"] = m_rotary;
-    AXISCOMP_TRY(auto held, readBack(siemens_cec::format(), m_written.bytes, std::move(reading)));
-    m_written.held = std::move(held);
+    // Two tables of different directions are not one because a reader would take them for it.
+    TableFormat format = siemens_cec::format();
+    format.read = readApart;
+    AXISCOMP_TRY(auto apart, readBack(format, m_written.bytes, std::move(reading)));
+    std::size_t next = 0;
+    for (const std::size_t columns : m_columns) {
+        NeutralTable& table = m_written.held.emplace_back(std::move(apart[next++]));
+        for (std::size_t n = 1; n < columns; ++n, ++next) {
+            table.name += ", " + apart[next].name;
+            table.columns.push_back(std::move(apart[next].columns.front()));
+        }
+    }
     return std::move(m_written);
 }
 
@@ -426,6 +452,7 @@ const TableFormat& format()
             .extensions = extensions,
             .knots = KnotRule::Even,
             .mostTables = 0,
+            .addsTables = true,
             .holdsNames = true,
             .holdsUnits = true,
             .holdsNotes = true,

@@ -90,6 +90,27 @@ private Q_SLOTS:
         QVERIFY2(run.out.contains("compared at"), run.out.constData());
     }
 
+    void profilesOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
+    {
+        const Sandbox box;
+        const QByteArray mesh =
+            "version = 1\npoints =\n  0.1, 0.2\n  0.3, 0.4\nx_count = 2\ny_count = 2\n"
+            "min_x = 0\nmax_x = 100\nmin_y = 0\nmax_y = 100\n";
+        box.file("mesh.cfg", "[bed_mesh default]\n" + mesh + "[bed_mesh hot]\n" + mesh);
+        const QStringList words{"convert", "mesh.cfg", "mesh.cal", "--to", "aerotech-2d",
+            "--set-out", "column-axis=1", "--set-out", "row-axis=2", "--set-out",
+            "output-axis-1=3"};
+        const ProgramRun refused = box.run(words);
+        VERIFY_CODE(refused, 2);
+        QVERIFY2(refused.err.contains("there are two tables for axis 3, and the controller adds "
+                                      "their corrections; choose one of them"),
+            refused.err.constData());
+        QVERIFY(!QFile::exists(box.path("mesh.cal")));
+        VERIFY_CODE(box.run(words + QStringList{"--table", "hot"}), 0);
+        QVERIFY2(
+            box.content("mesh.cal").count(":START2D") == 3, box.content("mesh.cal").constData());
+    }
+
     void aDoubtfulFileIsRefusedUntilSomebodySaysWhatItIs_data()
     {
         QTest::addColumn<QString>("name");
@@ -775,6 +796,22 @@ private Q_SLOTS:
         VERIFY_CODE(run, 0);
         QVERIFY2(run.out.contains("the first source fastest"), run.out.constData());
         QVERIFY2(run.out.contains("Assumptions"), run.out.constData());
+    }
+
+    /// What is looked up outside of a table is what is said of its controller.
+    void aFormatWhoseTablesRollOverSaysSo()
+    {
+        const Sandbox box;
+        box.file("x.pmc", "#1\nDEFINE COMP 4,#1D,#1,4000\n160 -80 32 0\n");
+        const ProgramRun run = box.run({"lookup", "x.pmc", "--sign", "command", "--", "-1000"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.out.trimmed(), QByteArray("2"));
+        for (const char* name : {"pmac-1d", "pmac-2d"}) {
+            const ProgramRun facts = box.run({"formats", name, "--json"});
+            QCOMPARE(facts.json().value("outside").toString(),
+                QStringLiteral("outside of the table the position rolls over to its other end"));
+            QCOMPARE(facts.json().value("outsideEvidence").toString(), QStringLiteral("published"));
+        }
     }
 
     void completionKnowsEveryFormat()

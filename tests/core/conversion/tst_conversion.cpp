@@ -797,6 +797,100 @@ private Q_SLOTS:
         QVERIFY(sentence(conversion.error()).find("mean") != std::string::npos);
     }
 
+    /// Of profiles, measuring systems or maps of a program; together they would move the axis by
+    /// their sum.
+    void tablesOfWhichOneCountsAreNotWrittenWhereTheyAreAdded_data()
+    {
+        QTest::addColumn<int>("index");
+        const auto formats = tableFormats();
+        for (int i = 0; i < static_cast<int>(formats.size()); ++i) {
+            const TableFormat& format = *formats[static_cast<std::size_t>(i)];
+            if (format.facts.addsTables && format.write && format.facts.mostTables != 1)
+                QTest::newRow(std::string(format.facts.name).c_str()) << i;
+        }
+    }
+    void tablesOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
+    {
+        QFETCH(const int, index);
+        const TableFormat& format = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable table =
+            exampleTable(format.facts.fewestDimensions, calibration_csv::format().facts.sign);
+        nameAxes(table, format);
+        std::vector tables{table, table};
+        const ConversionRequest request = requestFor(calibration_csv::format(), format);
+        const auto refused = convertTables(tables, request);
+        VERIFY_ERROR(refused, ErrorCode::FormatCannotHold);
+        QVERIFY2(test::mentions(sentence(refused.error()), "two tables for axis"),
+            sentence(refused.error()).c_str());
+        QVERIFY(test::mentions(sentence(refused.error()), "choose one of them"));
+        VERIFY_RESULT(convertTables(std::span(tables).first(1), request));
+
+        for (NeutralTable& added : tables)
+            added.sign = format.facts.sign;
+        const auto copied = convertTables(tables, requestFor(format, format));
+        VERIFY_RESULT(copied);
+        QCOMPARE(copied->written.held.size(), std::size_t{2});
+        QVERIFY(!contains(copied->remarks, "as if it were alone"));
+    }
+
+    void columnsOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
+    {
+        NeutralTable table = tableThatMovesBoth(false);
+        const ConversionRequest request =
+            requestFor(calibration_csv::format(), aerotech_2d::format());
+        VERIFY_RESULT(convertTables(std::span(&table, 1), request));
+        table.columns[1].target = "1";
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::FormatCannotHold);
+
+        NeutralTable pair = exampleTable(1, SignConvention::Feedback);
+        pair.columns.push_back(pair.columns[0]);
+        pair.columns[0].direction = Direction::Positive;
+        pair.columns[1].direction = Direction::Negative;
+        VERIFY_RESULT(convertTables(
+            std::span(&pair, 1), requestFor(calibration_csv::format(), siemens_cec::format())));
+    }
+
+    /// The columns of zeros beside them, which the format adds, are for the same axis.
+    void tablesForDifferentAxesAreWrittenTogether()
+    {
+        NeutralTable first = exampleTable(2, SignConvention::Feedback);
+        nameAxes(first, aerotech_2d::format());
+        NeutralTable second = first;
+        first.columns[0].target = "3";
+        second.columns[0].target = "4";
+        VERIFY_RESULT(convertTables(std::array{first, second},
+            requestFor(calibration_csv::format(), aerotech_2d::format())));
+    }
+
+    /// One number for all axes is a statement about a file of one.
+    void aSettingDoesNotAddTheTablesOfDifferentAxes()
+    {
+        NeutralTable first = exampleTable(1, SignConvention::Command);
+        nameAxes(first, aerotech_1d::format());
+        NeutralTable second = first;
+        second.axes[0].name = second.columns[0].target = "2";
+        ConversionRequest request = requestFor(aerotech_1d::format(), aerotech_1d::format());
+        VERIFY_RESULT(convertTables(std::array{first, second}, request));
+        request.writing.settings["axis"] = "3";
+        VERIFY_ERROR(
+            convertTables(std::array{first, second}, request), ErrorCode::FormatCannotHold);
+        VERIFY_RESULT(convertTables(std::array{first, first}, request));
+    }
+
+    /// Each moves the place where the other one is looked up.
+    void aSignOfAddedTablesIsSaidToBeConvertedOneByOne()
+    {
+        NeutralTable table = exampleTable(1, SignConvention::Command);
+        nameAxes(table, aerotech_1d::format());
+        ConversionRequest request = requestFor(aerotech_1d::format(), siemens_cec::format());
+        request.writing.settings = {{"input-axis", "X1"}, {"output-axis", "X1"}};
+        request.targetSign = SignConvention::Feedback;
+        const auto converted = convertTables(std::array{table, table}, request);
+        VERIFY_RESULT(converted);
+        QVERIFY2(contains(converted->remarks, "the controller adds the tables for 1: the sign"),
+            test::joined(converted->remarks).c_str());
+    }
+
     void aTableWithoutValuesIsRefusedBeforeAnythingIsMadeOfIt()
     {
         NeutralTable table = exampleTable(1, SignConvention::Feedback);
@@ -1037,6 +1131,12 @@ private Q_SLOTS:
             std::vector{table}, requestFor(softmc::format(), calibration_csv::format()));
         VERIFY_RESULT(other);
         QVERIFY(!contains(other->remarks, "beyond the ends"));
+        table.columns[0].target = "3";
+        const auto rolling =
+            convertTables(std::vector{table}, requestFor(kmotion_geo::format(), pmac_2d::format()));
+        VERIFY_RESULT(rolling);
+        QVERIFY2(contains(rolling->remarks, "and that of pmac-2d begins again at the other end"),
+            test::joined(rolling->remarks).c_str());
     }
 
     void aDriveGetsValuesInTheUnitOfThePositions()
@@ -1075,6 +1175,58 @@ private Q_SLOTS:
         const double rounding = conversion->tables.front().valueRounding.front();
         QVERIFY2(rounding > 0.0 && rounding <= 0.5e-4, qPrintable(QString::number(rounding)));
         QVERIFY(contains(conversionReport(*conversion, request), "rounded"));
+    }
+
+    /// A PMAC has whole counts for the length of a table alone, so that each of its positions lies
+    /// further off than the one before.
+    void whatAFileDoesToPositionsThatItMovesIsReported_data()
+    {
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("rounding");
+        QTest::newRow("from 0") << 0.0 << 0.6; // at 76.5 mm, in place of 75.9
+        QTest::newRow("behind the positive positions") << -50.6 << 0.4;
+    }
+    void whatAFileDoesToPositionsThatItMovesIsReported()
+    {
+        QFETCH(const double, first);
+        QFETCH(const double, rounding);
+        NeutralTable table =
+            test::tableOf(SignConvention::Feedback, {test::evenAxis("1", "mm", first, 25.3, 4)},
+                {test::columnOf("1", "mm", {0, 0.03001, 0, 0.02})});
+        table.columns[0].filled = {3};
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_1d::format());
+        request.targetSign = SignConvention::Feedback;
+        request.writing.settings = {{"counts-per-unit", "1000"}, {"source-counts-per-unit", "0.5"}};
+        const auto moved = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(moved);
+        const TableConversion& conversion = moved->tables[0];
+        QCOMPARE(conversion.positionRounding.size(), std::size_t{1});
+        QVERIFY(std::abs(conversion.positionRounding[0] - rounding) < 1e-9);
+        QCOMPARE(conversion.valueRounding.size(), std::size_t{1});
+        QVERIFY(std::abs(conversion.valueRounding[0] - 1e-5) < 1e-12);
+        const CompensationColumn& held = conversion.result.columns[0];
+        QCOMPARE(held.filled.size(), std::size_t{1});
+        QVERIFY(std::abs(held.values[held.filled[0]] - 0.02) < 1e-12);
+        const auto lines = conversionReport(*moved, request);
+        QVERIFY2(contains(lines, "the positions of the file are rounded by up to 0."),
+            test::joined(lines).c_str());
+        QVERIFY(contains(lines, "the values of the file are rounded by up to 1e-05 mm"));
+    }
+
+    void aTableOfWhichNothingIsLeftIsReported()
+    {
+        NeutralTable table = test::tableOf(SignConvention::Feedback,
+            {test::evenAxis("1", "mm", 0, 10, 2), test::evenAxis("2", "mm", 0, 10, 2)},
+            {test::columnOf("3", "mm", {0, 0.001, 0.002, 0.003})});
+        ConversionRequest request = requestFor(calibration_csv::format(), pmac_2d::format());
+        request.writing.settings = {{"counts-per-unit", "3"}, {"source-counts-per-unit", "3.3333"}};
+        const auto lost = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(lost);
+        const auto lines = conversionReport(*lost, request);
+        QVERIFY2(contains(lines, "the values of the file are rounded by up to 0.003 mm"),
+            test::joined(lines).c_str());
+        QVERIFY2(contains(lines, "the positions of the file are rounded by up to 0.0501 mm"),
+            test::joined(lines).c_str());
     }
 
     /// A distance that the positions do not give back to the last bit is what the file states.

@@ -91,13 +91,13 @@ void describe(test::FormatSample& sample)
         .containing({"POSUNIT=PRIMARY CORUNIT=PRIMARY"})
         .becoming(test::commandTable({axis}, {test::waveColumn("1", "um", 3, 10)}))
         .within(1e-10);
+    sample.writes("what the controller adds", {ownTable("1"), ownTable("1")}).within(0, 1e-12);
     sample.writes("an axis that is no number", {ownTable("X")})
         .with({{"axis", "2"}})
         .becoming(ownTable("2"))
         .within(0, 1e-12);
     sample.refuses("an axis that is no number", {ownTable("X")}, ErrorCode::InvalidArgument,
         "the setting axis");
-    sample.refuses("one axis twice", {ownTable("1"), ownTable("1")}, ErrorCode::FormatCannotHold);
     sample.refuses("another axis",
         {changed(ownTable("1"), [](NeutralTable& table) { table.columns[0].target = "2"; })},
         ErrorCode::FormatCannotHold);

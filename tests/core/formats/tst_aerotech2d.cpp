@@ -88,6 +88,8 @@ void describe(test::FormatSample& sample)
         table.columns[1].target = "Z";
     });
     sample.refuses("axes that are no numbers", {named}, ErrorCode::InvalidArgument, "column-axis");
+    sample.refuses("one axis as both sources", {plane(2)}, ErrorCode::InvalidArgument,
+        "both sources are axis 1: column-axis and row-axis", FormatSettings{{"row-axis", "1"}});
     sample.writes("axes that are no numbers", {named})
         .with({{"column-axis", "5"}, {"row-axis", "6"}, {"output-axis-2", "7"}})
         .containing({":START2D 6 5 5 7 "})

@@ -66,7 +66,14 @@ void describe(test::FormatSample& sample)
             {test::waveColumn("3", "mm", 120, 0.02)})},
         ErrorCode::FormatCannotHold, "0.0001 mm");
 
+    sample.refuses("one axis as both masters", {planeTable()}, ErrorCode::InvalidArgument,
+        "both sources are axis 1: master1-axis and master2-axis",
+        FormatSettings{{"master2-axis", "1"}});
+
     const auto row = sample.problemRow();
+    row("one axis as both masters", with("master2_ax_nr 2", "master2_ax_nr 1"),
+        "9:0 Contradiction kw.crosscomp2.master2_ax_nr 1|another axis than that of the first "
+        "source");
     row("no distance", with("kw.crosscomp2.interval 50000\n", ""),
         "0:0 Syntax |the entry kw.crosscomp2.interval");
     row("distance 0", with("interval 50000", "interval 0"),

@@ -78,6 +78,16 @@ void describe(test::FormatSample& sample)
     sample.warning("a table that is deleted behind its definition", file + "#1 DELETE COMP\n",
         {"10:4 Assumption \"DELETE COMP\", which switches a table of the file off"});
     sample.warning("the table of another motor is deleted", file + "#2 DELETE COMP\n", {});
+    const std::string another = "#5\nDEFINE COMP 2,#5D,#2,4000\n16 0\n";
+    sample.warning("two tables for one motor, which the controller adds", file + another,
+        {"0:0 Assumption several tables of 1 to 2, 5 to 2|their sum, since the controller adds"});
+    sample.warning("one of them is deleted", file + another + "#5 DELETE COMP\n",
+        {"13:4 Assumption \"DELETE COMP\", which switches a table of the file off"});
+    sample.warning(
+        "tables for different motors", file + "#5\nDEFINE COMP 2,#1D,#5,4000\n16 0\n", {});
+    sample.warning("two tables that belong to one motor",
+        file + "DEFINE COMP 2,#5D,#2,4000\n16 0\n",
+        {"10:1 Assumption a second table that belongs to the same motor|one for each motor"});
     const std::string others = "M145=1\nDEFINE BLCOMP 2,100\n1 2\n" + file;
     sample.warning("other commands", others, {"1:1 UnknownKey", "2:1 UnknownKey"});
     sample.applies({{{0.5}, 0.005}}, others);

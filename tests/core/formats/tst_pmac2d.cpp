@@ -45,6 +45,9 @@ void describe(test::FormatSample& sample)
     sample.spareBytes = 1;
     sample.applies({{{0, 0}, 0.0}, {{1, 0}, 0.001}, {{0, 2}, 0.003}, {{2, 2}, 0.005},
         {{1, 1}, 0.0025}, {{4, 5}, 0.0025}, {{-2, -2}, 0.004}});
+    sample.warning("two tables for one motor, which the controller adds",
+        file + "#4\nDEFINE COMP 1.1,#1D,#4D,#3,3000,4000\n0 0 0\n",
+        {"0:0 Assumption several tables of 1, 2 to 3, 1, 4 to 3|their sum, since"});
     sample.recognises(Recognition::Certain, {file});
     sample.recognises(Recognition::No, {"DEFINE COMP 4,#1,#2,10\n"});
     sample.recognises(Recognition::Possible, {file + "DEFINE COMP 4,#1,#2,10\n"});
@@ -62,6 +65,9 @@ void describe(test::FormatSample& sample)
     NeutralTable zero = plane();
     zero.columns[0].values[2 + 2 * 5] = 0.5;
     sample.refuses("a value at 0", {zero}, ErrorCode::FormatCannotHold);
+    sample.refuses("one motor as both sources", {plane()}, ErrorCode::InvalidArgument,
+        "both sources are axis 1: row-motor and column-motor",
+        FormatSettings{{"counts-per-unit", "1000"}, {"column-motor", "1"}});
     NeutralTable letter = plane();
     letter.axes[1].name = "Y";
     sample.refuses(
@@ -75,6 +81,11 @@ void describe(test::FormatSample& sample)
     row("no rows", with("2.3,", "0.3,"), "2:13 LimitExceeded 0 entries");
     row("no columns", with("2.3,", "2.,"), "2:15 NotANumber |a number of entries");
     row("absurd", with("2.3,", "900000.900000,"), "2:0 MissingPoint 11 entries|810001800000");
+    row("one motor as both sources", with("#2D,#3", "#1D,#3"),
+        "2:1 Contradiction DEFINE COMP 2.3,#1D,#1D,#3,3000,4000|another axis than that of the "
+        "first source");
+    row("the addressed motor as both sources", with("#1D,#2D,#3", "#3D"),
+        "2:1 Contradiction DEFINE COMP 2.3,#3D,3000,4000|another axis");
     row("four motors", with("#3,3000", "#3,#4,3000"), "2:1 Syntax DEFINE COMP");
 }
 

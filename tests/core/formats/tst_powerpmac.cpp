@@ -53,6 +53,15 @@ void describe(test::FormatSample& sample)
         Recognition::No, {"// CompTable[0]\n", "DEFINE COMP 4,#1D,#2,4000\n", "0,0\n1,1\n"});
     sample.warning("tables that are switched off", with("Enable = 1", "Enable = 0"),
         {"8:1 Assumption \"Sys.CompEnable = 0\", which switches a table of the file off"});
+    const std::string second =
+        "CompTable[1].Source[0] = 2; CompTable[1].Nx[0] = 1; CompTable[1].X0[0] = 0;\n"
+        "CompTable[1].Dx[0] = 1; CompTable[1].Target[0] = Motor[1].CompPos.a;\n"
+        "CompTable[1].Data[0] = 0,0;\n";
+    sample.warning("two tables for one motor, which the controller adds",
+        with("Enable = 1", "Enable = 2") + second,
+        {"0:0 Assumption several tables of 1 to 1, 2 to 1|their sum, since the controller adds"});
+    sample.warning("one of them is not in use", file + second,
+        {"8:1 Assumption \"Sys.CompEnable = 1\", which switches a table of the file off"});
     sample.warning("another span further on", file + "CompTable[0].Dx[0] = 100000;\n",
         {"9:1 DuplicateValue CompTable[0].Dx[0] = 100000 a second time|each value once"});
     sample.warning("the same span again", file + "CompTable[0].Dx[0] = 200000;\n", {});

@@ -197,6 +197,24 @@ private Q_SLOTS:
         QVERIFY2(reading_table->diagnostics.empty(), problemLines(*reading_table).c_str());
     }
 
+    /// What became of each of them is compared with it.
+    void twoTablesOfDifferentDirectionsStayTwoWhereTheyAreWritten()
+    {
+        const NeutralTable pair = pairTable();
+        NeutralTable negative = pair;
+        negative.columns.erase(negative.columns.begin());
+        NeutralTable positive = pair;
+        positive.columns.pop_back();
+        const auto written = format.write(std::array{negative, positive, pair}, {});
+        VERIFY_RESULT(written);
+        QCOMPARE(written->held.size(), std::size_t{3});
+        QCOMPARE(written->held[0].columns.size(), std::size_t{1});
+        QCOMPARE(written->held[0].columns[0].direction, Direction::Negative);
+        QCOMPARE(written->held[1].columns[0].direction, Direction::Positive);
+        QCOMPARE(written->held[2].columns.size(), std::size_t{2});
+        QCOMPARE(written->held[2].name, std::string("table 2, table 3"));
+    }
+
     void tablesOfBothDirectionsAreOnePair()
     {
         const auto reading =

@@ -488,6 +488,22 @@ private Q_SLOTS:
             ofDrive->values, (std::vector<float>{0.002F, 0.002F, 0.003F, 0.001F, 0.004F, 0.004F}));
     }
 
+    void pmacBeginsAgainAtTheOtherEnd()
+    {
+        CompensationTable table{"open", "mm", {{{"X", "mm", 10.0, 10.0, 4}}}, {}};
+        table.values = {0.002F, 0.003F, 0.001F, 0.004F};
+        const AxisPlace place{"#1", LookupAt::Set};
+        const auto open = tableAsAppliedBy(table, place, pmac_1d::format().facts);
+        VERIFY_RESULT(open);
+        QCOMPARE(open->values,
+            (std::vector<float>{-0.004F, -0.002F, -0.003F, -0.001F, -0.004F, -0.002F}));
+        table.values.back() = 0.002F;
+        const auto closed = tableAsAppliedBy(table, place, pmac_1d::format().facts);
+        VERIFY_RESULT(closed);
+        QCOMPARE(closed->values,
+            (std::vector<float>{-0.001F, -0.002F, -0.003F, -0.001F, -0.002F, -0.003F}));
+    }
+
     void ofManyRequestsOnlyTheNewestIsReported()
     {
         std::vector<int> reported;
