@@ -34,7 +34,7 @@ constexpr std::array settings{FormatSetting{.key = "axis",
         .standard = "errormap",
         .forWriting = true}};
 
-constexpr std::array<std::string_view, 11> rules{
+constexpr std::array<std::string_view, 12> rules{
     "A program (ACSPL+) gives the elements of an array, from 0, numbers, and maps the array to an "
     "axis: ERRORMAP1D axis, zone, base, step, array, switched on by ERRORMAPON axis, zone; or, "
     "the older way, CONNECT RPOS(a) = APOS(a) + MAP(APOS(a), array, base, step) with "
@@ -50,6 +50,9 @@ constexpr std::array<std::string_view, 11> rules{
     "comes last: they must be the same.",
     "Within IF, ELSE, SWITCH, LOOP, WHILE and ON a number counts for the maps of the same block; "
     "another map that needs it is refused, since only the controller knows whether it counts.",
+    "A statement that changes an array behind its elements, or a name before its map, and is no "
+    "number for it, such as +=, COPY, READ or a function that has it as an argument, is not "
+    "computed, and the map is refused.",
     "CONNECT adds the value to the commanded position, and a program that uses both ways uses the "
     "same array for both; two programs that write ERRORMAP1D from measurements write reference - "
     "actual position.",

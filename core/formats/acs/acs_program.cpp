@@ -164,6 +164,39 @@ Token behindWord(std::string_view word, const Token& rest)
     return colon == std::string_view::npos ? Token{} : trimmedToken(rest.part(colon + 1));
 }
 
+/// Commands and functions that change none of their arguments.
+bool changesNothing(std::string_view word)
+{
+    constexpr std::array<std::string_view, 56> words{"ARC1", "ARC2", "ASSIGNMARK", "ASSIGNPEG",
+        "ASSIGNPOUTS", "BPTP", "BREAK", "BSEG", "CALL", "COMMUT", "DEPENDS", "DISABLE", "DISP",
+        "ECOUT", "ENABLE", "ENDS", "FCLEAR", "FOLLOW", "GO", "GOTO", "GROUP", "HALT", "HOME",
+        "INTERRUPT", "JOG", "KILL", "LINE", "MPOINT", "MPTP", "MSEG", "PATH", "PAUSE", "PEG_I",
+        "PEG_R", "POINT", "PTP", "PVSPLINE", "RESUME", "SAFETYCONF", "SAFETYGROUP", "SEND",
+        "SETCONF", "SLAVE", "SPLIT", "START", "STARTPEG", "STOP", "STOPPEG", "STOPPER", "TILL",
+        "TRACK", "TRIGGER", "UNFOLLOW", "WAIT", "WRITE", "XSEG"};
+    return std::ranges::any_of(
+        words, [word](std::string_view one) { return sameLetters(word, one); });
+}
+
+/// Whether what stands behind a name changes it: "+= 1", "++", ".3 = 1".
+bool changesName(std::string_view rest)
+{
+    constexpr std::string_view operators = "+-*/%&|~^";
+    return rest.starts_with('.') || rest.starts_with('=') || rest.starts_with("++")
+        || rest.starts_with("--")
+        || (rest.size() > 1 && rest[1] == '=' && operators.find(rest[0]) != operators.npos);
+}
+
+/// "XMAP", "XMAP(1)": the name; empty: an expression.
+Token nameOf(const Token& argument)
+{
+    Cursor cursor(argument);
+    const Token name = cursor.name();
+    while (cursor.brackets())
+        continue;
+    return cursor.atEnd() ? name : Token{};
+}
+
 /// The functions MAP.. in an expression.
 std::vector<Token> mapFunctions(const Token& expression)
 {
@@ -275,25 +308,40 @@ void Program::takeStatement(const Token& statement, const Token& name)
         takeConnect(statement);
     else if (sameLetters(name.text, "MFLAGS"))
         takeFlags(statement);
-    else if (sameLetters(name.text, "FILL") || sameLetters(name.text, "READ"))
-        takeFilling(statement);
     else if (isCommand(name.text))
         takeCommand(statement, name);
+    else
+        takeChange(statement);
 }
 
-/// "FILL(0, XMAP)", "READ XMAP": all elements of an array get values.
-void Program::takeFilling(const Token& statement)
+/// "COPY(YMAP, XMAP)", "READ XMAP", "XMAP(1) += 7": any other statement may change what stands to
+/// its left, and its arguments.
+void Program::takeChange(const Token& statement)
 {
     Cursor cursor(statement);
-    const bool isFill = sameLetters(cursor.name().text, "FILL");
-    const auto inner = cursor.brackets();
-    const std::vector<Token> arguments = argumentsOf(inner ? *inner : cursor.rest());
-    const std::size_t at = isFill ? 1 : 0;
-    if (arguments.size() <= at || !isName(arguments[at].text))
+    const bool isPrefixed = cursor.is("++") || cursor.is("--");
+    const Token word = cursor.name();
+    std::vector<Token> arguments;
+    const auto add = [&arguments](const Token& text) {
+        const std::vector<Token> more = argumentsOf(text);
+        arguments.insert(arguments.end(), more.begin(), more.end());
+    };
+    while (const auto inner = cursor.brackets())
+        add(*inner);
+    Assigned changed;
+    changed.text = statement;
+    if (isPrefixed || changesName(cursor.rest().text)) {
+        assign(word, changed);
         return;
-    Assigned assigned;
-    assigned.text = statement;
-    assign(arguments[at], assigned);
+    }
+    if (changesNothing(word.text))
+        return;
+    while (cursor.is("/"))
+        cursor.name(); // DC/c
+    add(cursor.rest());
+    for (const Token& argument : arguments)
+        if (const Token name = nameOf(argument))
+            assign(name, changed);
 }
 
 void Program::assign(const Token& name, Assigned assigned)
@@ -665,7 +713,7 @@ std::optional<Program::Extent> Program::extentOf(
         if (!isOfElement)
             refuse(DiagnosticCode::NotANumber,
                 AXISCOMP_TEXT("Error",
-                    "numbers for the elements of {name} alone; what changes the whole array behind "
+                    "numbers for the elements of {name} alone; what else changes the array behind "
                     "them is not computed")
                     .with("name", quoted(array)));
         else if (assigned.indices != indices)

@@ -128,7 +128,7 @@ private:
     [[nodiscard]] bool takeAssignment(const Token& statement);
     void assign(const Token& name, Assigned assigned);
     [[nodiscard]] bool takeDeclaration(const Token& statement);
-    void takeFilling(const Token& statement);
+    void takeChange(const Token& statement);
     void takeAxisNames(const Token& statement);
     void takeCommand(const Token& statement, const Token& name);
     void takeConnect(const Token& statement);

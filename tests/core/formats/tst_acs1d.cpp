@@ -182,6 +182,32 @@ void describeSecondNumbers(test::FormatSample& sample)
     sample.warning("the same step twice", with("Step = 20", "Step = 20; Step = 20.0"), {});
 }
 
+void describeChanges(test::FormatSample& sample)
+{
+    const auto row = sample.problemRow();
+    for (const std::string statement : {"COPY(YMAP, XMAP)", "dshift(xmap, 1)",
+             "DC/c XMAP, 5, 1, FPOS(0)", "INPUT XMAP", "Correct(XMAP)", "ECIN(242, XMAP(0))",
+             "XMAP(1) += 7", "XMAP(1)++", "--XMAP(1)", "XMAP(2).0 = 1"})
+        row("behind the elements: " + statement, with("ERRORUNMAP", statement + "\nERRORUNMAP"),
+            "10:1 NotANumber " + statement
+                + "|numbers for the elements of XMAP alone; what else changes the array behind");
+    for (const std::string statement :
+        {"Step += 20", "step /= 2", "Step++", "++Step", "Step.1 = 1", "READ Step", "Ask(0, Step)"})
+        row("before the map: " + statement, with("XMAP(0)", statement + "\nXMAP(0)"),
+            "12:24 NotANumber Step|a name that got a number; in line 5 it gets something that is "
+            "not computed here");
+    sample.warning("an array is copied before its elements",
+        with("XMAP(0)", "COPY(YMAP, XMAP); XMAP(3)++\nXMAP(0)"), {});
+    sample.warning("statements that use numbers and change none",
+        with("ERRORUNMAP",
+            "DISP XMAP(0), Step; WRITE XMAP; PTP/e 0, Base; ENABLE (Base); WAIT Step\n"
+            "TILL XMAP(0); SET FPOS(0) = Base; VEL(Base) = Step; FDEF(Base).#SLL = 0; IMM "
+            "ACC(0)=5\n"
+            "I = MAX(XMAP) + Step; IF XMAP(0) > Base; END; COPY(YMAP, ZMAP); Ask(XMAP(0) + Step)\n"
+            "ERRORUNMAP"),
+        {});
+}
+
 void describeProblems(test::FormatSample& sample)
 {
     const auto row = sample.problemRow();
@@ -340,6 +366,7 @@ void describe(test::FormatSample& sample)
     describeBranches(sample);
     describeBlocks(sample);
     describeSecondNumbers(sample);
+    describeChanges(sample);
     describeProblems(sample);
     describeWriting(sample);
 }

@@ -141,6 +141,8 @@ void describe(test::FormatSample& sample)
     row("an expression", with("0.020", "A/2"), "8:12 NotANumber A/2|");
     row("an element within IF", with("M0(1)(2) = 0.010", "IF 0; M0(1)(2) = 0.010; END"),
         "10:18 Syntax 0.010|a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only");
+    row("another array is copied into it", with("MFLAGS", "COPY(M1, M0)\nMFLAGS"),
+        "11:1 NotANumber COPY(M1, M0)|numbers for the elements of M0 alone; what else changes");
     row("a computed index", with("M0(1)(0) =", "M0(1)(J) ="), "8:7 NotANumber J|an index");
     row("a step of 0", with("INCREMENT1 = 10", "INCREMENT1 = 0"),
         "12:82 LimitExceeded a step of 0|");
