@@ -86,6 +86,17 @@ std::string readableArgument(std::string argument)
     return argument;
 }
 
+/// CLI11 would give an option that may be repeated all the words behind it, a file or a position
+/// among them.
+void takeOneWordEach(CLI::App& app)
+{
+    for (CLI::Option* const option : app.get_options())
+        if (option->nonpositional())
+            option->allow_extra_args(false);
+    for (CLI::App* const command : app.get_subcommands([](CLI::App*) { return true; }))
+        takeOneWordEach(*command);
+}
+
 /// The command that the words name, before they are read: "axiscomp write".
 std::string commandNamed(const CLI::App& app, std::span<char* const> words)
 {
@@ -138,6 +149,7 @@ Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& conso
     for (int i = 1; i < argc; ++i)
         hidePassword(argv[i], argv[i]);
     AXISCOMP_CHECK(checkValues(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
+    takeOneWordEach(app);
     try {
         app.parse(reversed);
     } catch (const CLI::CallForHelp&) {

@@ -15,9 +15,9 @@ namespace axiscomp::app {
 /// The look of --help, in the language of the environment.
 void setHelpStyle(CLI::App& app);
 
-/// Reads the command line into the options of app. True: go on. False: --help or --version was
-/// asked for and printed. Passwords in argv are overwritten. Errors: InvalidArgument with a hint to
-/// the right --help.
+/// Reads the command line into the options of app; one that may be repeated takes one word each
+/// time. True: go on. False: --help or --version was asked for and printed. Passwords in argv are
+/// overwritten. Errors: InvalidArgument with a hint to the right --help.
 [[nodiscard]] Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& console);
 
 /// InvalidArgument whose sentence ends in the same hint, for what only shows after parsing.

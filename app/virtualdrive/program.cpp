@@ -99,8 +99,7 @@ void addOptions(CLI::App& app, VirtualDriveArguments& arguments)
            AXISCOMP_HELP("Help",
                "Misbehave: drop-after=BYTES, no-reply=N, garble=N, stores-wrong=N, slow=MS, "
                "reboot-after=N or reject=CODE; may be given several times"))
-        ->option_text("SPEC")
-        ->allow_extra_args(false);
+        ->option_text("SPEC");
     app.add_option("--speed", arguments.speed,
            AXISCOMP_HELP("Help", "Simulated seconds per second (1 unless given)"))
         ->option_text("FACTOR")

@@ -39,8 +39,7 @@ void addOptions(CLI::App& app, WizardArguments& arguments)
                "http://[user:password@]host[:port], https://..., serial:/dev/ttyUSB0[?baud=N], "
                "demo:"))
         ->option_text("ENDPOINT")
-        ->envname("AXISCOMP_DRIVE")
-        ->allow_extra_args(false);
+        ->envname("AXISCOMP_DRIVE");
     app.add_option("--profile", arguments.profile,
            AXISCOMP_HELP("Help", "Drive profile (JSON) in place of the built-in one, generic"))
         ->option_text("FILE");

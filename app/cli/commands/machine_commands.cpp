@@ -220,8 +220,7 @@ void addMachineOptions(CLI::App& command, MachineOptions& options)
                 "Only this axis, as the file names it, or SERIAL/AXIS for that of one drive; may "
                 "be "
                 "given several times"))
-        ->option_text("AXIS")
-        ->allow_extra_args(false);
+        ->option_text("AXIS");
     constexpr int mostJobs = 256;
     command
         .add_option("--jobs", options.jobs,

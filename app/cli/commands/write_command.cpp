@@ -537,7 +537,6 @@ void addWriteCommand(CommandLine& line)
                 "all "
                 "of the writes are possible"))
         ->option_text("COLUMN=AXIS")
-        ->allow_extra_args(false)
         ->excludes(axis)
         ->excludes(table)
         ->excludes(record)

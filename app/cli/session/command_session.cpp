@@ -50,7 +50,7 @@ void addDriveOption(CLI::App& command, DriveOptions& options, DriveCount count)
             ? AXISCOMP_HELP("Help",
                 "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given")
             : AXISCOMP_HELP("Help", "Address of the drive; $AXISCOMP_DRIVE unless given"));
-    drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE")->allow_extra_args(false);
+    drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE");
 }
 
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)

@@ -34,7 +34,7 @@ constexpr std::array settings{FormatSetting{.key = "axis",
         .standard = "errormap",
         .forWriting = true}};
 
-constexpr std::array<std::string_view, 9> rules{
+constexpr std::array<std::string_view, 12> rules{
     "A program (ACSPL+) gives the elements of an array, from 0, numbers, and maps the array to an "
     "axis: ERRORMAP1D axis, zone, base, step, array, switched on by ERRORMAPON axis, zone; or, "
     "the older way, CONNECT RPOS(a) = APOS(a) + MAP(APOS(a), array, base, step) with "
@@ -45,6 +45,14 @@ constexpr std::array<std::string_view, 9> rules{
     "Axis, zone, base and step are numbers, or names that got a number before; an axis may be a "
     "name of AXISDEF. Other buffers of a saved program, which lines #5 or #A begin, count as far "
     "as their names are global.",
+    "A name that gets two numbers before a map has the last one, with a warning. Of numbers in "
+    "other buffers, in ON, or behind a label that only CALL and GOTO lead to, nobody knows which "
+    "comes last: they must be the same.",
+    "Within IF, ELSE, SWITCH, LOOP, WHILE and ON a number counts for the maps of the same block; "
+    "another map that needs it is refused, since only the controller knows whether it counts.",
+    "A statement that changes an array behind its elements, or a name before its map, and is no "
+    "number for it, such as +=, COPY, READ or a function that has it as an argument, is not "
+    "computed, and the map is refused.",
     "CONNECT adds the value to the commanded position, and a program that uses both ways uses the "
     "same array for both; two programs that write ERRORMAP1D from measurements write reference - "
     "actual position.",
@@ -287,6 +295,7 @@ std::vector<NeutralTable> MapReader::tables()
     if (!m_program.read(m_source, notes))
         return {};
     takeMaps();
+    m_program.warnOfSecondNumbers({Call::Kind::ErrorMap, Call::Kind::Map}, m_diagnostics);
     warnOfOthers();
     if (m_maps.empty() && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},

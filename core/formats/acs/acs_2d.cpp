@@ -200,6 +200,7 @@ std::vector<NeutralTable> MapReader::tables()
         tables.push_back(std::move(*table));
         warnOfEnd(call);
     }
+    m_program.warnOfSecondNumbers({Call::Kind::Map2}, m_diagnostics);
     warnOfOthers(hasOwn);
     if (!hasOwn && !m_diagnostics.hasErrors())
         m_diagnostics.error(DiagnosticCode::Syntax, 0, 0, {},

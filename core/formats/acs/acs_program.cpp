@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace axiscomp::acs {
@@ -152,6 +153,50 @@ bool isCommand(std::string_view name)
         || sameLetters(name, "ERRORUNMAP");
 }
 
+/// What stands behind the word of a block and is a statement: not a condition.
+Token behindWord(std::string_view word, const Token& rest)
+{
+    const auto is = [word](std::string_view name) { return sameLetters(word, name); };
+    if (is("ELSE") || is("END") || is("BLOCK") || is("RET"))
+        return rest;
+    const std::size_t colon =
+        is("CASE") || is("DEFAULT") ? rest.text.find(':') : std::string_view::npos;
+    return colon == std::string_view::npos ? Token{} : trimmedToken(rest.part(colon + 1));
+}
+
+/// Commands and functions that change none of their arguments.
+bool changesNothing(std::string_view word)
+{
+    constexpr std::array<std::string_view, 56> words{"ARC1", "ARC2", "ASSIGNMARK", "ASSIGNPEG",
+        "ASSIGNPOUTS", "BPTP", "BREAK", "BSEG", "CALL", "COMMUT", "DEPENDS", "DISABLE", "DISP",
+        "ECOUT", "ENABLE", "ENDS", "FCLEAR", "FOLLOW", "GO", "GOTO", "GROUP", "HALT", "HOME",
+        "INTERRUPT", "JOG", "KILL", "LINE", "MPOINT", "MPTP", "MSEG", "PATH", "PAUSE", "PEG_I",
+        "PEG_R", "POINT", "PTP", "PVSPLINE", "RESUME", "SAFETYCONF", "SAFETYGROUP", "SEND",
+        "SETCONF", "SLAVE", "SPLIT", "START", "STARTPEG", "STOP", "STOPPEG", "STOPPER", "TILL",
+        "TRACK", "TRIGGER", "UNFOLLOW", "WAIT", "WRITE", "XSEG"};
+    return std::ranges::any_of(
+        words, [word](std::string_view one) { return sameLetters(word, one); });
+}
+
+/// Whether what stands behind a name changes it: "+= 1", "++", ".3 = 1".
+bool changesName(std::string_view rest)
+{
+    constexpr std::string_view operators = "+-*/%&|~^";
+    return rest.starts_with('.') || rest.starts_with('=') || rest.starts_with("++")
+        || rest.starts_with("--")
+        || (rest.size() > 1 && rest[1] == '=' && operators.find(rest[0]) != operators.npos);
+}
+
+/// "XMAP", "XMAP(1)": the name; empty: an expression.
+Token nameOf(const Token& argument)
+{
+    Cursor cursor(argument);
+    const Token name = cursor.name();
+    while (cursor.brackets())
+        continue;
+    return cursor.atEnd() ? name : Token{};
+}
+
 /// The functions MAP.. in an expression.
 std::vector<Token> mapFunctions(const Token& expression)
 {
@@ -210,46 +255,103 @@ bool Program::read(const TextReading& reading, std::vector<std::string>& notes)
 void Program::takeLine(const Token& line)
 {
     if (line.text.starts_with('#')) {
-        m_buffer += beginsBuffer(line.text) ? 1 : 0;
+        if (beginsBuffer(line.text)) {
+            ++m_buffer;
+            m_blocks.close(m_statements + 1);
+            beginSection();
+        }
         return;
     }
-    for (const Token& statement : statementsOf(line))
-        takeStatement(statement);
+    for (Token statement : statementsOf(line))
+        while (statement)
+            statement = takeWord(statement);
 }
 
-void Program::takeStatement(const Token& statement)
+void Program::beginSection()
+{
+    ++m_section;
+    m_isEnded = false;
+}
+
+/// Takes a label, or the word of a block; otherwise all of the statement. What is left behind it.
+Token Program::takeWord(const Token& statement)
 {
     ++m_statements;
+    Cursor cursor(statement);
+    const Token word = cursor.name();
+    if (m_blocks.take(word.text, m_statements)) {
+        if (sameLetters(word.text, "ON"))
+            beginSection();
+        const bool isReturn = sameLetters(word.text, "RET") && !m_blocks.isInside();
+        m_isEnded = m_isEnded || isReturn;
+        return behindWord(word.text, cursor.rest());
+    }
+    if (word && cursor.is(":")) {
+        if (m_isEnded)
+            beginSection();
+        return cursor.rest();
+    }
+    takeStatement(statement, word);
+    const bool isJump = sameLetters(word.text, "GOTO")
+        || (sameLetters(word.text, "STOP") && cursor.atEnd()); // STOP 8 stops another buffer
+    m_isEnded = m_isEnded || (isJump && !m_blocks.isInside());
+    return {};
+}
+
+void Program::takeStatement(const Token& statement, const Token& name)
+{
     if (takeAssignment(statement) || takeDeclaration(statement))
         return;
-    const Token name = Cursor(statement).name();
     if (sameLetters(name.text, "AXISDEF"))
         takeAxisNames(statement);
     else if (sameLetters(name.text, "CONNECT"))
         takeConnect(statement);
     else if (sameLetters(name.text, "MFLAGS"))
         takeFlags(statement);
-    else if (sameLetters(name.text, "FILL") || sameLetters(name.text, "READ"))
-        takeFilling(statement);
     else if (isCommand(name.text))
         takeCommand(statement, name);
+    else
+        takeChange(statement);
 }
 
-/// "FILL(0, XMAP)", "READ XMAP": all elements of an array get values.
-void Program::takeFilling(const Token& statement)
+/// "COPY(YMAP, XMAP)", "READ XMAP", "XMAP(1) += 7": any other statement may change what stands to
+/// its left, and its arguments.
+void Program::takeChange(const Token& statement)
 {
     Cursor cursor(statement);
-    const bool isFill = sameLetters(cursor.name().text, "FILL");
-    const auto inner = cursor.brackets();
-    const std::vector<Token> arguments = argumentsOf(inner ? *inner : cursor.rest());
-    const std::size_t at = isFill ? 1 : 0;
-    if (arguments.size() <= at || !isName(arguments[at].text))
+    const bool isPrefixed = cursor.is("++") || cursor.is("--");
+    const Token word = cursor.name();
+    std::vector<Token> arguments;
+    const auto add = [&arguments](const Token& text) {
+        const std::vector<Token> more = argumentsOf(text);
+        arguments.insert(arguments.end(), more.begin(), more.end());
+    };
+    while (const auto inner = cursor.brackets())
+        add(*inner);
+    Assigned changed;
+    changed.text = statement;
+    if (isPrefixed || changesName(cursor.rest().text)) {
+        assign(word, changed);
         return;
-    Assigned assigned;
-    assigned.text = statement;
+    }
+    if (changesNothing(word.text))
+        return;
+    while (cursor.is("/"))
+        cursor.name(); // DC/c
+    add(cursor.rest());
+    for (const Token& argument : arguments)
+        if (const Token name = nameOf(argument))
+            assign(name, changed);
+}
+
+void Program::assign(const Token& name, Assigned assigned)
+{
     assigned.buffer = m_buffer;
+    assigned.section = m_section;
+    assigned.branch = m_blocks.branch();
+    assigned.maps = m_maps;
     assigned.statement = m_statements;
-    m_variables[capitals(arguments[at].text)].assigned.push_back(assigned);
+    m_variables[capitals(name.text)].assigned.push_back(assigned);
 }
 
 bool Program::takeAssignment(const Token& statement)
@@ -275,9 +377,7 @@ bool Program::takeAssignment(const Token& statement)
         if (!assigned.index[n])
             assigned.text = indices[n];
     }
-    assigned.buffer = m_buffer;
-    assigned.statement = m_statements;
-    m_variables[capitals(name.text)].assigned.push_back(assigned);
+    assign(name, assigned);
     return true;
 }
 
@@ -330,13 +430,21 @@ void Program::takeAxisNames(const Token& statement)
     }
 }
 
-void Program::takeCommand(const Token& statement, const Token& name)
+Call Program::callOf(const Token& statement, const Token& name) const
 {
     Call call;
     call.statement = statement;
     call.name = name;
     call.buffer = m_buffer;
+    call.section = m_section;
+    call.loop = m_blocks.loop();
     call.number = m_statements;
+    return call;
+}
+
+void Program::takeCommand(const Token& statement, const Token& name)
+{
+    Call call = callOf(statement, name);
     if (sameLetters(name.text, "ERRORMAP1D"))
         call.kind = Call::Kind::ErrorMap;
     else if (sameLetters(name.text, "ERRORMAPON"))
@@ -348,6 +456,7 @@ void Program::takeCommand(const Token& statement, const Token& name)
     call.arguments = argumentsOf(cursor.rest());
     if (call.kind == Call::Kind::ErrorMap && call.arguments.size() != 5)
         call.arguments.clear();
+    m_maps += call.kind == Call::Kind::ErrorMap ? 1 : 0;
     m_calls.push_back(std::move(call));
 }
 
@@ -366,13 +475,9 @@ void Program::takeFlags(const Token& statement)
 
 void Program::takeDisconnect(const Token& statement, const Token& axis)
 {
-    Call call;
+    Call call = callOf(statement, Cursor(statement).name());
     call.kind = Call::Kind::Disconnect;
-    call.statement = statement;
-    call.name = Cursor(statement).name();
     call.arguments = {axis};
-    call.buffer = m_buffer;
-    call.number = m_statements;
     m_calls.push_back(std::move(call));
 }
 
@@ -391,11 +496,7 @@ void Program::takeConnect(const Token& statement)
         takeDisconnect(statement, *target);
         return;
     }
-    Call call;
-    call.statement = statement;
-    call.name = functions.front();
-    call.buffer = m_buffer;
-    call.number = m_statements;
+    Call call = callOf(statement, functions.front());
     if (sameLetters(call.name.text, "MAP"))
         call.kind = Call::Kind::Map;
     else if (sameLetters(call.name.text, "MAP2"))
@@ -408,6 +509,7 @@ void Program::takeConnect(const Token& statement)
         call.arguments = argumentsOf(*inner);
         call.arguments.insert(call.arguments.begin(), {*target, *added});
     }
+    ++m_maps;
     m_calls.push_back(std::move(call));
 }
 
@@ -418,27 +520,48 @@ const Program::Variable& Program::variableOf(std::string_view name) const
     return found == m_variables.end() ? unknown : found->second;
 }
 
-/// The assignment that counts for a plain name at a call: the last one before it in its buffer, or
-/// else that of the other buffers, whose order nobody knows, so that they must be the same.
-const Program::Assigned* Program::valueBefore(
-    const Call& call, const Token& name, DiagnosticList& diagnostics) const
+/// The last assignment to a plain name before the call in its section, or else that of the others,
+/// whose order nobody knows, so that they must be the same.
+Program::Known Program::knownAt(const Call& call, const Token& name) const
 {
-    const Variable& variable = variableOf(name.text);
-    const Assigned* last = nullptr;
+    Known known;
     const Assigned* elsewhere = nullptr;
-    const Assigned* other = nullptr;
+    const Assigned* otherElsewhere = nullptr;
+    const Assigned* later = nullptr;
+    const Variable& variable = variableOf(name.text);
     for (const Assigned& assigned : variable.assigned) {
         if (assigned.indices > 0 || !variable.isSeen(assigned.buffer, call.buffer))
             continue;
-        if (assigned.buffer != call.buffer) {
-            other = elsewhere && elsewhere->value != assigned.value ? &assigned : other;
+        if (assigned.section != call.section) {
+            otherElsewhere =
+                elsewhere && elsewhere->value != assigned.value ? &assigned : otherElsewhere;
             elsewhere = &assigned;
         } else if (assigned.statement < call.number) {
-            last = &assigned;
+            if (known.last && known.last->maps != assigned.maps)
+                known.again = nullptr; // the one before is that of another map
+            else if (known.last && known.last->value != assigned.value)
+                known.again = &assigned;
+            known.last = &assigned;
+        } else if (call.loop != Blocks::none && m_blocks.isWithin(call.loop, assigned.statement)) {
+            later = &assigned;
         }
     }
-    if (!last)
-        last = elsewhere;
+    if (!known.last) {
+        known.last = elsewhere;
+        known.other = otherElsewhere;
+    }
+    if (known.last && later && later->value != known.last->value)
+        known.other = later;
+    return known;
+}
+
+/// The assignment that counts for a plain name at a call.
+const Program::Assigned* Program::valueBefore(
+    const Call& call, const Token& name, DiagnosticList& diagnostics) const
+{
+    const Known known = knownAt(call, name);
+    const Assigned* const last = known.last;
+    const Assigned* const other = known.other;
     const auto refuse = [&](Text expected) -> const Assigned* {
         diagnostics.error(
             DiagnosticCode::NotANumber, name.line, name.column, quoted(name), std::move(expected));
@@ -446,19 +569,56 @@ const Program::Assigned* Program::valueBefore(
     };
     if (!last)
         return refuse(AXISCOMP_TEXT("Error", "a number, or a name that got one before"));
-    if (last == elsewhere && other)
-        return refuse(
-            AXISCOMP_TEXT("Error", "one number; other buffers give it another one in line {line}")
-                .with("line", other->text.line));
+    if (other)
+        return refuse((other->section == call.section
+                ? AXISCOMP_TEXT("Error",
+                    "one number; line {line} gives it another one for the next pass of the loop")
+                : other->buffer == call.buffer
+                ? AXISCOMP_TEXT("Error",
+                    "one number; another part of the program gives it another one in line {line}")
+                : AXISCOMP_TEXT(
+                    "Error", "one number; other buffers give it another one in line {line}"))
+                          .with("line", other->text.line));
     if (!last->value)
         return refuse(AXISCOMP_TEXT("Error",
             "a name that got a number; in line {line} it gets something that is not computed here")
                           .with("line", last->text.line));
-    if (variable.isWhole(call.buffer) && *last->value != std::floor(*last->value))
+    if (!m_blocks.isWithin(last->branch, call.number))
+        return refuse(AXISCOMP_TEXT("Error",
+            "a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the "
+            "controller knows whether that of line {line} counts")
+                          .with("line", last->text.line));
+    if (variableOf(name.text).isWhole(call.buffer) && *last->value != std::floor(*last->value))
         return refuse(AXISCOMP_TEXT(
             "Error", "a whole number, since it is declared INT; in line {line} it gets another one")
                           .with("line", last->text.line));
     return last;
+}
+
+void Program::warnOfSecondNumbers(
+    std::initializer_list<Call::Kind> kinds, DiagnosticList& diagnostics) const
+{
+    DiagnosticList ignored(0);
+    const auto isOfElement = [](const Assigned& assigned) { return assigned.indices > 0; };
+    std::set<const Assigned*> named;
+    for (const Call& call : m_calls) {
+        if (std::ranges::find(kinds, call.kind) == kinds.end())
+            continue;
+        for (const Token& argument : call.arguments) {
+            const Token position = axisOfPosition(argument);
+            const Token& name = position ? position : argument;
+            const bool isArray = std::ranges::any_of(variableOf(name.text).assigned, isOfElement);
+            if (isArray || !valueBefore(call, name, ignored))
+                continue; // another error, or no name
+            const Assigned* const again = knownAt(call, name).again;
+            if (!again || !named.insert(again).second)
+                continue;
+            diagnostics.warning(DiagnosticCode::DuplicateValue, again->text.line,
+                again->text.column,
+                AXISCOMP_TEXT("Error", "{what} a second time").with("what", quoted(name)),
+                AXISCOMP_TEXT("Error", "each value once; the last one counts"));
+        }
+    }
 }
 
 std::optional<double> Program::number(
@@ -553,7 +713,7 @@ std::optional<Program::Extent> Program::extentOf(
         if (!isOfElement)
             refuse(DiagnosticCode::NotANumber,
                 AXISCOMP_TEXT("Error",
-                    "numbers for the elements of {name} alone; what changes the whole array behind "
+                    "numbers for the elements of {name} alone; what else changes the array behind "
                     "them is not computed")
                     .with("name", quoted(array)));
         else if (assigned.indices != indices)
@@ -569,6 +729,11 @@ std::optional<Program::Extent> Program::extentOf(
             refuse(DiagnosticCode::NotANumber,
                 AXISCOMP_TEXT(
                     "Error", "a number with a decimal point; expressions are not computed"));
+        else if (!m_blocks.isWithin(assigned.branch, call.number))
+            refuse(DiagnosticCode::Syntax,
+                AXISCOMP_TEXT("Error",
+                    "a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller "
+                    "knows whether this one counts"));
         else if (isWhole && *assigned.value != std::floor(*assigned.value))
             refuse(DiagnosticCode::Contradiction,
                 AXISCOMP_TEXT("Error", "a whole number, since {name} is declared INT")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/formats/acs/acs_blocks.h"
 #include "core/formats/format_reader.h"
 #include "core/formats/format_writer.h"
 #include "core/text/token_scanner.h"
@@ -34,6 +35,8 @@ struct Call {
     /// another form.
     std::vector<Token> arguments;
     std::size_t buffer = 0;
+    std::size_t section = 0; ///< see Program
+    std::size_t loop = Blocks::none; ///< the outermost one that it stands in
     std::size_t number = 0; ///< counts all statements of the file
 };
 
@@ -43,7 +46,8 @@ struct Elements {
     std::vector<double> values; ///< the second index fastest
 };
 
-/// What a program says, as far as it matters for error maps; everything else is passed over.
+/// What a program says, as far as it matters for error maps; everything else is passed over. A
+/// section is what runs in the order of the text: a buffer, a subroutine or an ON routine.
 class Program {
 public:
     /// Comments on lines of their own become notes. False: stopped.
@@ -66,6 +70,10 @@ public:
     [[nodiscard]] const Call* endOf(const std::function<bool(const Call&)>& begins,
         const std::function<bool(const Call&)>& ends) const;
 
+    /// Warns of names that get two numbers for one map of these kinds.
+    void warnOfSecondNumbers(
+        std::initializer_list<Call::Kind> kinds, DiagnosticList& diagnostics) const;
+
     /// Whether the name of an array is the same array at both calls, not one in each of two
     /// buffers.
     [[nodiscard]] bool isOneArray(const Call& call, const Call& other, const Token& array) const;
@@ -80,7 +88,16 @@ private:
         std::optional<double> value; ///< nothing: no literal
         Token text; ///< the value, or the index when that is no literal
         std::size_t buffer = 0;
+        std::size_t section = 0;
+        std::size_t branch = Blocks::none; ///< the innermost one that it stands in
+        std::size_t maps = 0; ///< before it
         std::size_t statement = 0;
+    };
+    /// What a name gets, as far as it matters at a call.
+    struct Known {
+        const Assigned* last = nullptr; ///< which counts; null: none
+        const Assigned* again = nullptr; ///< a second number since the map before; null: none
+        const Assigned* other = nullptr; ///< another one that may count as well; null: none
     };
     struct Declared {
         std::array<std::optional<double>, 2> sizes; ///< nothing: none, or no literal
@@ -105,16 +122,21 @@ private:
     };
 
     void takeLine(const Token& line);
-    void takeStatement(const Token& statement);
+    void beginSection();
+    [[nodiscard]] Token takeWord(const Token& statement);
+    void takeStatement(const Token& statement, const Token& name);
     [[nodiscard]] bool takeAssignment(const Token& statement);
+    void assign(const Token& name, Assigned assigned);
     [[nodiscard]] bool takeDeclaration(const Token& statement);
-    void takeFilling(const Token& statement);
+    void takeChange(const Token& statement);
     void takeAxisNames(const Token& statement);
     void takeCommand(const Token& statement, const Token& name);
     void takeConnect(const Token& statement);
     void takeFlags(const Token& statement);
     void takeDisconnect(const Token& statement, const Token& axis);
+    [[nodiscard]] Call callOf(const Token& statement, const Token& name) const;
     [[nodiscard]] const Variable& variableOf(std::string_view name) const;
+    [[nodiscard]] Known knownAt(const Call& call, const Token& name) const;
     [[nodiscard]] const Assigned* valueBefore(
         const Call& call, const Token& name, DiagnosticList& diagnostics) const;
     [[nodiscard]] std::optional<Extent> extentOf(const Call& call, const Token& array,
@@ -125,8 +147,12 @@ private:
     std::map<std::string, Variable, std::less<>> m_variables; ///< by name in capital letters
     std::map<std::string, std::int64_t, std::less<>> m_axes; ///< of AXISDEF, as written
     std::vector<Call> m_calls;
+    Blocks m_blocks;
     std::size_t m_buffer = 0;
+    std::size_t m_section = 0;
+    std::size_t m_maps = 0;
     std::size_t m_statements = 0;
+    bool m_isEnded = false; ///< what follows runs only from a label or ON
 };
 
 /// A letter or underline, then letters, digits and underlines.

@@ -8,9 +8,10 @@ namespace axiscomp::acs {
 namespace {
 
 /// Words that mean something else in a program that maps an array.
-constexpr std::array<std::string_view, 22> reservedWords{"GLOBAL", "LOCAL", "STATIC", "REAL", "INT",
+constexpr std::array<std::string_view, 33> reservedWords{"GLOBAL", "LOCAL", "STATIC", "REAL", "INT",
     "AXISDEF", "CONNECT", "DEPENDS", "RPOS", "APOS", "MFLAGS", "MAP", "MAP2", "MAPN", "MAPB",
-    "MAPS", "STOP", "RET", "ERRORMAP1D", "ERRORMAPON", "ERRORMAPOFF", "ERRORUNMAP"};
+    "MAPS", "STOP", "RET", "IF", "ELSE", "ELSEIF", "LOOP", "WHILE", "BLOCK", "SWITCH", "CASE",
+    "DEFAULT", "END", "ON", "ERRORMAP1D", "ERRORMAPON", "ERRORMAPOFF", "ERRORUNMAP"};
 
 bool isArrayName(std::string_view name)
 {

@@ -62,6 +62,33 @@ private Q_SLOTS:
         QTEST(run.out, "value");
     }
 
+    void fileAndPositionMayStandBehindAnOptionThatMayBeRepeated_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QByteArray>("value");
+        const QByteArray value = "3.5\n";
+        QTest::newRow("position behind a setting")
+            << QStringList{"t.csv", "--dims", "1", "--set-in", "value-unit=um", "5000"} << value;
+        QTest::newRow("file behind a setting")
+            << QStringList{"--set-in", "value-unit=um", "t.csv", "5000", "--dims", "1"} << value;
+        QTest::newRow("both behind two settings") << QStringList{"--dims", "1", "--set-in",
+            "value-unit=um", "--set-in", "position-unit=um", "t.csv", "5000"}
+                                                  << value;
+        QTest::newRow("position behind the target")
+            << QStringList{"t.csv", "--dims", "1", "--target", "#1", "5000"} << value;
+        QTest::newRow("position behind the zero") << QStringList{"t.csv", "--dims", "1", "--zero",
+            "-10000", "5000"} << QByteArray("2.5\n");
+    }
+    void fileAndPositionMayStandBehindAnOptionThatMayBeRepeated()
+    {
+        QFETCH(const QStringList, arguments);
+        const Sandbox box;
+        box.file("t.csv", line1D);
+        const ProgramRun run = box.run(QStringList{"lookup"} + arguments);
+        VERIFY_CODE(run, 0);
+        QTEST(run.out, "value");
+    }
+
     void aSignThatNobodyHasPublishedIsStatedOnceOfAFileAndItsController()
     {
         const Sandbox box;

@@ -200,6 +200,37 @@ private Q_SLOTS:
         QVERIFY(!error.value("message").toString().isEmpty());
     }
 
+    void anOptionThatMayBeRepeatedTakesOneWordEachTime_data()
+    {
+        QTest::addColumn<QString>("program");
+        QTest::addColumn<QStringList>("arguments");
+        const QString axiscomp = test::axiscompProgram();
+        const auto row = [&](const QStringList& arguments) {
+            QTest::newRow(arguments.join(u' ').toUtf8().constData()) << axiscomp << arguments;
+        };
+        row({"axes", "--drive", "demo:"});
+        row({"write", "--map", "X"});
+        row({"plan", "m.toml", "--only", "X"});
+        row({"inspect", "x.csv", "--set-in", "value-unit=um"});
+        row({"convert", "x.csv", "y.csv", "--set-out", "value-unit=um"});
+        row({"convert", "x.csv", "y.csv", "--target", "#1"});
+        row({"convert", "x.csv", "y.csv", "--target", "#1,other", "--target", "other"});
+        row({"convert", "x.csv", "y.csv", "--zero", "-10"});
+        row({"convert", "x.csv", "y.csv", "--points", "11,9"});
+        row({"convert", "x.csv", "y.csv", "--distance", "5"});
+        QTest::newRow("virtual drive")
+            << test::virtualDriveProgram() << QStringList{"--fault", "slow=1"};
+    }
+    void anOptionThatMayBeRepeatedTakesOneWordEachTime()
+    {
+        QFETCH(const QString, program);
+        QFETCH(const QStringList, arguments);
+        const Sandbox box;
+        const ProgramRun run = box.runProgram(program, arguments + QStringList{"12"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("nothing takes the argument 12 "), run.err.constData());
+    }
+
     /// It is neither below nor above any limit.
     void whatIsNoNumberIsInNoRange_data()
     {

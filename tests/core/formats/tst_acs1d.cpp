@@ -3,6 +3,8 @@
 #include "tests/core/formats/format_sample.h"
 #include "tests/support/test_registry.h"
 
+#include <algorithm>
+
 namespace tst_acs1d {
 
 using namespace axiscomp;
@@ -92,6 +94,118 @@ void describeWriting(test::FormatSample& sample)
     refusesSetting("a name with a digit first", "name", "2MAP");
     refusesSetting("a name with a blank", "name", "MY MAP");
     refusesSetting("a word of the language", "name", "connect");
+    refusesSetting("a word that ends a block", "name", "End");
+}
+
+void describeBranches(test::FormatSample& sample)
+{
+    const auto row = sample.problemRow();
+    const auto in = [&](const char* name, const std::string& open, const std::string& close) {
+        row(std::string("an element within ") + name,
+            with("XMAP(2)=0.0035", open + "\nXMAP(2)=0.0035\n" + close),
+            std::to_string(8 + std::ranges::count(open, '\n'))
+                + ":9 Syntax 0.0035|a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; ");
+    };
+    in("IF", "if (FAULT(0).#LL = 1)", "end");
+    in("ELSE", "IF CH = 1\nELSE", "END");
+    in("ELSEIF", "IF CH = 1\nELSEIF CH = 2", "END");
+    in("LOOP", "LOOP 3", "END");
+    in("WHILE", "WHILE(I<3)", "END");
+    in("ON", "ON MFLAGS(0).#HOME", "RET");
+    in("a case", "SWITCH (CH)\nCASE 1:\nI = 1\nCASE 2:", "END\nEND");
+    in("a block of IF", "IF 0; BLOCK", "END; END");
+    in("IF in ON", "ON 1; IF 0; RET", "END; RET");
+    row("a base within IF", with("Step = 20", "IF MFLAGS(0).#HOME\nBase = -56\nEND\nStep = 20"),
+        "14:18 NotANumber Base|a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE "
+        "and ON; only the controller knows whether that of line 5 counts");
+    row("a zone within WHILE", "WHILE 1; Zone = 0; END\n" + with("1D 0, 0", "1D 0, Zone"),
+        "12:15 NotANumber Zone|a name that got a number outside of IF");
+    row("a base of the other branch",
+        "IF CH = 1\nBase = -66\nELSE\n" + with("Base = -66\n", "") + "END\n",
+        "13:18 NotANumber Base|a name that got a number outside of IF");
+    row("a base that the loop changes", "LOOP 2\n" + program + "Base = Base + 100\nEND\n",
+        "12:18 NotANumber Base|one number; line 14 gives it another one for the next pass");
+    row("other numbers in other subroutines",
+        "Base = 1\nSTOP\nYComp:\nBase = 2\nRET\nXComp:\n" + with("Base = -66\n", ""),
+        "16:18 NotANumber Base|one number; another part of the program gives it another one in "
+        "line 4");
+    row("other numbers in ON",
+        "Base = 1\nGOTO XComp\nON S_ST.#DC\nBase = 1.5\nRET\nXComp:\n" + with("Base = -66\n", ""),
+        "16:18 NotANumber Base|one number; another part of the program");
+}
+
+void describeBlocks(test::FormatSample& sample)
+{
+    const auto reads = [&](const char* name, const std::string& text) {
+        sample.warning(name, text, {});
+        sample.applies({{{-51}, 0.001575}, {{100}, -0.0042}}, text);
+    };
+    reads("a map in the branch of its numbers",
+        "IF Comp = 1\n" + program + "ELSE\nBase = 0\nDISP \"off\"\nEND\n");
+    reads("a map in a branch, its numbers outside",
+        with("ERRORUNMAP", "IF Comp = 1; LOOP 1\nERRORUNMAP") + "END; END\n");
+    reads("a number behind blocks that have ended",
+        with("XMAP(2)=0.0035",
+            "IF 0; I=1; ELSE I=2; LOOP 2; I=3; END; END; BLOCK; XMAP(2)=0.0035; END"));
+    reads("a number behind the cases of SWITCH",
+        with("XMAP(2)", "SWITCH (CH); CASE 1: I=1; END; DEFAULT: I=2; END; END; XMAP(2)"));
+    reads("a number behind ON", with("XMAP(2)", "ON CH; IF I; RET; END; RET; XMAP(2)"));
+    reads("waiting and homing elsewhere",
+        "#1\nAUTOEXEC:\nWHILE 1\n  TILL HomeRequest\n  IF ^MST(0).#ENABLED\n    ENABLE 0\n"
+        "    TILL MST(0).#ENABLED, 1000\n  ELSEIF FAULT(0).#LL | FAULT(0).#RL\n    GOTO Failed\n"
+        "  END\n  HomeRequest = 0\nEND\nFailed:\nSTOP\nON ^HomeRequest\nBLOCK\n  IF S_ST.#DC\n"
+        "    STOPDC\n  END\nEND\nRET\n#2\n"
+            + program);
+    reads("a subroutine with numbers of its own", "Base = 5\nSTOP\nXComp:\n" + program + "RET\n");
+    reads("a subroutine with a number of the main program",
+        "Base = -66\nCALL XComp\nSTOP\nXComp:\n" + with("Base = -66\n", ""));
+    reads("labels that the program runs through",
+        "Main: Base = -66\nSTOP 8\nXComp:\n" + with("Base = -66\n", "")
+            + "STOP\nYComp: Base = 7\nRET\n");
+}
+
+void describeSecondNumbers(test::FormatSample& sample)
+{
+    const auto twice = [&](const char* name, const std::string& text, const char* line) {
+        sample.warning(name, text, {line});
+    };
+    twice("a step twice", with("Step = 20", "Step = 10\nStep = 20"),
+        "5:8 DuplicateValue Step a second time|each value once; the last one counts");
+    sample.applies({{{-51}, 0.001575}}, with("Step = 20", "Step = 10\nStep = 20"));
+    twice("an axis twice", with("ERRORMAP1D 0", "Axis = 1; Axis = 0\nERRORMAP1D Axis"),
+        "11:18 DuplicateValue Axis a second time|");
+    twice("an axis twice, named three times",
+        "A = 1; A = 0\n"
+            + test::with(
+                connected, "RPOS(0) = APOS(0) + MAP(APOS(0)", "RPOS(A) = APOS(A) + MAP(APOS(A)"),
+        "1:12 DuplicateValue A a second time|");
+    sample.warning("the same step twice", with("Step = 20", "Step = 20; Step = 20.0"), {});
+}
+
+void describeChanges(test::FormatSample& sample)
+{
+    const auto row = sample.problemRow();
+    for (const std::string statement : {"COPY(YMAP, XMAP)", "dshift(xmap, 1)",
+             "DC/c XMAP, 5, 1, FPOS(0)", "INPUT XMAP", "Correct(XMAP)", "ECIN(242, XMAP(0))",
+             "XMAP(1) += 7", "XMAP(1)++", "--XMAP(1)", "XMAP(2).0 = 1"})
+        row("behind the elements: " + statement, with("ERRORUNMAP", statement + "\nERRORUNMAP"),
+            "10:1 NotANumber " + statement
+                + "|numbers for the elements of XMAP alone; what else changes the array behind");
+    for (const std::string statement :
+        {"Step += 20", "step /= 2", "Step++", "++Step", "Step.1 = 1", "READ Step", "Ask(0, Step)"})
+        row("before the map: " + statement, with("XMAP(0)", statement + "\nXMAP(0)"),
+            "12:24 NotANumber Step|a name that got a number; in line 5 it gets something that is "
+            "not computed here");
+    sample.warning("an array is copied before its elements",
+        with("XMAP(0)", "COPY(YMAP, XMAP); XMAP(3)++\nXMAP(0)"), {});
+    sample.warning("statements that use numbers and change none",
+        with("ERRORUNMAP",
+            "DISP XMAP(0), Step; WRITE XMAP; PTP/e 0, Base; ENABLE (Base); WAIT Step\n"
+            "TILL XMAP(0); SET FPOS(0) = Base; VEL(Base) = Step; FDEF(Base).#SLL = 0; IMM "
+            "ACC(0)=5\n"
+            "I = MAX(XMAP) + Step; IF XMAP(0) > Base; END; COPY(YMAP, ZMAP); Ask(XMAP(0) + Step)\n"
+            "ERRORUNMAP"),
+        {});
 }
 
 void describeProblems(test::FormatSample& sample)
@@ -253,6 +367,10 @@ void describe(test::FormatSample& sample)
     sample.warning(
         "no unit", program, {"0:0 UnitNotGiven numbers without a unit"}, FormatSettings{});
     describeSwitchedOff(sample);
+    describeBranches(sample);
+    describeBlocks(sample);
+    describeSecondNumbers(sample);
+    describeChanges(sample);
     describeProblems(sample);
     describeWriting(sample);
 }

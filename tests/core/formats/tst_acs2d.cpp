@@ -120,6 +120,8 @@ void describe(test::FormatSample& sample)
         {"15:1 Assumption another map of axis 0, besides that of line 12|one map"});
     sample.warning("an element twice", with("MFLAGS", "M0(1)(2) = 0.01\nMFLAGS"),
         {"11:12 DuplicatePoint M0(1)(2) a second time|"});
+    sample.warning("a base twice", with("BASE1 = -240;", "BASE1 = 0; BASE1 = -240;"),
+        {"4:20 DuplicateValue BASE1 a second time|each value once; the last one counts"});
     sample.warning("another connection", program + "CONNECT RPOS(0) = APOS(0)\n",
         {"14:1 Assumption \"CONNECT RPOS(0) = APOS(0)\", which switches a table of the file off|"});
     sample.warning("connections of others and before",
@@ -137,6 +139,10 @@ void describe(test::FormatSample& sample)
     row("an element is missing", with("M0(1)(0) = 0.020\n", ""), "11:52 MissingPoint no M0(1)(0)|");
     row("one index", with("M0(1)(0) =", "M0(1) ="), "8:9 Syntax 0.020|two indices of M0");
     row("an expression", with("0.020", "A/2"), "8:12 NotANumber A/2|");
+    row("an element within IF", with("M0(1)(2) = 0.010", "IF 0; M0(1)(2) = 0.010; END"),
+        "10:18 Syntax 0.010|a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only");
+    row("another array is copied into it", with("MFLAGS", "COPY(M1, M0)\nMFLAGS"),
+        "11:1 NotANumber COPY(M1, M0)|numbers for the elements of M0 alone; what else changes");
     row("a computed index", with("M0(1)(0) =", "M0(1)(J) ="), "8:7 NotANumber J|an index");
     row("a step of 0", with("INCREMENT1 = 10", "INCREMENT1 = 0"),
         "12:82 LimitExceeded a step of 0|");
