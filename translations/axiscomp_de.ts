@@ -8158,10 +8158,6 @@
         <translation>eine Einheit wie mm, um, inch, deg oder arcsec, falls {unit} eine sein soll</translation>
     </message>
     <message>
-        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
-        <translation>nur Zahlen für die Elemente von {name}; was danach das ganze Feld ändert, wird nicht berechnet</translation>
-    </message>
-    <message>
         <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
         <translation>Dezimalpunkte und Leerzeichen zwischen den Zahlen; ein Dezimalkomma lässt sich nicht von einem Komma zwischen zwei Zahlen unterscheiden</translation>
     </message>
@@ -8684,6 +8680,26 @@
     <message>
         <source>another axis than that of the first source</source>
         <translation>eine andere Achse als die der ersten Quelle</translation>
+    </message>
+    <message>
+        <source>one number; line {line} gives it another one for the next pass of the loop</source>
+        <translation>eine einzige Zahl; in Zeile {line} bekommt er für den nächsten Durchlauf der Schleife eine andere</translation>
+    </message>
+    <message>
+        <source>one number; another part of the program gives it another one in line {line}</source>
+        <translation>eine einzige Zahl; in Zeile {line} gibt ihm ein anderer Teil des Programms eine andere</translation>
+    </message>
+    <message>
+        <source>a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether that of line {line} counts</source>
+        <translation>ein Name, der außerhalb von IF, ELSE, SWITCH, LOOP, WHILE und ON eine Zahl bekommen hat; ob die aus Zeile {line} gilt, weiß nur die Steuerung</translation>
+    </message>
+    <message>
+        <source>a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether this one counts</source>
+        <translation>eine Zahl außerhalb von IF, ELSE, SWITCH, LOOP, WHILE und ON; ob diese gilt, weiß nur die Steuerung</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
+        <translation>nur Zahlen für die Elemente von {name}; was das Feld danach auf andere Weise ändert, wird nicht berechnet</translation>
     </message>
 </context>
 <context>

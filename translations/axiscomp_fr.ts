@@ -8158,10 +8158,6 @@
         <translation>une unité comme mm, um, inch, deg ou arcsec, si {unit} doit en être une</translation>
     </message>
     <message>
-        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
-        <translation>seulement des nombres pour les éléments de {name}&#xa0;; ce qui modifie ensuite tout le tableau n&apos;est pas calculé</translation>
-    </message>
-    <message>
         <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
         <translation>des points décimaux et des espaces entre les nombres&#xa0;; rien ne distingue une virgule décimale d&apos;une virgule entre deux nombres</translation>
     </message>
@@ -8684,6 +8680,26 @@
     <message>
         <source>another axis than that of the first source</source>
         <translation>un autre axe que celui de la première source</translation>
+    </message>
+    <message>
+        <source>one number; line {line} gives it another one for the next pass of the loop</source>
+        <translation>un seul nombre&#xa0;; la ligne {line} lui en donne un autre pour le passage suivant de la boucle</translation>
+    </message>
+    <message>
+        <source>one number; another part of the program gives it another one in line {line}</source>
+        <translation>un seul nombre&#xa0;; une autre partie du programme lui en donne un autre à la ligne {line}</translation>
+    </message>
+    <message>
+        <source>a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether that of line {line} counts</source>
+        <translation>un nom qui a reçu son nombre hors de IF, ELSE, SWITCH, LOOP, WHILE et ON&#xa0;; seule la commande sait si celui de la ligne {line} compte</translation>
+    </message>
+    <message>
+        <source>a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether this one counts</source>
+        <translation>un nombre hors de IF, ELSE, SWITCH, LOOP, WHILE et ON&#xa0;; seule la commande sait si celui-ci compte</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
+        <translation>seulement des nombres pour les éléments de {name}&#xa0;; ce qui modifie ensuite le tableau d&apos;une autre façon n&apos;est pas calculé</translation>
     </message>
 </context>
 <context>

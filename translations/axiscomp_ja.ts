@@ -8117,10 +8117,6 @@
         <translation>{unit} が単位であれば mm、um、inch、deg、arcsec などの単位</translation>
     </message>
     <message>
-        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
-        <translation>{name} の要素の数値のみであること。その後で配列全体を変更する文は計算しない</translation>
-    </message>
-    <message>
         <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
         <translation>小数点にはピリオドを使い、数値の間は空白で区切ること。小数点のコンマと数値を区切るコンマは見分けられない</translation>
     </message>
@@ -8643,6 +8639,26 @@
     <message>
         <source>another axis than that of the first source</source>
         <translation>1 番目のソースとは別の軸</translation>
+    </message>
+    <message>
+        <source>one number; line {line} gives it another one for the next pass of the loop</source>
+        <translation>1 つの数値。行 {line} で、ループの次の繰り返しのために別の数値を代入しています</translation>
+    </message>
+    <message>
+        <source>one number; another part of the program gives it another one in line {line}</source>
+        <translation>1 つの数値。行 {line} でプログラムの別の部分が別の数値を代入しています</translation>
+    </message>
+    <message>
+        <source>a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether that of line {line} counts</source>
+        <translation>IF、ELSE、SWITCH、LOOP、WHILE、ON の外で数値が代入された名前。行 {line} の数値が有効かどうかはコントローラにしか分かりません</translation>
+    </message>
+    <message>
+        <source>a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether this one counts</source>
+        <translation>IF、ELSE、SWITCH、LOOP、WHILE、ON の外の数値。この数値が有効かどうかはコントローラにしか分かりません</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
+        <translation>{name} の要素の数値のみであること。その後で配列をほかの方法で変更する文は計算しない</translation>
     </message>
 </context>
 <context>

@@ -8117,10 +8117,6 @@
         <translation>若 {unit} 表示单位，则用 mm、um、inch、deg 或 arcsec 等</translation>
     </message>
     <message>
-        <source>numbers for the elements of {name} alone; what changes the whole array behind them is not computed</source>
-        <translation>仅给 {name} 的元素赋数值；之后对整个数组的修改不计算</translation>
-    </message>
-    <message>
         <source>decimal points, and blanks between the numbers; nobody can tell a decimal comma from one that separates two numbers</source>
         <translation>使用小数点，数字之间用空格分隔；无法区分小数逗号与分隔两个数字的逗号</translation>
     </message>
@@ -8643,6 +8639,26 @@
     <message>
         <source>another axis than that of the first source</source>
         <translation>与第一个源不同的轴</translation>
+    </message>
+    <message>
+        <source>one number; line {line} gives it another one for the next pass of the loop</source>
+        <translation>一个数字；第 {line} 行为循环的下一轮赋予了另一个</translation>
+    </message>
+    <message>
+        <source>one number; another part of the program gives it another one in line {line}</source>
+        <translation>一个数字；程序的另一部分在第 {line} 行赋予了另一个</translation>
+    </message>
+    <message>
+        <source>a name that got a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether that of line {line} counts</source>
+        <translation>在 IF、ELSE、SWITCH、LOOP、WHILE 和 ON 之外赋予了数字的名称；第 {line} 行的数字是否有效只有控制器知道</translation>
+    </message>
+    <message>
+        <source>a number outside of IF, ELSE, SWITCH, LOOP, WHILE and ON; only the controller knows whether this one counts</source>
+        <translation>在 IF、ELSE、SWITCH、LOOP、WHILE 和 ON 之外的数字；此数字是否有效只有控制器知道</translation>
+    </message>
+    <message>
+        <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
+        <translation>仅给 {name} 的元素赋数值；之后以其他方式对数组的修改不计算</translation>
     </message>
 </context>
 <context>
