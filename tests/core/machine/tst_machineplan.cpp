@@ -49,6 +49,18 @@ struct Machine {
         return planDrive(
             bench.compensator, drivecomm::genericProfile(), drive, tables, context, {});
     }
+    /// The drive shall have what a snapshot of it says.
+    void takeFrom(const DriveSnapshot& snapshot)
+    {
+        context.folder = bench.folder.path().toStdString();
+        for (const DriveSnapshot::TableFile& file : snapshot.files)
+            std::ofstream(context.folder / file.name, std::ios::binary)
+                << std::string(asText(file.bytes));
+        drive = snapshot.drive;
+        tables = readMachineTables(
+            MachineFile{{}, {drive}}, context.folder, drivecomm::genericProfile().layout)
+                     .front();
+    }
     [[nodiscard]] Result<std::vector<AxisOutcome>> apply(const DrivePlan& planned)
     {
         return applyPlan(bench.compensator, planned, context, {});
@@ -523,13 +535,29 @@ private Q_SLOTS:
         const MachineAxis& axis = snapshot->drive.axes.at(0);
         QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
         QCOMPARE(axis.choices.target, std::string("#1"));
-        machine.context.folder = bench.folder.path().toStdString();
-        std::ofstream(machine.context.folder / axis.file, std::ios::binary)
-            << std::string(asText(snapshot->files.at(0).bytes));
-        machine.drive = snapshot->drive;
-        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}}, machine.context.folder,
-            drivecomm::genericProfile().layout)
-                             .front();
+        machine.takeFrom(*snapshot);
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->axes.at(0).problem.has_value());
+        QVERIFY(!plan->differs());
+    }
+
+    void aSnapshotOfATableWithACommaInItsNameCanBePlanned()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        WriteRequest request;
+        request.sources = {test::masterX};
+        request.table = test::exampleTable(1);
+        request.table->name = "X error, laser 3";
+        VERIFY_RESULT(bench.compensator.write(0, request));
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        const MachineAxis& axis = snapshot->drive.axes.at(0);
+        QVERIFY2(axis.file.ends_with(".csv"), axis.file.c_str());
+        QCOMPARE(axis.choices.format, &calibration_csv::format());
+        machine.takeFrom(*snapshot);
         const auto plan = machine.plan();
         VERIFY_RESULT(plan);
         QVERIFY(!plan->axes.at(0).problem.has_value());
