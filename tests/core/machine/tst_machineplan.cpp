@@ -207,6 +207,48 @@ private Q_SLOTS:
         QCOMPARE(linear.table->grid.axes[0].size, 5U);
     }
 
+    /// A file of a whole machine has rotary axes, too, which the drive's tables cannot be.
+    void aTableOfAFileIsReadWithoutTheOthers()
+    {
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "all.mpf")
+            << "$AA_ENC_COMP[0,0,A1]=0.25\n$AA_ENC_COMP[0,1,A1]=0.5\n$AA_ENC_COMP[0,2,A1]=0.25\n"
+               "$AA_ENC_COMP_STEP[0,A1]=180\n$AA_ENC_COMP_MIN[0,A1]=0\n"
+               "$AA_ENC_COMP_MAX[0,A1]=360\n$AA_ENC_COMP_IS_MODULO[0,A1]=1\n"
+               "$AA_ENC_COMP[0,0,X1]=0\n$AA_ENC_COMP[0,1,X1]=0.001\n"
+               "$AA_ENC_COMP_STEP[0,X1]=10\n$AA_ENC_COMP_MIN[0,X1]=0\n"
+               "$AA_ENC_COMP_MAX[0,X1]=10\nM17\n";
+        std::ofstream(folder / "two.csv")
+            << "X [mm],X error [mm],Y error [mm]\n0,0,1\n10,0.001,2\n";
+        MachineAxis axis;
+        axis.sources = std::vector<std::string>{test::masterX};
+        const auto read = [&](const char* file, const char* column) {
+            axis.file = file;
+            axis.column = column;
+            return readMachineTable(
+                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+        };
+        const std::vector<float> values{0.0F, 0.001F};
+        for (const char* column : {"X1", "X1, encoder 0", "2", "#2"}) {
+            const MachineTable table = read("all.mpf", column);
+            QVERIFY2(table.table, table.problem ? sentence(*table.problem).c_str() : "");
+            QCOMPARE(table.table->values, values);
+        }
+        QCOMPARE(read("all.mpf", "A1").problem.value().code, ErrorCode::FormatCannotHold);
+        const Error unknown = read("all.mpf", "Z1").problem.value();
+        QCOMPARE(unknown.code, ErrorCode::TableNotFound);
+        const std::string known = "1 (A1, encoder 0), 2 (X1, encoder 0)";
+        QVERIFY2(sentence(unknown).find(known) != std::string::npos, sentence(unknown).c_str());
+        const Error unnamed = read("all.mpf", "").problem.value();
+        QCOMPARE(unnamed.code, ErrorCode::InvalidArgument);
+        QVERIFY2(sentence(unnamed).find(known) != std::string::npos, sentence(unnamed).c_str());
+        const MachineTable ofCsv = read("two.csv", "X error");
+        QVERIFY2(ofCsv.table, ofCsv.problem ? sentence(*ofCsv.problem).c_str() : "");
+        QCOMPARE(ofCsv.table->values, values);
+        QCOMPARE(read("two.csv", "2").table.value().name, std::string("Y error"));
+    }
+
     /// Where the sign is converted, values are added to positions: what is stated comes first.
     void statedUnitsAreThoseOfTheFileBeforeItIsConverted()
     {
