@@ -453,6 +453,28 @@ private Q_SLOTS:
         QVERIFY2(said.find("preview") == std::string::npos, said.c_str());
     }
 
+    void aTableThatAnotherAxisOfTheFileStoresIsNotSaidToBeLost()
+    {
+        Machine machine;
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(machine.bench.compensator.write(axis, test::exampleRequest()));
+        machine.drive.axes[0].persistency = Persistency::Persistent;
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[1].axis = "1";
+        machine.tables.push_back(machine.tables[0]);
+        const auto isOneLost = [&machine] {
+            const auto plan = machine.plan();
+            return plan
+                && std::ranges::any_of(plan->axes.at(0).plan.warnings, [](const Text& warning) {
+                       return warning.english().find("after a reboot that axis has no table")
+                           != std::string::npos;
+                   });
+        };
+        QVERIFY(!isOneLost());
+        machine.drive.axes[1].persistency = Persistency::Volatile;
+        QVERIFY(isOneLost());
+    }
+
     void theFlashOperationsOfAllAxesAreCountedTogether()
     {
         Machine machine;
