@@ -1658,10 +1658,6 @@
         <translation>Der jetzige Inhalt von {slot} wird überschrieben. Die Sicherung enthält eine Kopie.</translation>
     </message>
     <message>
-        <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
-        <translation>Die neue Tabelle ist flüchtig: nach einem Neustart hat die Achse wieder die alte, dauerhafte.</translation>
-    </message>
-    <message>
         <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
         <translation>Gespeichert werden die Parameter aller Achsen, doch eine Tabelle ist flüchtig ({axis}, {slot}): nach einem Neustart hat diese Achse keine Tabelle.</translation>
     </message>
@@ -8701,6 +8697,10 @@
         <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
         <translation>nur Zahlen für die Elemente von {name}; was das Feld danach auf andere Weise ändert, wird nicht berechnet</translation>
     </message>
+    <message>
+        <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
+        <translation>Die neue Tabelle ist flüchtig: nach einem Neustart hat die Achse wieder die alte, dauerhafte, oder keine, wenn seither die Parameter gespeichert wurden.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10902,10 +10902,6 @@
         <translation>true oder false</translation>
     </message>
     <message>
-        <source>a name or a number</source>
-        <translation>ein Name oder eine Nummer</translation>
-    </message>
-    <message>
         <source>one of {known}</source>
         <translation>eines von {known}</translation>
     </message>
@@ -10934,10 +10930,6 @@
         <translation>{name} ist schon in Zeile {line} ein Antrieb</translation>
     </message>
     <message>
-        <source>the serial number of the drive, as a number</source>
-        <translation>die Seriennummer des Antriebs als Zahl</translation>
-    </message>
-    <message>
         <source>serial number {name} is in line {line} already</source>
         <translation>die Seriennummer {name} steht schon in Zeile {line}</translation>
     </message>
@@ -10952,10 +10944,6 @@
     <message>
         <source>a text, a number, true or false</source>
         <translation>ein Text, eine Zahl, true oder false</translation>
-    </message>
-    <message>
-        <source>a number and its unit, such as {example}</source>
-        <translation>eine Zahl und ihre Einheit, etwa {example}</translation>
     </message>
     <message>
         <source>an entry file, or no-table = true for an axis that shall have none</source>
@@ -11004,6 +10992,27 @@
     <message>
         <source>two statements contradict each other</source>
         <translation>zwei Angaben widersprechen sich</translation>
+    </message>
+    <message>
+        <source>the serial number of the drive, a whole number of at most 32 bits, without quotation marks</source>
+        <translation>die Seriennummer des Antriebs, eine ganze Zahl mit höchstens 32 Bit ohne Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>a text that is not empty and has no control characters</source>
+        <translation>ein Text, der nicht leer ist und keine Steuerzeichen enthält</translation>
+    </message>
+    <message>
+        <source>a name, or a whole number that is not negative</source>
+        <translation>ein Name oder eine nicht negative ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number that is not negative and its unit, such as {example}</source>
+        <translation>eine nicht negative Zahl und ihre Einheit, etwa {example}</translation>
+    </message>
+    <message>
+        <source>UTF-8 text</source>
+        <comment>expected in a machine file that is in another encoding</comment>
+        <translation>Text in UTF-8</translation>
     </message>
 </context>
 <context>

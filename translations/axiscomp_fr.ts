@@ -1658,10 +1658,6 @@
         <translation>Le contenu actuel de {slot} sera écrasé. Une copie est conservée dans la sauvegarde.</translation>
     </message>
     <message>
-        <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
-        <translation>La nouvelle table est volatile&#xa0;: après un redémarrage, l&apos;axe retrouve l&apos;ancienne table persistante.</translation>
-    </message>
-    <message>
         <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
         <translation>Les paramètres de tous les axes sont enregistrés, mais une table est volatile ({axis}, {slot})&#xa0;: après un redémarrage, cet axe n&apos;a plus de table.</translation>
     </message>
@@ -8701,6 +8697,10 @@
         <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
         <translation>seulement des nombres pour les éléments de {name}&#xa0;; ce qui modifie ensuite le tableau d&apos;une autre façon n&apos;est pas calculé</translation>
     </message>
+    <message>
+        <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
+        <translation>La nouvelle table est volatile&#xa0;: après un redémarrage, l&apos;axe retrouve l&apos;ancienne table persistante, ou n&apos;en a aucune si les paramètres ont été enregistrés entre-temps.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10902,10 +10902,6 @@
         <translation>true ou false</translation>
     </message>
     <message>
-        <source>a name or a number</source>
-        <translation>un nom ou un numéro</translation>
-    </message>
-    <message>
         <source>one of {known}</source>
         <translation>un choix parmi {known}</translation>
     </message>
@@ -10934,10 +10930,6 @@
         <translation>{name} est déjà un variateur à la ligne {line}</translation>
     </message>
     <message>
-        <source>the serial number of the drive, as a number</source>
-        <translation>le numéro de série du variateur, sous forme de nombre</translation>
-    </message>
-    <message>
         <source>serial number {name} is in line {line} already</source>
         <translation>le numéro de série {name} figure déjà à la ligne {line}</translation>
     </message>
@@ -10952,10 +10944,6 @@
     <message>
         <source>a text, a number, true or false</source>
         <translation>un texte, un nombre, true ou false</translation>
-    </message>
-    <message>
-        <source>a number and its unit, such as {example}</source>
-        <translation>un nombre et son unité, par exemple {example}</translation>
     </message>
     <message>
         <source>an entry file, or no-table = true for an axis that shall have none</source>
@@ -11004,6 +10992,27 @@
     <message>
         <source>two statements contradict each other</source>
         <translation>deux indications se contredisent</translation>
+    </message>
+    <message>
+        <source>the serial number of the drive, a whole number of at most 32 bits, without quotation marks</source>
+        <translation>le numéro de série du variateur, un nombre entier de 32 bits au plus, sans guillemets</translation>
+    </message>
+    <message>
+        <source>a text that is not empty and has no control characters</source>
+        <translation>un texte non vide et sans caractères de contrôle</translation>
+    </message>
+    <message>
+        <source>a name, or a whole number that is not negative</source>
+        <translation>un nom, ou un nombre entier non négatif</translation>
+    </message>
+    <message>
+        <source>a number that is not negative and its unit, such as {example}</source>
+        <translation>un nombre non négatif et son unité, par exemple {example}</translation>
+    </message>
+    <message>
+        <source>UTF-8 text</source>
+        <comment>expected in a machine file that is in another encoding</comment>
+        <translation>du texte en UTF-8</translation>
     </message>
 </context>
 <context>

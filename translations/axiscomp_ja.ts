@@ -1658,10 +1658,6 @@
         <translation>{slot} の現在の内容を上書きします。コピーはバックアップに残ります。</translation>
     </message>
     <message>
-        <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
-        <translation>新しいテーブルは揮発です。再起動すると、軸は以前の不揮発のテーブルに戻ります。</translation>
-    </message>
-    <message>
         <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
         <translation>全軸のパラメータを保存しますが、{slot} にある {axis} のテーブルは揮発です。再起動すると、その軸のテーブルはなくなります。</translation>
     </message>
@@ -8660,6 +8656,10 @@
         <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
         <translation>{name} の要素の数値のみであること。その後で配列をほかの方法で変更する文は計算しない</translation>
     </message>
+    <message>
+        <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
+        <translation>新しいテーブルは揮発です。再起動すると、軸は以前の不揮発のテーブルに戻ります。それまでにパラメータを保存した場合は、テーブルなしになります。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10852,10 +10852,6 @@
         <translation>true または false</translation>
     </message>
     <message>
-        <source>a name or a number</source>
-        <translation>名前または番号</translation>
-    </message>
-    <message>
         <source>one of {known}</source>
         <translation>{known} のいずれか</translation>
     </message>
@@ -10884,10 +10880,6 @@
         <translation>{name} は行 {line} ですでにドライブの名前です</translation>
     </message>
     <message>
-        <source>the serial number of the drive, as a number</source>
-        <translation>ドライブのシリアル番号 (数値)</translation>
-    </message>
-    <message>
         <source>serial number {name} is in line {line} already</source>
         <translation>シリアル番号 {name} はすでに行 {line} にあります</translation>
     </message>
@@ -10902,10 +10894,6 @@
     <message>
         <source>a text, a number, true or false</source>
         <translation>テキスト、数値、true または false</translation>
-    </message>
-    <message>
-        <source>a number and its unit, such as {example}</source>
-        <translation>{example} のような数値と単位</translation>
     </message>
     <message>
         <source>an entry file, or no-table = true for an axis that shall have none</source>
@@ -10954,6 +10942,27 @@
     <message>
         <source>two statements contradict each other</source>
         <translation>2 つの記述が矛盾しています</translation>
+    </message>
+    <message>
+        <source>the serial number of the drive, a whole number of at most 32 bits, without quotation marks</source>
+        <translation>ドライブのシリアル番号 (32 ビット以内の整数、引用符なし)</translation>
+    </message>
+    <message>
+        <source>a text that is not empty and has no control characters</source>
+        <translation>空でなく、制御文字を含まないテキスト</translation>
+    </message>
+    <message>
+        <source>a name, or a whole number that is not negative</source>
+        <translation>名前、または 0 以上の整数</translation>
+    </message>
+    <message>
+        <source>a number that is not negative and its unit, such as {example}</source>
+        <translation>0 以上の数値とその単位 (例: {example})</translation>
+    </message>
+    <message>
+        <source>UTF-8 text</source>
+        <comment>expected in a machine file that is in another encoding</comment>
+        <translation>UTF-8 のテキスト</translation>
     </message>
 </context>
 <context>

@@ -1658,10 +1658,6 @@
         <translation>{slot} 现有的内容将被覆盖。备份中保留副本。</translation>
     </message>
     <message>
-        <source>The new table is volatile: after a reboot the axis has the old, persistent one again.</source>
-        <translation>新表是易失的：重启后该轴将恢复原来的持久表。</translation>
-    </message>
-    <message>
         <source>The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: after a reboot that axis has no table.</source>
         <translation>将保存所有轴的参数，但 {axis} 在 {slot} 中的表是易失的：重启后该轴没有表。</translation>
     </message>
@@ -8660,6 +8656,10 @@
         <source>numbers for the elements of {name} alone; what else changes the array behind them is not computed</source>
         <translation>仅给 {name} 的元素赋数值；之后以其他方式对数组的修改不计算</translation>
     </message>
+    <message>
+        <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
+        <translation>新表是易失的：重启后该轴将恢复原来的持久表；如果此后保存过参数，则没有表。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10852,10 +10852,6 @@
         <translation>true 或 false</translation>
     </message>
     <message>
-        <source>a name or a number</source>
-        <translation>名称或编号</translation>
-    </message>
-    <message>
         <source>one of {known}</source>
         <translation>{known} 之一</translation>
     </message>
@@ -10884,10 +10880,6 @@
         <translation>{name} 在第 {line} 行已是一台驱动器</translation>
     </message>
     <message>
-        <source>the serial number of the drive, as a number</source>
-        <translation>以数字表示的驱动器序列号</translation>
-    </message>
-    <message>
         <source>serial number {name} is in line {line} already</source>
         <translation>序列号 {name} 已在第 {line} 行</translation>
     </message>
@@ -10902,10 +10894,6 @@
     <message>
         <source>a text, a number, true or false</source>
         <translation>文本、数字、true 或 false</translation>
-    </message>
-    <message>
-        <source>a number and its unit, such as {example}</source>
-        <translation>数字及其单位，例如 {example}</translation>
     </message>
     <message>
         <source>an entry file, or no-table = true for an axis that shall have none</source>
@@ -10954,6 +10942,27 @@
     <message>
         <source>two statements contradict each other</source>
         <translation>两处说明相互矛盾</translation>
+    </message>
+    <message>
+        <source>the serial number of the drive, a whole number of at most 32 bits, without quotation marks</source>
+        <translation>驱动器序列号：不超过 32 位（bit）的整数，不加引号</translation>
+    </message>
+    <message>
+        <source>a text that is not empty and has no control characters</source>
+        <translation>非空且不含控制字符的文本</translation>
+    </message>
+    <message>
+        <source>a name, or a whole number that is not negative</source>
+        <translation>名称，或非负整数</translation>
+    </message>
+    <message>
+        <source>a number that is not negative and its unit, such as {example}</source>
+        <translation>非负数及其单位，例如 {example}</translation>
+    </message>
+    <message>
+        <source>UTF-8 text</source>
+        <comment>expected in a machine file that is in another encoding</comment>
+        <translation>UTF-8 文本</translation>
     </message>
 </context>
 <context>

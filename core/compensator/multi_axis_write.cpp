@@ -4,7 +4,7 @@
 #include "core/write/backup_restore.h"
 
 #include <algorithm>
-#include <map>
+#include <optional>
 #include <set>
 
 namespace axiscomp {
@@ -53,6 +53,15 @@ Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const A
 
 } // namespace
 
+WriteSequence sequenceOf(std::span<const AxisWrite> writes)
+{
+    WriteSequence sequence;
+    for (const auto& [axis, request] : writes)
+        sequence.expect(axis,
+            !request.withoutTable && request.persistency == std::optional(Persistency::Persistent));
+    return sequence;
+}
+
 Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options)
 {
@@ -63,10 +72,10 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
                 AXISCOMP_TEXT("Error", "axis {axis} is named twice").with("axis", write.axis));
     std::vector<WritePlan> plans;
     FlashSum flash;
-    std::map<std::string, Text> taken;
+    WriteSequence sequence = sequenceOf(writes);
     for (const AxisWrite& write : writes) {
         WriteRequest request = write.request;
-        request.takenSlots = taken;
+        sequence.begin(write.axis, request);
         auto plan = compensator.plan(write.axis, request, options);
         if (!plan) {
             Error error = plan.error();
@@ -74,7 +83,7 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
             return fail(std::move(error));
         }
         flash.add(plan->flashOperations, plan->flashReserve);
-        takeSlot(taken, *plan);
+        sequence.add(*plan);
         plans.push_back(*std::move(plan));
     }
     AXISCOMP_CHECK(flash.check(compensator, options));

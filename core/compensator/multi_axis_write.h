@@ -3,6 +3,7 @@
 
 #include "core/compensator/axis_operations.h"
 #include "core/store/backup.h"
+#include "core/write/write_sequence.h"
 
 #include <atomic>
 #include <memory>
@@ -18,6 +19,8 @@ struct AxisWrite {
     int axis = 0;
     WriteRequest request;
 };
+
+[[nodiscard]] WriteSequence sequenceOf(std::span<const AxisWrite> writes);
 
 /// The plan of each, so that nothing is begun that cannot be ended; changes nothing. No two put a
 /// table into the same slot, as it will be when one is written after the other. Errors: those of

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <set>
 
 namespace axiscomp {
@@ -31,6 +32,36 @@ bool isOfTheGrid(const Diagnostic& diagnostic, int dimensions)
     default:
         return diagnostic.severity == Severity::Warning;
     }
+}
+
+/// Two columns of a file may have one name, but a table is chosen by its.
+std::string distinctName(std::set<std::string>& taken, const std::string& wanted)
+{
+    std::string name = wanted;
+    for (int n = 2; !taken.insert(name).second; ++n)
+        name = wanted + " (" + std::to_string(n) + ')';
+    return name;
+}
+
+std::vector<TableName> namesOfTables(const std::vector<CompensationTable>& tables)
+{
+    std::vector<TableName> names;
+    for (const CompensationTable& table : tables)
+        names.push_back({table.name, table.name});
+    return names;
+}
+
+std::vector<TableName> namesOfColumns(const std::vector<NeutralTable>& columns)
+{
+    std::vector<TableName> names;
+    std::set<std::string> taken;
+    for (const NeutralTable& table : columns) {
+        const CompensationColumn& column = table.columns.front();
+        const std::string& inFile = column.name.empty() ? table.name : column.name;
+        names.push_back({distinctName(taken, nameOfTable(table, 0)),
+            inFile.empty() ? columnText(table, column).english() : inFile});
+    }
+    return names;
 }
 
 class Import {
@@ -65,13 +96,15 @@ private:
     void readTamTable();
     void readOther();
     [[nodiscard]] bool takeSign(const std::vector<std::string>& notes);
+    /// By their numbers. Errors: those of TableImportRequest::choose.
+    [[nodiscard]] Result<std::vector<std::size_t>> wantedOf(
+        const std::vector<TableName>& tables) const;
     void take(CalibrationData data);
     void refuseIncomplete();
     void convert(const std::vector<NeutralTable>& whole);
     /// One table, with the notes that it has then.
     [[nodiscard]] Result<CalibrationData> converted(
         const NeutralTable& column, std::shared_ptr<const NeutralTable> beside);
-    void keepName(CompensationTable& table);
     void refuse(const Error& error) { m_result.refusal = error; }
     void problem(const Error& error)
     {
@@ -136,6 +169,17 @@ bool Import::takeSign(const std::vector<std::string>& notes)
     return sign.has_value();
 }
 
+Result<std::vector<std::size_t>> Import::wantedOf(const std::vector<TableName>& tables) const
+{
+    if (m_request.choose) {
+        AXISCOMP_TRY(const auto chosen, m_request.choose(tables));
+        return std::vector{chosen};
+    }
+    std::vector<std::size_t> all(tables.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 void Import::take(CalibrationData data)
 {
     m_result.sourceAxes = data.grid.dimensions();
@@ -145,8 +189,15 @@ void Import::take(CalibrationData data)
         convert(std::vector{neutralTable(data)});
         return;
     }
-    for (CompensationTable& table : data.tables)
-        takeStatedUnits(table, m_request.choices.units);
+    const auto wanted = wantedOf(namesOfTables(data.tables));
+    if (!wanted)
+        return refuse(wanted.error());
+    std::vector<CompensationTable> tables;
+    for (const std::size_t n : *wanted) {
+        takeStatedUnits(data.tables[n], m_request.choices.units);
+        tables.push_back(std::move(data.tables[n]));
+    }
+    data.tables = std::move(tables);
     data.grid = data.tables.front().grid;
     m_result.data = std::make_shared<const CalibrationData>(std::move(data));
 }
@@ -251,14 +302,6 @@ void Import::readOther()
         refuseIncomplete();
 }
 
-/// Two columns of a file may have one name, but a table is chosen by its.
-void Import::keepName(CompensationTable& table)
-{
-    const std::string name = table.name;
-    for (int n = 2; !m_names.insert(table.name).second; ++n)
-        table.name = name + " (" + std::to_string(n) + ')';
-}
-
 void Import::convert(const std::vector<NeutralTable>& whole)
 {
     const std::vector<NeutralTable> tables = separateColumns(whole);
@@ -270,9 +313,12 @@ void Import::convert(const std::vector<NeutralTable>& whole)
         m_result.hasWrap = m_result.hasWrap
             || std::ranges::any_of(table.axes, [](const SourceAxis& a) { return !!a.wrap; });
     }
-    m_isOneOfSeveral = tables.size() > 1;
+    const auto wanted = wantedOf(namesOfColumns(tables));
+    if (!wanted)
+        return refuse(wanted.error());
+    m_isOneOfSeveral = wanted->size() > 1;
     CalibrationData data;
-    for (std::size_t n = 0; n < tables.size(); ++n) {
+    for (const std::size_t n : *wanted) {
         if (m_request.stop.stop_requested()) {
             m_result.isCancelled = true;
             return;
@@ -280,7 +326,7 @@ void Import::convert(const std::vector<NeutralTable>& whole)
         auto one = converted(tables[n], sourcesBeside(whole, n));
         if (!one)
             return refuse(one.error());
-        if (n == 0)
+        if (data.tables.empty())
             data = *std::move(one);
         else
             data.tables.push_back(std::move(one->tables.front()));
@@ -315,7 +361,7 @@ Result<CalibrationData> Import::converted(
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
     CompensationTable& table = data.tables.front();
     table.isTargetOfDrive = choices.target.empty() && !request.targets.empty();
-    keepName(table);
+    table.name = distinctName(m_names, table.name);
     if (const auto lookupAt = conversion.tables.front().lookupAt)
         m_lookupAt = lookupAt;
     if (m_isOneOfSeveral)

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "core/conversion/import_choices.h"
+#include "core/conversion/table_choice.h"
 #include "core/csv/calibration_csv.h"
 #include "core/table/table_layout.h"
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 
 namespace axiscomp {
@@ -19,6 +21,10 @@ struct TableImportRequest {
     const TableLayout* layout = nullptr; ///< of TAM tables
     std::stop_token stop;
     std::function<void(double fraction)> progress; ///< may be empty
+    /// Which table of the file is meant, where it is one: the drive need not be able to hold the
+    /// others. tables: the name that each gets on the drive, and as its text that of the file.
+    /// Empty: all of them.
+    std::function<Result<std::size_t>(std::span<const TableName> tables)> choose = {};
 };
 
 /// What became of a file of any known format on its way to tables of the drive.

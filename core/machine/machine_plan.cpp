@@ -56,6 +56,7 @@ public:
         const MachineDrive& drive, std::span<const MachineTable> tables);
 
 private:
+    [[nodiscard]] Result<std::vector<AxisPlan>> foundAxes(const MachineDrive& drive);
     [[nodiscard]] Result<void> planAxis(
         const MachineAxis& axis, const MachineTable& table, AxisPlan& plan);
     [[nodiscard]] Result<MachineTable> settledTable(
@@ -94,22 +95,45 @@ Result<DrivePlan> DrivePlanner::plan(
         taken.emplace(
             slot, AXISCOMP_TEXT("Error", "axis {axis} of the machine file").with("axis", axis));
     const auto hasSlot = [&](std::size_t n) { return !drive.axes[n].slot.empty(); };
-    result.axes.resize(drive.axes.size());
+    AXISCOMP_TRY(result.axes, foundAxes(drive));
+    WriteSequence sequence(std::move(taken));
+    for (std::size_t n = 0; n < drive.axes.size(); ++n)
+        sequence.expect(result.axes[n].axis,
+            !drive.axes[n].file.empty() && drive.axes[n].persistency == Persistency::Persistent);
     for (const std::size_t n : inOrderOfWriting(drive.axes.size(), hasSlot)) {
         AxisPlan& plan = result.axes[n];
-        plan.name = drive.axes[n].axis;
-        plan.request.takenSlots = taken;
+        if (plan.problem)
+            continue;
+        sequence.begin(plan.axis, plan.request);
         auto planned = planAxis(drive.axes[n], tables[n], plan);
         if (!planned && endsPlan(planned.error()))
             return fail(std::move(planned).error());
         if (!planned)
             plan.problem = std::move(planned).error();
         else
-            takeSlot(taken, plan.plan);
+            sequence.add(plan.plan);
     }
     checkNamedOnce(result);
     checkFlash(result);
     return result;
+}
+
+/// Their plans, which know no more than this.
+Result<std::vector<AxisPlan>> DrivePlanner::foundAxes(const MachineDrive& drive)
+{
+    std::vector<AxisPlan> plans;
+    for (const MachineAxis& axis : drive.axes) {
+        AxisPlan& plan = plans.emplace_back();
+        plan.name = axis.axis;
+        auto found = m_compensator.findAxis(axis.axis, m_options);
+        if (!found && endsPlan(found.error()))
+            return fail(std::move(found).error());
+        if (found)
+            plan.axis = *found;
+        else
+            plan.problem = std::move(found).error();
+    }
+    return plans;
 }
 
 /// A table whose numbers depend on the axis's sources is read with these.
@@ -139,7 +163,6 @@ Result<MachineTable> DrivePlanner::settledTable(
 Result<void> DrivePlanner::planAxis(
     const MachineAxis& axis, const MachineTable& table, AxisPlan& plan)
 {
-    AXISCOMP_TRY(plan.axis, m_compensator.findAxis(axis.axis, m_options));
     AXISCOMP_TRY(
         const auto now, settledStatus(m_compensator, m_context.storeRoot, plan.axis, m_options));
     plan.before = now.status;

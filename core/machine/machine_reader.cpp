@@ -36,9 +36,10 @@ namespace {
 constexpr std::size_t mostProblems = 100;
 constexpr std::int64_t machineVersion = 1;
 
+/// All of it, also behind a zero byte.
 std::string shownWord(std::string_view text)
 {
-    return shownText(text);
+    return shownText(visibleText(text));
 }
 
 /// The value as people wrote it, near enough to be found.
@@ -53,6 +54,15 @@ std::string writtenText(const toml::node& node)
     if (const auto flag = node.value_exact<bool>())
         return *flag ? "true" : "false";
     return node.is_array() ? "[...]" : node.is_table() ? "{...}" : "...";
+}
+
+/// The same where a whole number was expected, which 1.0 is none of.
+std::string textInFile(const toml::node& node)
+{
+    std::string text = writtenText(node);
+    if (node.is_floating_point() && text.find_first_not_of("-0123456789") == std::string::npos)
+        text += ".0";
+    return text;
 }
 
 std::string lowerCase(std::string_view text)
@@ -116,7 +126,7 @@ public:
     }
     void wrong(const toml::node& node, Text expected)
     {
-        error(node, writtenText(node), std::move(expected));
+        error(node, textInFile(node), std::move(expected));
     }
     void contradiction(const toml::node& node, Text found)
     {
@@ -134,7 +144,10 @@ public:
         const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; };
         if (text && !text->empty() && std::ranges::none_of(*text, isControl))
             return text;
-        wrong(*node, AXISCOMP_TEXT("Problem", "a text in quotation marks"));
+        wrong(*node,
+            text
+                ? AXISCOMP_TEXT("Problem", "a text that is not empty and has no control characters")
+                : AXISCOMP_TEXT("Problem", "a text in quotation marks"));
         return std::nullopt;
     }
     [[nodiscard]] std::string text(std::string_view key)
@@ -159,8 +172,9 @@ public:
         const auto number = node->value_exact<std::int64_t>();
         if (number && *number >= 0)
             return std::to_string(*number);
-        if (number) {
-            wrong(*node, AXISCOMP_TEXT("Problem", "a name or a number"));
+        if (node->is_number()) {
+            wrong(
+                *node, AXISCOMP_TEXT("Problem", "a name, or a whole number that is not negative"));
             return {};
         }
         return textOf(node).value_or(std::string());
@@ -228,6 +242,7 @@ public:
     [[nodiscard]] MachineReading read(std::string_view text);
 
 private:
+    [[nodiscard]] bool isReadable(std::string_view text);
     void readTop(const toml::table& table);
     void readDrive(const toml::table& table);
     void readAxis(const toml::table& table, MachineDrive& drive);
@@ -259,9 +274,27 @@ void MachineReader::claim(Entries& entries, const toml::node* node, const std::s
         entries.contradiction(*node, twice.with("name", what).with("line", owner->second));
 }
 
+/// As other text files, but for their encoding: TOML is UTF-8, and nothing else is read.
+bool MachineReader::isReadable(std::string_view text)
+{
+    DiagnosticList found{mostProblems};
+    const bool isText = isReadableText(text, maximumMachineFile, found);
+    if (!isText)
+        m_problems = std::move(found);
+    if (!isText || findInvalidUtf8(text) == std::string_view::npos)
+        return isText;
+    TextLines lines(text);
+    while (const auto line = lines.next())
+        if (const std::size_t at = findInvalidUtf8(line->text); at != std::string_view::npos)
+            m_problems.error(DiagnosticCode::Syntax, line->line, line->column + at,
+                Verbatim{excerpt(line->text, Encoding::Windows1252)},
+                AXISCOMP_TEXT("Problem", "UTF-8 text"));
+    return false;
+}
+
 MachineReading MachineReader::read(std::string_view text)
 {
-    if (!isReadableText(text, maximumMachineFile, m_problems))
+    if (!isReadable(text))
         return {std::nullopt, m_problems.take(), m_problems.suppressed()};
     const toml::parse_result parsed = toml::parse(text);
     if (parsed) {
@@ -309,8 +342,10 @@ void MachineReader::readDrive(const toml::table& table)
         const auto number = serial->value_exact<std::int64_t>();
         if (!number || *number < std::numeric_limits<std::int32_t>::min()
             || *number > std::numeric_limits<std::int32_t>::max()) {
-            entries.wrong(
-                *serial, AXISCOMP_TEXT("Problem", "the serial number of the drive, as a number"));
+            entries.wrong(*serial,
+                AXISCOMP_TEXT("Problem",
+                    "the serial number of the drive, a whole number of at most 32 bits, without "
+                    "quotation marks"));
         } else {
             drive.serialNumber = static_cast<std::int32_t>(*number);
             claim(entries, serial, std::to_string(*number), m_serialNumbers,
@@ -402,7 +437,8 @@ void MachineReader::readTolerance(Entries& entries, MachineAxis& axis)
         axis.tolerance = ValueTolerance{*number, unit};
     else
         entries.wrong(*node,
-            AXISCOMP_TEXT("Problem", "a number and its unit, such as {example}")
+            AXISCOMP_TEXT(
+                "Problem", "a number that is not negative and its unit, such as {example}")
                 .with("example", Verbatim{"0.1 um"}));
 }
 

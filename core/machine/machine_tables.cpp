@@ -9,6 +9,7 @@
 #include "core/neutral/lookup_note.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace axiscomp {
@@ -25,23 +26,25 @@ Error fileError(const std::filesystem::path& file, const TableImport& import)
         {}};
 }
 
-Result<CompensationTable> chosenTable(const MachineAxis& axis, const CalibrationData& data)
+/// By the name that it gets on the drive, else by that of the file; without one the only table.
+Result<std::size_t> chosenTable(const MachineAxis& axis, std::span<const TableName> tables)
 {
-    std::vector<TableName> names;
-    for (const CompensationTable& table : data.tables)
-        names.push_back({table.name, table.name});
-    std::size_t index = 0;
-    if (!axis.column.empty()) {
-        AXISCOMP_TRY(index, chooseTable(names, axis.column));
-    } else if (names.size() != 1) {
+    if (axis.column.empty() && tables.size() == 1)
+        return std::size_t{0};
+    if (axis.column.empty())
         return fail(ErrorCode::InvalidArgument,
             {{"reason",
                 AXISCOMP_TEXT(
                     "Error", "{file} has several tables; name one of them with column: {known}")
                     .with("file", axis.file)
-                    .with("known", tableList(names))}});
-    }
-    return data.tables[index];
+                    .with("known", tableList(tables))}});
+    auto chosen = chooseTable(tables, axis.column);
+    if (chosen || chosen.error().code != ErrorCode::TableNotFound)
+        return chosen;
+    std::vector<TableName> inFile;
+    for (const TableName& table : tables)
+        inFile.push_back({table.text, table.text});
+    return chooseTable(inFile, axis.column);
 }
 
 } // namespace
@@ -60,6 +63,8 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     request.choices.place = place.value_or(AxisPlace{});
     request.layout = &layout;
     request.stop = stop;
+    request.choose = [&axis](
+                         std::span<const TableName> tables) { return chosenTable(axis, tables); };
     TableImport import = importTables(request);
     result.problems = std::move(import.problems);
     if (import.isCancelled) {
@@ -70,8 +75,6 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     } else if (!import.data) {
         import.problems = result.problems;
         result.problem = fileError(result.file, import);
-    } else if (auto table = chosenTable(axis, *import.data); !table) {
-        result.problem = std::move(table).error();
     } else if (const auto lookupAt = lookupInNotes(import.data->notes); !lookupAt) {
         result.problem = lookupAt.error();
     } else if (const auto measured = measuredDriveInNotes(import.data->notes); !measured) {
@@ -79,7 +82,7 @@ MachineTable readMachineTable(const MachineAxis& axis, const std::filesystem::pa
     } else if (!place && import.usedPlace.lookupAt) {
         result.isOpen = true;
     } else {
-        result.table = *std::move(table);
+        result.table = import.data->tables.front();
         result.lookupAt = *lookupAt;
         result.measuredDrive = *measured;
         result.report = std::move(import.report);

@@ -6,6 +6,7 @@
 #include "core/compensator/table_of_axis.h"
 #include "core/csv/calibration_csv.h"
 #include "core/drive/axis_target.h"
+#include "core/formats/formats.h"
 #include "core/io/local_file.h"
 #include "core/store/backup_json.h"
 #include "core/table/large_correction.h"
@@ -133,6 +134,8 @@ Result<void> Snapshot::takeTable(const AxisStatus& status, MachineAxis& axis)
     axis.isActive = status.isOn();
     axis.acceptsLarge = !largeCorrections(table).empty(); // the drive has it
     const bool isTamTable = file.name.ends_with(".TAMtbl");
+    // By its content alone a file may be one of several formats.
+    axis.choices.format = isTamTable ? &tam_table::format() : &calibration_csv::format();
     // Where a file says no unit, its numbers are the drive's own.
     if (table.unit.empty())
         axis.choices.units.values = "drive";

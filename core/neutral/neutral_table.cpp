@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/neutral/neutral_table.h"
 
+#include "core/neutral/drive_note.h"
 #include "core/table/even_spacing.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace axiscomp {
@@ -163,6 +166,18 @@ std::size_t endOfColumn(const NeutralTable& table, std::size_t first)
     return end;
 }
 
+bool saysDrive(const std::string& note)
+{
+    return statedIn(note, driveKey).has_value();
+}
+
+/// Which drive was measured a file says once: its comments are the notes of its first table.
+void takeDriveNotes(NeutralTable& table, const NeutralTable& first)
+{
+    if (std::ranges::none_of(table.notes, saysDrive))
+        std::ranges::copy_if(first.notes, std::back_inserter(table.notes), saysDrive);
+}
+
 } // namespace
 
 std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
@@ -170,6 +185,7 @@ std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables)
     std::vector<NeutralTable> separate;
     for (const NeutralTable& table : tables) {
         NeutralTable single = table;
+        takeDriveNotes(single, tables.front());
         for (std::size_t first = 0; first < table.columns.size();) {
             const std::size_t end = endOfColumn(table, first);
             single.columns.assign(table.columns.begin() + static_cast<std::ptrdiff_t>(first),

@@ -100,7 +100,8 @@ struct NeutralTable {
     NeutralTable table, std::span<const std::string> statements, bool areHeaders);
 
 /// The tables with one column each (a pair of directions is one), in the order of the file: what a
-/// user chooses from, and what a format with one column can hold.
+/// user chooses from, and what a format with one column can hold. Each says which drive was
+/// measured, as its table or else the first one does.
 [[nodiscard]] std::vector<NeutralTable> separateColumns(std::span<const NeutralTable> tables);
 /// The columns beside the one of this number among the separate ones, in its table, that correct
 /// one of its sources: in use together, they move the place where that one is looked up. Null:

@@ -84,8 +84,9 @@ bool isAxisCalled(std::string_view name, std::string_view axis)
     return !called.empty() && sameLetters(joined(wordsOf(name)), called);
 }
 
-/// The words that are not among the expected ones. Several without one of these are a title, and a
-/// number behind a word counts columns.
+/// The words that are not among the expected ones. Several without one of these are a title. A
+/// number or a letter behind a word counts columns ("Error 2", "Error B"), as a letter alone may
+/// do; before the word they name an axis ("B error").
 std::string nameBeside(std::string_view header, std::span<const std::string_view> expected)
 {
     const std::vector<std::string_view> words = wordsOf(header);
@@ -97,8 +98,11 @@ std::string nameBeside(std::string_view header, std::span<const std::string_view
     const bool isTitle = others.size() > 1 && others.size() == words.size();
     if (others.empty() || isTitle)
         return {};
-    const bool isCount = isAxisNumber(others.front()) && others.front() != words.front();
-    return isCount || mayBeCounted(others.front()) ? std::string() : joined(others);
+    const std::string_view name = others.front();
+    const bool isBehind = name != words.front();
+    const bool isCount =
+        (isAxisNumber(name) && isBehind) || (mayBeCounted(name) && (isBehind || words.size() == 1));
+    return isCount ? std::string() : joined(others);
 }
 
 /// "Z" of "dZ", "DZ" and of a capital delta before the letter.

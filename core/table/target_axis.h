@@ -85,9 +85,9 @@ struct CompensationTable;
 [[nodiscard]] std::string_view axisOfColumn(std::string_view header);
 
 /// What may be the name of an axis of a drive in a header of positions or of values, whatever axes
-/// are called there: "Left" of "Left position" and "Left error". Empty: none, as in "Position",
-/// "Error 2" or several words of which none is such a word, or a letter or a symbol that is none in
-/// axisOfColumn.
+/// are called there: "Left" of "Left position" and "Left error", "B" of "B error". Empty: none, as
+/// in "Position", "Error 2", "Error B" or "B", or several words of which none is such a word, or a
+/// symbol that is none in axisOfColumn.
 [[nodiscard]] std::string nameInPositions(std::string_view header);
 [[nodiscard]] std::string nameInValues(std::string_view header);
 

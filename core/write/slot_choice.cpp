@@ -108,11 +108,4 @@ Result<SlotChoice> chooseSlot(std::size_t tableBytes, const std::optional<std::s
     return fail(ErrorCode::NoFreeSlot, {{"size", tableBytes}, {"slots", std::move(reasons)}});
 }
 
-void takeSlot(std::map<std::string, Text>& taken, const WritePlan& plan)
-{
-    if (plan.slotReason != SlotReason::KeepTable)
-        taken.emplace(plan.after.slot,
-            AXISCOMP_TEXT("Error", "axis {axis}, which is written first").with("axis", plan.axis));
-}
-
 } // namespace axiscomp

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,12 @@ enum class TableOrigin {
     Axis, ///< this axis had it, or was being written it: its target was settled then
 };
 
+/// What is known of the other axes where several are written one after the other (WriteSequence).
+struct OtherWrites {
+    std::map<int, CompensationSetup> written = {}; ///< before this one, and what each has then
+    std::set<int> stored = {}; ///< after this one, with a table that is persistent then
+};
+
 /// What a write shall bring about for one axis.
 struct WriteRequest {
     int dimensionality = 1;
@@ -39,6 +46,7 @@ struct WriteRequest {
     std::optional<std::string> slot; ///< none: chosen
     /// For others that are planned together with this one, each with who that is.
     std::map<std::string, Text> takenSlots = {};
+    OtherWrites others = {};
     bool withoutTable = false; ///< the axis shall use none: sources, which may be gaps (""), remain
     /// withoutTable: an axis that names an empty slot, as after a reboot that took a volatile
     /// table, has no table already.
@@ -95,9 +103,6 @@ struct WritePlan {
     std::vector<DimensionCoverage> coverage; ///< where the drive says how far an axis travels
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units
 };
-
-/// Adds the slot into which a table goes, for the requests after it (WriteRequest::takenSlots).
-void takeSlot(std::map<std::string, Text>& taken, const WritePlan& plan);
 
 /// Deletes the table that the axis uses; its sources stay.
 [[nodiscard]] WriteRequest deletionRequest();

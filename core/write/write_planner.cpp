@@ -160,6 +160,7 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     m_keepsTable = false;
     m_positionFacts.clear();
     m_names.clear();
+    m_otherWrites = request.others;
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
     plan.axis = axis;

@@ -11,6 +11,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <string>
 
 namespace axiscomp {
 
@@ -88,6 +90,7 @@ private:
     void warnOfDeletion();
     void warnOfDetaching();
     void warnOfSavedTable();
+    [[nodiscard]] std::optional<std::string> volatileSlotOf(const AxisStatus& other) const;
     void warnOfSaving();
 
     const RegisterAccess& m_access;
@@ -99,6 +102,7 @@ private:
     AxisStatus m_status;
     std::map<int, PositionFacts> m_positionFacts; ///< of other axes
     std::vector<std::string> m_names; ///< of all axes, once one has asked
+    OtherWrites m_otherWrites; ///< of the request
     std::vector<AxisStatus> m_others; ///< the other axes, when the parameters will be saved
     SavedState m_saved;
     PreparedWrite m_write;

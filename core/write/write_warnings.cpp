@@ -81,7 +81,7 @@ void WritePlanner::warn()
     if (m_status.table && m_status.table->persistent)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The new table is volatile: after a reboot the axis has the old, persistent one "
-            "again."));
+            "again, or none where the parameters have been saved since then."));
     if (m_write.slotBefore.persistent && plan.after.slot != plan.before.slot)
         plan.warnings.push_back(AXISCOMP_TEXT("Error",
             "The new table is volatile and covers an older one that flash holds in {slot}: after a "
@@ -133,6 +133,19 @@ void WritePlanner::warnOfUnknownKinds()
     }
 }
 
+/// Where another axis has a volatile table when the parameters are saved; nothing: it has none. Of
+/// one that is written before this one it is known what it has then.
+std::optional<std::string> WritePlanner::volatileSlotOf(const AxisStatus& other) const
+{
+    const auto written = m_otherWrites.written.find(other.axis.index);
+    const bool isWritten = written != m_otherWrites.written.end();
+    const CompensationSetup& then = isWritten ? written->second : other.setup;
+    const bool hasTable = isWritten ? then.tableCrc != 0 : other.table.has_value();
+    if (!hasTable || then.persistency == Persistency::Persistent)
+        return std::nullopt;
+    return then.slot;
+}
+
 /// Saving stores the parameters of all axes, volatile tables of others included.
 void WritePlanner::warnOfSaving()
 {
@@ -144,18 +157,20 @@ void WritePlanner::warnOfSaving()
             "the axis may have no table after a reboot.")
                                     .with("slot", plan.after.slot));
     for (const AxisStatus& other : m_others) {
-        if (!other.table || other.table->persistent)
+        const auto slot = volatileSlotOf(other);
+        if (!slot)
             continue;
-        plan.warnings.push_back(AXISCOMP_TEXT("Error",
-            "The parameters of all axes are saved, but the table of {axis} in {slot} is volatile: "
-            "after a reboot that axis has no table.")
-                                    .with("axis", axisText(other.axis.index, other.axis.name))
-                                    .with("slot", other.setup.slot));
-        if (m_saved.isCovered(other.setup.slot))
+        if (!m_otherWrites.stored.contains(other.axis.index))
+            plan.warnings.push_back(AXISCOMP_TEXT("Error",
+                "The parameters of all axes are saved, but the table of {axis} in {slot} is "
+                "volatile: after a reboot that axis has no table.")
+                                        .with("axis", axisText(other.axis.index, other.axis.name))
+                                        .with("slot", *slot));
+        if (m_saved.isCovered(*slot))
             plan.warnings.push_back(AXISCOMP_TEXT("Error",
                 "Flash may hold an older table in {slot}: it is deleted before the parameters are "
                 "saved.")
-                                        .with("slot", other.setup.slot));
+                                        .with("slot", *slot));
     }
 }
 

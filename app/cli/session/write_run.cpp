@@ -5,7 +5,6 @@
 #include "app/cli/output/status_text.h"
 #include "app/cli/output/write_text.h"
 
-#include <map>
 #include <vector>
 
 namespace axiscomp::app {
@@ -194,7 +193,7 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
 {
     AXISCOMP_TRY(
         const auto plans, planMultiAxis(session.compensator(), writes, session.operation()));
-    std::map<std::string, Text> taken;
+    WriteSequence sequence = sequenceOf(writes);
     for (std::size_t n = 0; n < writes.size() && !isDryRun; ++n)
         AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
     Json documents = Json::array();
@@ -202,8 +201,7 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
         if (n > 0)
             environment.print("\n");
         WriteRequest request = writes[n].request;
-        if (isDryRun)
-            request.takenSlots = taken;
+        sequence.begin(writes[n].axis, request);
         auto outcome =
             writeOne(environment, session, writes[n].axis, request, isDryRun, {names, n});
         if (!outcome && isDryRun)
@@ -213,7 +211,7 @@ Result<Json> writeSeveral(Environment& environment, CommandSession& session,
             noteWritten(environment, error);
             return fail(std::move(error));
         }
-        takeSlot(taken, plans[n]);
+        sequence.add(plans[n]);
         documents.push_back(std::move(outcome->document));
     }
     return documents;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
+#include "core/csv/cells.h"
+#include "core/csv/fields.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/text/token_scanner.h"
@@ -60,14 +62,14 @@ Result<TableReading> read(std::string_view text, const TableReadOptions& options
     return reading;
 }
 
-bool isNumber(const Token& token)
+bool isNumeric(const csv::Cell& cell)
 {
-    return numberOf(token.text).has_value();
+    return numberOf(cell.text).has_value();
 }
 
 /// Between semicolons, where a comma may stand for the decimal point; statements of a program end
 /// with them as well.
-bool beginsWithNumber(const std::vector<Token>& row)
+bool beginsWithNumber(const std::vector<csv::Cell>& row)
 {
     std::string first(row.front().text);
     std::ranges::replace(first, ',', '.');
@@ -77,23 +79,23 @@ bool beginsWithNumber(const std::vector<Token>& row)
 /// A header of at least two names, and a line of as many numbers.
 Recognition recognise(std::string_view text)
 {
-    TextLines lines(text);
-    std::vector<Token> header;
-    std::vector<Token> row;
+    constexpr std::size_t all = std::string_view::npos;
+    std::vector<csv::Cell> header;
+    std::vector<csv::Cell> row;
     for (const char separator : {';', ',', '\t'}) {
-        lines = TextLines(text);
+        TextLines lines(text);
         header.clear();
         while (const auto line = lines.next()) {
-            if (line->text.starts_with("//") || trimmedToken(*line).text.empty())
+            if (isCsvComment(line->text))
                 continue;
-            splitCells(*line, separator, header.empty() ? header : row);
+            csv::splitCells(line->text, separator, all, header.empty() ? header : row);
             if (!row.empty())
                 break;
         }
-        const bool isHeader = header.size() >= 2 && std::ranges::none_of(header, isNumber)
+        const bool isHeader = header.size() >= 2 && std::ranges::none_of(header, isNumeric)
             && !header.back().text.empty();
         if (isHeader && row.size() == header.size()
-            && (separator == ';' ? beginsWithNumber(row) : std::ranges::all_of(row, isNumber)))
+            && (separator == ';' ? beginsWithNumber(row) : std::ranges::all_of(row, isNumeric)))
             return Recognition::Possible;
         row.clear();
     }

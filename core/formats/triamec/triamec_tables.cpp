@@ -48,16 +48,6 @@ double plainValue(float value)
     return numberOf(text).value_or(static_cast<double>(value));
 }
 
-std::string columnName(const NeutralTable& table, std::size_t index)
-{
-    const CompensationColumn& column = table.columns[index];
-    const std::string target = targetName(table, column);
-    for (const std::string* name : {&column.name, &target, &table.name})
-        if (!name->empty() && (name != &table.name || table.columns.size() == 1))
-            return *name;
-    return "Table " + std::to_string(index + 1);
-}
-
 Result<std::vector<float>> floatValues(const CompensationColumn& column)
 {
     std::vector<float> values;
@@ -72,6 +62,16 @@ Result<std::vector<float>> floatValues(const CompensationColumn& column)
 }
 
 } // namespace
+
+std::string nameOfTable(const NeutralTable& table, std::size_t index)
+{
+    const CompensationColumn& column = table.columns[index];
+    const std::string target = targetName(table, column);
+    for (const std::string* name : {&column.name, &target, &table.name})
+        if (!name->empty() && (name != &table.name || table.columns.size() == 1))
+            return *name;
+    return "Table " + std::to_string(index + 1);
+}
 
 NeutralTable neutralTable(
     const CalibrationData& data, const std::vector<std::vector<double>>& knots)
@@ -141,7 +141,7 @@ Result<CalibrationData> calibrationData(const NeutralTable& table)
         data.grid.axes.push_back(gridAxis(axis));
     for (std::size_t n = 0; n < table.columns.size(); ++n) {
         AXISCOMP_TRY(auto values, floatValues(table.columns[n]));
-        data.tables.push_back({columnName(table, n), table.columns[n].unit, data.grid,
+        data.tables.push_back({nameOfTable(table, n), table.columns[n].unit, data.grid,
             std::move(values), portableTarget(table.columns[n].target, sourceNames(table)),
             table.columns[n].filled});
     }

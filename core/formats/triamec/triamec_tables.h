@@ -6,6 +6,10 @@
 #include "core/formats/table_format.h"
 #include "core/neutral/neutral_table.h"
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace axiscomp {
 
 // Between the neutral value and what the rest of the program works with: even grids of float32.
@@ -14,6 +18,10 @@ namespace axiscomp {
 /// name is that of an axis has it as its target.
 [[nodiscard]] NeutralTable neutralTable(
     const CalibrationData& data, const std::vector<std::vector<double>>& knots = {});
+
+/// Of the compensation table that a column becomes: its own, else what it corrects, else that of
+/// the table; "Table 2" where none of them has one.
+[[nodiscard]] std::string nameOfTable(const NeutralTable& table, std::size_t column);
 
 /// Each column becomes a compensation table; values are rounded to float32. Errors:
 /// FormatCannotHold for uneven positions, values for one direction of motion, or of the command

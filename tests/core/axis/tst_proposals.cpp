@@ -261,6 +261,8 @@ private Q_SLOTS:
         row("1", "2", "2", true);
         row("1", "2", "Position 2", false);
         row("A", "B", "B", false);
+        row("A", "B", "Position B", false);
+        row("A", "B", "B position", true);
         row("", "Right", "Right", true);
     }
     void theColumnOfAnotherAxisOfTheDriveIsNotLookedUpByThisOne()

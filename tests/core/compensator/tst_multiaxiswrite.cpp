@@ -7,12 +7,26 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace tst_multiaxiswrite {
 
 using namespace axiscomp;
 using test::CompensatorFixture;
 using test::exampleRequest;
 using test::exampleTable;
+
+namespace {
+
+/// Whether one of the warnings of a plan says that an axis has no table after a reboot.
+bool saysThatATableIsLost(const WritePlan& plan)
+{
+    return std::ranges::any_of(plan.warnings, [](const Text& warning) {
+        return warning.english().find("after a reboot that axis has no table") != std::string::npos;
+    });
+}
+
+} // namespace
 
 class TestSeveralWrites : public QObject {
     Q_OBJECT
@@ -100,6 +114,39 @@ private Q_SLOTS:
         const auto plans = planMultiAxis(fixture.compensator, writes);
         VERIFY_ERROR(plans, ErrorCode::SourceMissing);
         QCOMPARE(plans.error().context.english("ofAxis"), std::string("1"));
+    }
+
+    void aTableThatIsStoredInTheSameRunIsNotSaidToBeLost()
+    {
+        CompensatorFixture fixture;
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(fixture.compensator.write(axis, exampleRequest(axis + 1)));
+        std::vector<AxisWrite> writes{{0, exampleRequest(1, Persistency::Persistent)},
+            {1, exampleRequest(2, Persistency::Persistent)}};
+        const auto stored = planMultiAxis(fixture.compensator, writes);
+        VERIFY_RESULT(stored);
+        QVERIFY(!saysThatATableIsLost(stored->at(0)));
+        QVERIFY(!saysThatATableIsLost(stored->at(1)));
+        writes[1].request.persistency = Persistency::Volatile;
+        const auto lost = planMultiAxis(fixture.compensator, writes);
+        VERIFY_RESULT(lost);
+        QVERIFY(saysThatATableIsLost(lost->at(0)));
+    }
+
+    /// It is not yet when the second write is planned.
+    void aTableThatTheRunMakesVolatileIsSaidToBeLost()
+    {
+        CompensatorFixture fixture;
+        VERIFY_RESULT(fixture.compensator.write(0, exampleRequest(1, Persistency::Persistent)));
+        const std::vector<AxisWrite> writes{
+            {0, exampleRequest(2)}, {1, exampleRequest(3, Persistency::Persistent)}};
+        const auto plans = planMultiAxis(fixture.compensator, writes);
+        VERIFY_RESULT(plans);
+        QVERIFY(saysThatATableIsLost(plans->at(1)));
+        for (const AxisWrite& write : writes)
+            VERIFY_RESULT(fixture.compensator.write(write.axis, write.request));
+        fixture.drive.reboot();
+        QVERIFY(fixture.state(0).table.empty());
     }
 
     void theFlashOperationsOfAllAreCountedTogether()

@@ -4,6 +4,7 @@
 #include "core/conversion/table_import.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/neutral/controller_lookup.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/sign_note.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
@@ -1343,6 +1344,25 @@ private Q_SLOTS:
         QCOMPARE(import.data->tables.size(), 2U);
         // the fixed point of e = -c(x + e) at 100, 100
         QVERIFY(std::abs(import.data->tables[0].values[4] - 0.39506513F) < 1e-6F);
+    }
+
+    /// The comments of a program stand with its first table.
+    void everyTableOfAFileIsForTheDriveThatTheFileNames()
+    {
+        const auto program = siemens_eec::format().read(
+            "; drive: Mill, serial number 7\n"
+            "$AA_ENC_COMP[0,0,X1]=0\n$AA_ENC_COMP[0,1,X1]=0.001\n$AA_ENC_COMP_STEP[0,X1]=10\n"
+            "$AA_ENC_COMP_MIN[0,X1]=0\n$AA_ENC_COMP_MAX[0,X1]=10\n"
+            "$AA_ENC_COMP[0,0,Y1]=0\n$AA_ENC_COMP[0,1,Y1]=0.002\n$AA_ENC_COMP_STEP[0,Y1]=10\n"
+            "$AA_ENC_COMP_MIN[0,Y1]=0\n$AA_ENC_COMP_MAX[0,Y1]=10\nM17\n",
+            {});
+        VERIFY_RESULT(program);
+        QCOMPARE(program->tables.size(), 2U);
+        for (const NeutralTable& table : separateColumns(program->tables)) {
+            const auto drive = measuredDriveInNotes(table.notes);
+            VERIFY_RESULT(drive);
+            QCOMPARE(*drive, std::optional(7));
+        }
     }
 
     /// Of two columns for one axis nobody knows which is in use.

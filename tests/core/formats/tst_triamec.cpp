@@ -186,6 +186,18 @@ private Q_SLOTS:
         QCOMPARE(tam->format, &tam_table::format());
         VERIFY_ERROR(chooseFormat("?", "x.bin", false), ErrorCode::UnknownFormat);
     }
+
+    /// Otherwise a header has other columns than its lines, which are pairs as icube has them.
+    void aSeparatorWithinQuotationMarksSeparatesNothing()
+    {
+        for (const char* text : {"X [mm],\"X error, laser 3 [um]\"\n0,1\n100,2\n",
+                 "X [mm];\"X error; laser 3 [um]\"\n0;1\n100;2\n",
+                 "X [mm],X error [um]\n\"0\",\"1\"\n100,2\n200,1\n"}) {
+            const auto choice = chooseFormat(text, "x.csv", false);
+            VERIFY_RESULT(choice);
+            QCOMPARE(choice->format, &calibration_csv::format());
+        }
+    }
 };
 
 AXISCOMP_TEST(TestCalibrationTables)

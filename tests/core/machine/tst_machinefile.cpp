@@ -152,11 +152,13 @@ private Q_SLOTS:
             << lines({"2:1 Syntax |an entry serial"});
         QTest::newRow("a serial number as a text")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\nserial = \"7\"\n[[drive.axis]]\n" + axisX
-            << lines({"4:10 Syntax 7|the serial number of the drive, as a number"});
+            << lines({"4:10 Syntax 7|the serial number of the drive, a whole number of at most 32 "
+                      "bits, without quotation marks"});
         QTest::newRow("a serial number beyond 32 bits")
             << "version = 1\n[[drive]]\nendpoint = \"a\"\nserial = 2147483648\n[[drive.axis]]\n"
                 + axisX
-            << lines({"4:10 Syntax 2147483648|the serial number of the drive, as a number"});
+            << lines({"4:10 Syntax 2147483648|the serial number of the drive, a whole number of at "
+                      "most 32 bits, without quotation marks"});
         QTest::newRow("no drives")
             << std::string("version = 1\n") << lines({"1:1 Syntax |an entry drive"});
         QTest::newRow("a table of a drive that is none")
@@ -183,16 +185,36 @@ private Q_SLOTS:
             << lines({"8:10 Contradiction active of an axis without a table|"});
         QTest::newRow("a number for a name") << withAxis(axisX + "target = 1\n")
                                              << lines({"9:10 Syntax 1|a text in quotation marks"});
+        QTest::newRow("a whole version with decimals")
+            << "version = 1.0\n" + withAxis(axisX).substr(12)
+            << lines({"1:11 Syntax 1.0|1, the version of this format"});
+        QTest::newRow("a number below zero for a name")
+            << withAxis(axisX + "column = -1\n")
+            << lines({"9:10 Syntax -1|a name, or a whole number that is not negative"});
+        QTest::newRow("a number with decimals for a name")
+            << withAxis(axisX + "column = 2.0\n")
+            << lines({"9:10 Syntax 2.0|a name, or a whole number that is not negative"});
+        QTest::newRow("an empty name")
+            << withAxis(axisX + "target = \"\"\n")
+            << lines({"9:10 Syntax |a text that is not empty and has no control characters"});
+        QTest::newRow("a zero byte in a name")
+            << withAxis("axis = \"X\"\nfile = \"t\\u0000/x.csv\"\nsources = [\"a\"]\n")
+            << lines({"7:8 Syntax t\u2400/x.csv|a text that is not empty and has no control "
+                      "characters"});
+        QTest::newRow("another encoding")
+            << std::string("version = 1\nname = \"Fr\xe4se\"\n")
+            << lines({"2:11 Syntax name = \"Fr\u00e4se\"|UTF-8 text"});
         QTest::newRow("a word for true") << withAxis(axisX + "persistent = \"yes\"\n")
                                          << lines({"9:14 Syntax yes|true or false"});
         QTest::newRow("an unknown sign") << withAxis(axisX + "sign = \"minus\"\n")
                                          << lines({"9:8 Syntax minus|one of feedback, command"});
         QTest::newRow("a tolerance without its unit")
             << withAxis(axisX + "tolerance = \"0.1\"\n")
-            << lines({"9:13 Syntax 0.1|a number and its unit, such as 0.1 um"});
-        QTest::newRow("a negative tolerance")
-            << withAxis(axisX + "tolerance = \"-1 um\"\n")
-            << lines({"9:13 Syntax -1 um|a number and its unit, such as 0.1 um"});
+            << lines(
+                   {"9:13 Syntax 0.1|a number that is not negative and its unit, such as 0.1 um"});
+        QTest::newRow("a negative tolerance") << withAxis(axisX + "tolerance = \"-1 um\"\n")
+                                              << lines({"9:13 Syntax -1 um|a number that is not "
+                                                        "negative and its unit, such as 0.1 um"});
         QTest::newRow("four sources")
             << withAxis("axis = 0\nfile = \"a\"\nsources = [\"a\", \"b\", \"c\", \"d\"]\n")
             << lines({"8:11 Syntax [...]|a list of one to three registers"});

@@ -49,6 +49,18 @@ struct Machine {
         return planDrive(
             bench.compensator, drivecomm::genericProfile(), drive, tables, context, {});
     }
+    /// The drive shall have what a snapshot of it says.
+    void takeFrom(const DriveSnapshot& snapshot)
+    {
+        context.folder = bench.folder.path().toStdString();
+        for (const DriveSnapshot::TableFile& file : snapshot.files)
+            std::ofstream(context.folder / file.name, std::ios::binary)
+                << std::string(asText(file.bytes));
+        drive = snapshot.drive;
+        tables = readMachineTables(
+            MachineFile{{}, {drive}}, context.folder, drivecomm::genericProfile().layout)
+                     .front();
+    }
     [[nodiscard]] Result<std::vector<AxisOutcome>> apply(const DrivePlan& planned)
     {
         return applyPlan(bench.compensator, planned, context, {});
@@ -193,6 +205,48 @@ private Q_SLOTS:
         const MachineTable linear = read(head + "no-wrap = true\n");
         QVERIFY2(linear.table, linear.problem ? sentence(*linear.problem).c_str() : "");
         QCOMPARE(linear.table->grid.axes[0].size, 5U);
+    }
+
+    /// A file of a whole machine has rotary axes, too, which the drive's tables cannot be.
+    void aTableOfAFileIsReadWithoutTheOthers()
+    {
+        const Machine machine;
+        const std::filesystem::path folder = machine.bench.folder.path().toStdString();
+        std::ofstream(folder / "all.mpf")
+            << "$AA_ENC_COMP[0,0,A1]=0.25\n$AA_ENC_COMP[0,1,A1]=0.5\n$AA_ENC_COMP[0,2,A1]=0.25\n"
+               "$AA_ENC_COMP_STEP[0,A1]=180\n$AA_ENC_COMP_MIN[0,A1]=0\n"
+               "$AA_ENC_COMP_MAX[0,A1]=360\n$AA_ENC_COMP_IS_MODULO[0,A1]=1\n"
+               "$AA_ENC_COMP[0,0,X1]=0\n$AA_ENC_COMP[0,1,X1]=0.001\n"
+               "$AA_ENC_COMP_STEP[0,X1]=10\n$AA_ENC_COMP_MIN[0,X1]=0\n"
+               "$AA_ENC_COMP_MAX[0,X1]=10\nM17\n";
+        std::ofstream(folder / "two.csv")
+            << "X [mm],X error [mm],Y error [mm]\n0,0,1\n10,0.001,2\n";
+        MachineAxis axis;
+        axis.sources = std::vector<std::string>{test::masterX};
+        const auto read = [&](const char* file, const char* column) {
+            axis.file = file;
+            axis.column = column;
+            return readMachineTable(
+                axis, folder, genericTableLayout(), AxisPlace{"#1", LookupAt::Encoder});
+        };
+        const std::vector<float> values{0.0F, 0.001F};
+        for (const char* column : {"X1", "X1, encoder 0", "2", "#2"}) {
+            const MachineTable table = read("all.mpf", column);
+            QVERIFY2(table.table, table.problem ? sentence(*table.problem).c_str() : "");
+            QCOMPARE(table.table->values, values);
+        }
+        QCOMPARE(read("all.mpf", "A1").problem.value().code, ErrorCode::FormatCannotHold);
+        const Error unknown = read("all.mpf", "Z1").problem.value();
+        QCOMPARE(unknown.code, ErrorCode::TableNotFound);
+        const std::string known = "1 (A1, encoder 0), 2 (X1, encoder 0)";
+        QVERIFY2(sentence(unknown).find(known) != std::string::npos, sentence(unknown).c_str());
+        const Error unnamed = read("all.mpf", "").problem.value();
+        QCOMPARE(unnamed.code, ErrorCode::InvalidArgument);
+        QVERIFY2(sentence(unnamed).find(known) != std::string::npos, sentence(unnamed).c_str());
+        const MachineTable ofCsv = read("two.csv", "X error");
+        QVERIFY2(ofCsv.table, ofCsv.problem ? sentence(*ofCsv.problem).c_str() : "");
+        QCOMPARE(ofCsv.table->values, values);
+        QCOMPARE(read("two.csv", "2").table.value().name, std::string("Y error"));
     }
 
     /// Where the sign is converted, values are added to positions: what is stated comes first.
@@ -399,6 +453,28 @@ private Q_SLOTS:
         QVERIFY2(said.find("preview") == std::string::npos, said.c_str());
     }
 
+    void aTableThatAnotherAxisOfTheFileStoresIsNotSaidToBeLost()
+    {
+        Machine machine;
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(machine.bench.compensator.write(axis, test::exampleRequest()));
+        machine.drive.axes[0].persistency = Persistency::Persistent;
+        machine.drive.axes.push_back(machine.drive.axes[0]);
+        machine.drive.axes[1].axis = "1";
+        machine.tables.push_back(machine.tables[0]);
+        const auto isOneLost = [&machine] {
+            const auto plan = machine.plan();
+            return plan
+                && std::ranges::any_of(plan->axes.at(0).plan.warnings, [](const Text& warning) {
+                       return warning.english().find("after a reboot that axis has no table")
+                           != std::string::npos;
+                   });
+        };
+        QVERIFY(!isOneLost());
+        machine.drive.axes[1].persistency = Persistency::Volatile;
+        QVERIFY(isOneLost());
+    }
+
     void theFlashOperationsOfAllAxesAreCountedTogether()
     {
         Machine machine;
@@ -523,13 +599,29 @@ private Q_SLOTS:
         const MachineAxis& axis = snapshot->drive.axes.at(0);
         QVERIFY2(axis.file.ends_with(".TAMtbl"), axis.file.c_str());
         QCOMPARE(axis.choices.target, std::string("#1"));
-        machine.context.folder = bench.folder.path().toStdString();
-        std::ofstream(machine.context.folder / axis.file, std::ios::binary)
-            << std::string(asText(snapshot->files.at(0).bytes));
-        machine.drive = snapshot->drive;
-        machine.tables = readMachineTables(MachineFile{{}, {machine.drive}}, machine.context.folder,
-            drivecomm::genericProfile().layout)
-                             .front();
+        machine.takeFrom(*snapshot);
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        QVERIFY(!plan->axes.at(0).problem.has_value());
+        QVERIFY(!plan->differs());
+    }
+
+    void aSnapshotOfATableWithACommaInItsNameCanBePlanned()
+    {
+        Machine machine;
+        CompensatorFixture& bench = machine.bench;
+        WriteRequest request;
+        request.sources = {test::masterX};
+        request.table = test::exampleTable(1);
+        request.table->name = "X error, laser 3";
+        VERIFY_RESULT(bench.compensator.write(0, request));
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), machine.context.storeRoot, "demo:", {});
+        VERIFY_RESULT(snapshot);
+        const MachineAxis& axis = snapshot->drive.axes.at(0);
+        QVERIFY2(axis.file.ends_with(".csv"), axis.file.c_str());
+        QCOMPARE(axis.choices.format, &calibration_csv::format());
+        machine.takeFrom(*snapshot);
         const auto plan = machine.plan();
         VERIFY_RESULT(plan);
         QVERIFY(!plan->axes.at(0).problem.has_value());

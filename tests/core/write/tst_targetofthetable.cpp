@@ -161,6 +161,9 @@ private Q_SLOTS:
         row("1", "2", "2", "E", true);
         row("1", "2", "", "error 2", false);
         row("A", "B", "", "B", false);
+        row("A", "B", "", "Error B", false);
+        row("A", "B", "", "B error", true);
+        row("A", "B", "", "A error", false);
         row("", "Right", "Right", "E", true);
     }
     void theErrorsOfAnotherAxisOfTheDriveAreNotWritten()
