@@ -590,6 +590,7 @@ Result<Conversion> convertTables(
         prepared.push_back(std::move(result));
     }
     AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
+    AXISCOMP_CHECK(checkNamedAxes(request.to->facts, prepared, request.writing.settings));
     AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
     conversion.written = std::move(written);
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());

@@ -22,7 +22,8 @@ constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerot
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = AXISCOMP_TEXT(
             "Error", "number of the axis, from 1, instead of the table's name for it"),
-        .forWriting = true}};
+        .forWriting = true,
+        .namedAxis = AxisOfTable::source(0)}};
 
 constexpr std::array<std::string_view, 6> rules{
     ":START AXIS SAMPLEDIST=d POSUNIT=u CORUNIT=u begins a table, further :START lines add "

@@ -641,6 +641,30 @@ private Q_SLOTS:
             ErrorCode::FormatCannotHold);
     }
 
+    void aSettingForAnAxisIsRefusedForTablesOfDifferentAxes()
+    {
+        const auto sag = [](const char* from, const char* to) {
+            return test::commandTable({test::evenAxis(from, "mm", 0, 10, 3)},
+                {test::columnOf(to, "mm", {0, 0.001, -0.002})});
+        };
+        const TableFormat& cec = siemens_cec::format();
+        ConversionRequest request = requestFor(cec, cec);
+        request.writing.settings = {{"input-axis", "X"}};
+        const std::vector different{sag("Z1", "Y1"), sag("X1", "Y1")};
+        const auto refused = convertTables(different, request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(test::mentions(said, "input-axis says X") && test::mentions(said, "Z1, X1")
+                && test::mentions(said, "--table"),
+            said.c_str());
+        VERIFY_RESULT(convertTables(std::span(different).first(1), request));
+        const std::vector same{sag("X1", "Y1"), sag("X1", "Z1")};
+        const auto renamed = convertTables(same, request);
+        VERIFY_RESULT(renamed);
+        for (const NeutralTable& table : renamed->written.held)
+            QCOMPARE(table.axes.front().name, std::string("X"));
+    }
+
     /// No file says it, and a drive's table has other points after a resampling.
     void whatWasFilledIsKnownWhileThePointsStay()
     {
