@@ -634,6 +634,22 @@ private Q_SLOTS:
         QVERIFY2(std::abs(command + 0.002 / 1.00004) < 1e-9, std::to_string(command).c_str());
     }
 
+    void aValueInAnotherUnitThanThatOfTheFileIsSaidToBe()
+    {
+        const Sandbox box;
+        box.file("um.csv", "X [mm],X error [um]\n0,0\n100,4\n");
+        box.file("mm.csv", "X [mm],X error [mm]\n0,0\n100,0.004\n");
+        const auto noteOf = [&](const QString& file, const QString& as) {
+            const ProgramRun run = box.run({"lookup", file, "50", "--dims", "1", "--as", as});
+            return run.code == 0 ? run.err : QByteArray("failed: " + run.err);
+        };
+        const QByteArray note = "um.csv: the unit of the value is mm; that of the file is um\n";
+        QVERIFY2(noteOf("um.csv", "softmc").contains(note), noteOf("um.csv", "softmc").constData());
+        for (const QByteArray& err : {noteOf("um.csv", "csv"), noteOf("mm.csv", "softmc")})
+            QVERIFY2(
+                !err.contains("the unit of the value") && !err.contains("failed"), err.constData());
+    }
+
     void whatATamTableDoesNotHoldIsSaid()
     {
         const Sandbox box;
