@@ -54,6 +54,8 @@ struct FormatSetting {
     bool forReading = false;
     bool forWriting = false;
     bool isNeeded = false; ///< an error without it
+    /// Settings, "a, b", that together take the place of one that is needed.
+    std::string_view unless = {};
     /// The axis that it names in every table, of a format whose files hold several
     /// (checkNamedAxes).
     std::optional<AxisOfTable> namedAxis = {};

@@ -588,6 +588,33 @@ private Q_SLOTS:
         }
     }
 
+    void aNeededSettingMayHaveOthersInItsPlace_data()
+    {
+        addFormats([](const FormatSample& sample) {
+            return std::ranges::any_of(sample.format->facts.settings,
+                [](const FormatSetting& setting) { return !setting.unless.empty(); });
+        });
+    }
+    void aNeededSettingMayHaveOthersInItsPlace()
+    {
+        const FormatFacts& facts = sample().format->facts;
+        for (const FormatSetting& setting : facts.settings) {
+            const std::string words(setting.unless);
+            std::vector<Token> keys;
+            splitTokens({words, 0, 0}, ", ", keys);
+            if (keys.empty())
+                continue;
+            QVERIFY(setting.isNeeded);
+            FormatSettings others;
+            for (const Token& key : keys)
+                others[std::string(key.text)] = "1000";
+            VERIFY_RESULT(SettingValues::of(facts, others, setting.forWriting));
+            others.erase(std::string(keys.back().text));
+            VERIFY_ERROR(
+                SettingValues::of(facts, others, setting.forWriting), ErrorCode::InvalidArgument);
+        }
+    }
+
     void settingsThatCannotBeAreRefused_data() { addRows(&FormatSample::refusedSettings); }
     void settingsThatCannotBeAreRefused()
     {
