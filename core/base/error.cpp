@@ -478,6 +478,9 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the table in {slot} stays in flash, because {user} uses it too; free it there first, "
             "with a persistent write into another slot")},
+    Variant{ErrorCode::InvalidCalibration, "positions",
+        AXISCOMP_COUNTED("Error", "{file} is not a valid list of positions: {count} problems",
+            "{file} is not a valid list of positions: one problem")},
     Variant{ErrorCode::TableAmbiguous, "alike",
         AXISCOMP_TEXT("Error",
             "several tables are called {table}; choose one by its number, such as #1: {alike}")},
