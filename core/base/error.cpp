@@ -484,6 +484,8 @@ constexpr std::array variants{
     Variant{ErrorCode::TableAmbiguous, "alike",
         AXISCOMP_TEXT("Error",
             "several tables are called {table}; choose one by its number, such as #1: {alike}")},
+    Variant{ErrorCode::UnknownFormat, "utf16",
+        AXISCOMP_TEXT("Error", "{file} is UTF-16 text; save it as UTF-8 text")},
     Variant{ErrorCode::UnknownFormat, "measurement",
         AXISCOMP_TEXT("Error",
             "the format of {file} is not known; name one of: {known}; of any other CSV "

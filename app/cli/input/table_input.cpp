@@ -101,7 +101,8 @@ Result<const TableFormat*> recognisedFormat(
 {
     const auto choice =
         chooseFormat(beginningFor(options, piped), nameForFormat(options), options.dimensions != 0);
-    if (!choice && piped)
+    const bool isUnreadable = !choice && choice.error().context.contains("utf16");
+    if (!choice && piped && (options.dimensions != 0 || !isUnreadable))
         return &calibration_csv::format();
     if (!choice) {
         AXISCOMP_CHECK(
