@@ -93,7 +93,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     column.values = std::move(block.values);
     const double scale = block.option("NEGCOR") ? -1.0 : 1.0;
     for (double& value : column.values)
-        value = value == 0.0 ? 0.0 : scale * value / valueUnit->perUnit; // no -0
+        value = scale * value / valueUnit->perUnit;
     if (sampling.isDownwards())
         std::ranges::reverse(column.values);
     return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;

@@ -174,7 +174,7 @@ std::vector<double> valuesOf(const aerotech::Block& block, std::size_t output, s
             const std::size_t x = samplings[0].isDownwards() ? width - 1 - i : i;
             const std::size_t y = samplings[1].isDownwards() ? height - 1 - j : j;
             const double value = block.values[(j * width + i) * outputs + output];
-            values[y * width + x] = value == 0.0 ? 0.0 : value / factor; // no -0
+            values[y * width + x] = value / factor;
         }
     return values;
 }
