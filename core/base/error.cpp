@@ -478,6 +478,14 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the table in {slot} stays in flash, because {user} uses it too; free it there first, "
             "with a persistent write into another slot")},
+    Variant{ErrorCode::InvalidCalibration, "positions",
+        AXISCOMP_COUNTED("Error", "{file} is not a valid list of positions: {count} problems",
+            "{file} is not a valid list of positions: one problem")},
+    Variant{ErrorCode::TableAmbiguous, "alike",
+        AXISCOMP_TEXT("Error",
+            "several tables are called {table}; choose one by its number, such as #1: {alike}")},
+    Variant{ErrorCode::UnknownFormat, "utf16",
+        AXISCOMP_TEXT("Error", "{file} is UTF-16 text; save it as UTF-8 text")},
     Variant{ErrorCode::UnknownFormat, "measurement",
         AXISCOMP_TEXT("Error",
             "the format of {file} is not known; name one of: {known}; of any other CSV "

@@ -5,6 +5,7 @@
 #include "core/conversion/columns_beside.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
 #include "core/formats/wrap_range.h"
@@ -638,10 +639,16 @@ Result<Conversion> convertTables(
         prepared.push_back(std::move(result));
     }
     AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
+    AXISCOMP_CHECK(checkNamedAxes(request.to->facts, prepared, request.writing.settings));
     AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
     conversion.written = std::move(written);
     AXISCOMP_CHECK(checkAddedTables(
         request.from->facts, request.to->facts, prepared, conversion.written.held));
+    for (const NeutralTable& table : prepared) {
+        AXISCOMP_TRY(auto unheld, unheldNotes(request.to->facts, table.notes));
+        for (Text& remark : unheld)
+            remarkOnce(conversion.written.remarks, std::move(remark));
+    }
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
         AXISCOMP_CHECK(converter.finish(

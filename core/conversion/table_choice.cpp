@@ -12,10 +12,18 @@ namespace {
 
 using Index = std::optional<std::size_t>;
 
-Index indexNamed(std::span<const TableName> tables, std::string_view name)
+/// By name, or as the list of them shows it. Errors: TableAmbiguous.
+Result<Index> indexNamed(std::span<const TableName> tables, std::string_view asked)
 {
-    const auto found = std::ranges::find(tables, name, &TableName::name);
-    return found == tables.end() ? Index() : static_cast<std::size_t>(found - tables.begin());
+    for (const auto words : {&TableName::name, &TableName::text}) {
+        if (std::ranges::count(tables, asked, words) > 1)
+            return fail(
+                ErrorCode::TableAmbiguous, {{"table", asked}, {"alike", tableList(tables)}});
+        const auto found = std::ranges::find(tables, asked, words);
+        if (found != tables.end())
+            return static_cast<std::size_t>(found - tables.begin());
+    }
+    return std::nullopt;
 }
 
 Index indexNumbered(std::span<const TableName> tables, std::string_view text)
@@ -39,16 +47,17 @@ std::string tableList(std::span<const TableName> tables)
 Result<std::size_t> chooseTable(std::span<const TableName> tables, std::string_view asked)
 {
     constexpr std::string_view namePrefix = "name:";
-    const Index named = indexNamed(tables, asked);
+    AXISCOMP_TRY(const Index named, indexNamed(tables, asked));
     const Index numbered = indexNumbered(tables, asked);
     if (named && numbered && named != numbered)
         return fail(ErrorCode::TableAmbiguous,
             {{"table", asked}, {"named", *named + 1}, {"numbered", *numbered + 1}});
     Index found = named ? named : numbered;
-    if (!found && asked.starts_with(namePrefix))
-        found = indexNamed(tables, asked.substr(namePrefix.size()));
-    else if (!found && asked.starts_with('#'))
+    if (!found && asked.starts_with(namePrefix)) {
+        AXISCOMP_TRY(found, indexNamed(tables, asked.substr(namePrefix.size())));
+    } else if (!found && asked.starts_with('#')) {
         found = indexNumbered(tables, asked.substr(1));
+    }
     if (!found)
         return fail(ErrorCode::TableNotFound, {{"table", asked}, {"known", tableList(tables)}});
     return *found;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/format_writer.h"
 #include "core/neutral/table_motion.h"
+#include "core/text/token_scanner.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -106,7 +108,52 @@ Result<void> Holding::check(const NeutralTable& table) const
     return checkColumns(table);
 }
 
+/// Nothing: a table has none of this number, or does not state it.
+std::optional<Text> namedAxisOf(const NeutralTable& table, AxisOfTable axis)
+{
+    if (axis.number >= (axis.isTarget ? table.columns.size() : table.axes.size()))
+        return std::nullopt;
+    return axis.isTarget ? targetText(table, table.columns[axis.number])
+                         : axisText(table, axis.number);
+}
+
+/// Each axis once that the tables have in this place.
+std::vector<Text> namedAxesOf(std::span<const NeutralTable> tables, AxisOfTable place)
+{
+    std::vector<Text> axes;
+    for (const NeutralTable& table : tables) {
+        const auto axis = namedAxisOf(table, place);
+        const auto isSame = [&axis](const Text& known) {
+            return sameLetters(known.english(), axis->english());
+        };
+        if (axis && std::ranges::none_of(axes, isSame))
+            axes.push_back(*axis);
+    }
+    return axes;
+}
+
 } // namespace
+
+Result<void> checkNamedAxes(
+    const FormatFacts& facts, std::span<const NeutralTable> tables, const FormatSettings& settings)
+{
+    for (const FormatSetting& setting : facts.settings) {
+        const auto given = settings.find(setting.key);
+        if (!setting.namedAxis || given == settings.end())
+            continue;
+        auto axes = namedAxesOf(tables, *setting.namedAxis);
+        if (axes.size() > 1)
+            return fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    AXISCOMP_TEXT("Error",
+                        "the setting {key} says {value} for tables of different axes, {axes}; "
+                        "choose one of the tables (--table), or leave the setting out")
+                        .with("key", setting.key)
+                        .with("value", given->second)
+                        .with("axes", std::move(axes))}});
+    }
+    return {};
+}
 
 Result<void> checkHolds(const FormatFacts& facts, std::span<const NeutralTable> tables)
 {

@@ -35,6 +35,20 @@ void checkComputed(const NeutralTable& table, DiagnosticList& diagnostics)
                 AXISCOMP_TEXT("Error", "numbers that a computer can hold; check their size"));
 }
 
+/// A zero has no sign, whatever a file or the factor of a unit says.
+void dropSignsOfZeros(std::vector<double>& numbers)
+{
+    for (double& number : numbers)
+        number = number == 0.0 ? 0.0 : number;
+}
+void dropSignsOfZeros(NeutralTable& table)
+{
+    for (SourceAxis& axis : table.axes)
+        dropSignsOfZeros(axis.knots);
+    for (CompensationColumn& column : table.columns)
+        dropSignsOfZeros(column.values);
+}
+
 /// What a reader leaves as NaN has no value.
 void complete(NeutralTable& table, MissingPoints missing, DiagnosticList& diagnostics)
 {
@@ -134,6 +148,8 @@ Result<TableReading> readText(const FormatFacts& facts, std::string_view text,
     if (isReadableText(text, facts.mostBytes, diagnostics)) {
         TextReading source{text, options, settings, diagnostics};
         reading.tables = parse(source);
+        for (NeutralTable& table : reading.tables)
+            dropSignsOfZeros(table);
         checkRotaryAxes(reading.tables, settings, diagnostics);
         if (!diagnostics.hasErrors() && options.missing != MissingPoints::Refuse)
             for (NeutralTable& table : reading.tables)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"
+#include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
 #include <algorithm>
@@ -28,6 +29,15 @@ bool isOfAnything(std::string_view fileName)
         return fileName.size() >= extension.size()
             && sameLetters(fileName.substr(fileName.size() - extension.size()), extension);
     });
+}
+
+/// Naming a format does not help with UTF-16.
+Error ofNoFormat(std::string_view text, const std::string& fileName)
+{
+    if (isUtf16(text))
+        return {ErrorCode::UnknownFormat, {{"file", fileName}, {"utf16", Verbatim{"yes"}}}, {}};
+    return {
+        ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}}, {}};
 }
 
 } // namespace
@@ -173,8 +183,7 @@ Result<FormatChoice> chooseFormat(
     if (guess.formats.empty() && isTelling)
         return FormatChoice{named, {}};
     if (guess.formats.empty())
-        return fail(
-            ErrorCode::UnknownFormat, {{"file", fileName}, {"known", formatNames(tableFormats())}});
+        return fail(ofNoFormat(text, fileName));
     FormatChoice choice{guess.formats.front(), {}};
     choice.others.assign(guess.formats.begin() + 1, guess.formats.end());
     const bool isDecided = guess.isCertain || guess.formats.size() == 1

@@ -56,11 +56,25 @@ Text expectedOf(const FormatSetting& setting)
     return AXISCOMP_TEXT("Error", "a text");
 }
 
-bool isOneOf(std::string_view choices, std::string_view value)
+std::vector<Token> listed(std::string_view words)
 {
     std::vector<Token> tokens;
-    splitTokens({choices, 0, 0}, ", ", tokens);
+    splitTokens({words, 0, 0}, ", ", tokens);
+    return tokens;
+}
+
+bool isOneOf(std::string_view choices, std::string_view value)
+{
+    const std::vector<Token> tokens = listed(choices);
     return std::ranges::find(tokens, value, &Token::text) != tokens.end();
+}
+
+bool isMissing(const FormatSetting& setting, const FormatSettings& given)
+{
+    const auto isGiven = [&given](std::string_view key) { return given.find(key) != given.end(); };
+    const std::vector<Token> others = listed(setting.unless);
+    const bool isReplaced = !others.empty() && std::ranges::all_of(others, isGiven, &Token::text);
+    return setting.isNeeded && !isReplaced && !isGiven(setting.key);
 }
 
 bool fits(const FormatSetting& setting, std::string_view value)
@@ -163,7 +177,7 @@ Result<SettingValues> SettingValues::of(
     SettingValues values;
     for (const FormatSetting& setting : known) {
         const auto given = settings.find(setting.key);
-        if (given == settings.end() && setting.isNeeded)
+        if (isMissing(setting, settings))
             return unusableSetting(
                 AXISCOMP_TEXT("Error", "the format {format} needs the setting {key} ({meaning})")
                     .with("format", facts.name)

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <stop_token>
 
@@ -33,6 +34,15 @@ enum class KnotRule {
     SquareCells, ///< even, with one distance for all axes
 };
 
+/// An axis of a table: one of its sources, or what one of its columns corrects.
+struct AxisOfTable {
+    bool isTarget = false;
+    std::size_t number = 0; ///< of the source or the column, from 0
+
+    [[nodiscard]] static constexpr AxisOfTable source(std::size_t n) { return {false, n}; }
+    [[nodiscard]] static constexpr AxisOfTable target(std::size_t n) { return {true, n}; }
+};
+
 /// What a file does not say, or a choice in writing it: --set KEY=VALUE.
 struct FormatSetting {
     enum class Kind { Text, WholeNumber, Number, Choice, YesNo };
@@ -44,6 +54,11 @@ struct FormatSetting {
     bool forReading = false;
     bool forWriting = false;
     bool isNeeded = false; ///< an error without it
+    /// Settings, "a, b", that together take the place of one that is needed.
+    std::string_view unless = {};
+    /// The axis that it names in every table, of a format whose files hold several
+    /// (checkNamedAxes).
+    std::optional<AxisOfTable> namedAxis = {};
 };
 using FormatSettings = std::map<std::string, std::string, std::less<>>;
 
@@ -183,6 +198,11 @@ struct FormatChoice {
 /// (checkConsistent).
 [[nodiscard]] Result<void> checkHolds(
     const FormatFacts& facts, std::span<const NeutralTable> tables);
+
+/// That no setting for writing gives axes of different tables one name, since the controller would
+/// correct that one by all of them. Errors: InvalidArgument with the way out.
+[[nodiscard]] Result<void> checkNamedAxes(
+    const FormatFacts& facts, std::span<const NeutralTable> tables, const FormatSettings& settings);
 
 /// Whether a format without units is read, and written, in any that the settings position-unit and
 /// value-unit state. Not one that has these settings of its own.

@@ -119,7 +119,7 @@ constexpr std::array diagnosticRows{
         AXISCOMP_TEXT("Problem", "this is not the number of a run"), TextPattern{}, true},
     DiagnosticRow{DiagnosticCode::DuplicateValue, "DuplicateValue",
         AXISCOMP_TEXT("Problem", "the same value is there twice"),
-        AXISCOMP_TEXT("Problem", "delete one of the two lines, or give each run its number")},
+        AXISCOMP_TEXT("Problem", "delete one of the two")},
     DiagnosticRow{DiagnosticCode::CountMismatch, "CountMismatch",
         AXISCOMP_TEXT("Problem", "the file holds another number than it says"), TextPattern{}},
     DiagnosticRow{DiagnosticCode::TooFewTargets, "TooFewTargets",

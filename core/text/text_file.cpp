@@ -116,6 +116,11 @@ constexpr std::array formats{
 
 } // namespace
 
+bool isUtf16(std::string_view text)
+{
+    return text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv) || looksLikeUtf16(text);
+}
+
 TextInspection::TextInspection(std::string_view text, const std::stop_token& stop,
     DiagnosticList& diagnostics, std::size_t threads)
     : m_diagnostics(diagnostics)

@@ -36,6 +36,9 @@ private:
     Encoding m_encoding = Encoding::Utf8;
 };
 
+/// With a byte-order mark or without one. text: the beginning is enough.
+[[nodiscard]] bool isUtf16(std::string_view text);
+
 /// Text of the file as it may be shown: UTF-8 without control characters.
 [[nodiscard]] std::string toUtf8(std::string_view bytes, Encoding encoding);
 

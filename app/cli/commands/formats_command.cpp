@@ -37,14 +37,15 @@ Json formatJson(const TableFormat& format)
         {"extension", facts.extensions.front()}, {"description", facts.description.words},
         {"reads", format.read != nullptr}, {"writes", format.write != nullptr},
         {"dimensions", std::move(dimensions)}, {"knots", knotRuleName(facts.knots)},
-        {"mostPoints", facts.mostPoints}, {"severalTables", holdsSeveral(facts)},
-        {"addsTables", facts.addsTables}, {"directions", facts.holdsDirections},
-        {"modulo", facts.holdsWrap}, {"names", facts.holdsNames}, {"units", facts.holdsUnits},
-        {"notes", facts.holdsNotes}, {"persistency", facts.holdsPersistency},
-        {"values", facts.numbers}, {"sign", signName(facts.sign)},
-        {"signEvidence", evidenceName(facts.signEvidence)}, {"outside", outsideWords(facts)},
-        {"outsideEvidence", evidenceName(facts.outsideEvidence)}, {"rules", facts.rules},
-        {"assumptions", facts.assumptions}, {"settings", settingsJson(facts)}};
+        {"mostPoints", facts.mostPoints}, {"severalColumns", facts.mostColumns != 1},
+        {"severalTables", facts.mostTables != 1}, {"addsTables", facts.addsTables},
+        {"directions", facts.holdsDirections}, {"modulo", facts.holdsWrap},
+        {"names", facts.holdsNames}, {"units", facts.holdsUnits}, {"notes", facts.holdsNotes},
+        {"persistency", facts.holdsPersistency}, {"values", facts.numbers},
+        {"sign", signName(facts.sign)}, {"signEvidence", evidenceName(facts.signEvidence)},
+        {"outside", outsideWords(facts)}, {"outsideEvidence", evidenceName(facts.outsideEvidence)},
+        {"rules", facts.rules}, {"assumptions", facts.assumptions},
+        {"settings", settingsJson(facts)}};
 }
 
 std::string listText()

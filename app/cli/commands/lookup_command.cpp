@@ -167,6 +167,16 @@ Result<NeutralTable> asConverted(Environment& environment, const LookupOptions& 
     return held;
 }
 
+/// Of the value that is printed, where it is not that of the file.
+void noteUnit(Environment& environment, const LookupOptions& options, const std::string& unit,
+    const std::string& unitOfFile)
+{
+    if (unit.empty() || isSameUnit(unit, unitOfFile))
+        return;
+    environment.console().note(displayName(options.input.file) + ": the unit of the value is "
+        + unit + (unitOfFile.empty() ? std::string() : "; that of the file is " + unitOfFile));
+}
+
 /// The file's own controller, or another one, to whose format the table is converted first.
 Result<ExitCode> lookUpForController(
     Environment& environment, const LookupOptions& options, const TableInput& input)
@@ -177,6 +187,7 @@ Result<ExitCode> lookUpForController(
     std::vector<std::string> positionUnits;
     for (const SourceAxis& axis : chosen.table.axes)
         positionUnits.push_back(axis.unit);
+    const std::string unitOfFile = chosen.table.columns.front().unit;
     AXISCOMP_TRY(const auto table,
         options.as.empty() ? asStated(environment, options, input, std::move(chosen))
                            : asConverted(environment, options, input, *as, std::move(chosen)));
@@ -188,6 +199,8 @@ Result<ExitCode> lookUpForController(
         environment.console().note(displayName(options.input.file)
             + ": this is the command value of " + std::string(as->facts.name)
             + "; --as csv gives what the drive would compute");
+    if (!options.as.empty())
+        noteUnit(environment, options, table.columns.front().unit, unitOfFile);
     return answer(environment, options,
         controllerEvaluation(table, as->facts.behaviour, positionUnits),
         {{"file", options.input.file}, {"as", as->facts.name}, {"sign", signName(table.sign)},

@@ -68,22 +68,30 @@ private:
         }
     }
 
-    /// Takes the complete lines out of text.
+    /// Takes the complete lines out of text. They end with LF, CRLF or CR.
     Result<void> answerLines(std::string& text, Json& results)
     {
         std::size_t begin = 0;
         std::size_t end = 0;
-        while ((end = text.find('\n', begin)) != std::string::npos) {
-            std::string_view line(text.data() + begin, end - begin);
-            if (line.ends_with('\r'))
-                line.remove_suffix(1);
-            ++m_line;
-            if (auto answered = answerLine(line, results); !answered)
-                return answered;
+        while ((end = text.find_first_of("\r\n", begin)) != std::string::npos) {
+            const bool isRestOfCrlf = m_endedByCr && end == begin && text[end] == '\n';
+            m_endedByCr = text[end] == '\r';
+            if (!isRestOfCrlf) {
+                ++m_line;
+                AXISCOMP_CHECK(answerLine(
+                    withoutMark(std::string_view(text).substr(begin, end - begin)), results));
+            }
             begin = end + 1;
         }
         text.erase(0, begin);
         return m_environment.console().flush();
+    }
+
+    /// A byte-order mark may stand before the first line.
+    [[nodiscard]] std::string_view withoutMark(std::string_view line) const
+    {
+        constexpr std::string_view mark = "\xEF\xBB\xBF";
+        return m_line == 1 && line.starts_with(mark) ? line.substr(mark.size()) : line;
     }
 
     Result<void> answerLine(std::string_view line, Json& results)
@@ -114,13 +122,15 @@ private:
         const std::string what =
             expected.empty() ? found : "found " + found + ", expected " + expected;
         m_environment.diagnose(m_name, m_line, column, "InvalidPosition", what);
-        return fail(ErrorCode::InvalidCalibration, {{"file", m_name}, {"count", 1}});
+        return fail(ErrorCode::InvalidCalibration,
+            {{"file", m_name}, {"count", 1}, {"positions", Verbatim{"yes"}}});
     }
 
     Environment& m_environment;
     std::string m_name;
     const TableEvaluation& m_evaluation;
     std::size_t m_line = 0;
+    bool m_endedByCr = false;
 };
 
 } // namespace

@@ -59,23 +59,51 @@ bool isUnreadable(const CsvReading& reading)
         reading.diagnostics, [](const Diagnostic& d) { return d.code == DiagnosticCode::IoError; });
 }
 
-Result<std::string> wholeInput(Environment& environment, const std::string& file)
+/// All of standard input, which can be read only once; nothing: a file is named.
+using Piped = std::optional<std::string>;
+
+/// stated: by --from; null: nothing.
+Result<Piped> readPiped(
+    Environment& environment, const TableInputOptions& options, const TableFormat* stated)
 {
-    if (file == standardStream)
-        return readStandardInput(environment.interrupt(), maximumTableFile);
-    AXISCOMP_TRY(auto bytes, loadFile(pathFromText(file), maximumTableFile));
+    if (options.file != standardStream)
+        return std::nullopt;
+    const bool mayBeCsv = stated == nullptr || stated == &calibration_csv::format();
+    AXISCOMP_TRY(auto text,
+        readStandardInput(
+            environment.interrupt(), mayBeCsv ? CsvOptions{}.maximumBytes : maximumTableFile));
+    return Piped(std::move(text));
+}
+
+Result<std::string> wholeInput(const TableInputOptions& options, const Piped& piped)
+{
+    if (piped)
+        return *piped;
+    AXISCOMP_TRY(auto bytes, loadFile(pathFromText(options.file), maximumTableFile));
     return std::string(asText(bytes));
 }
 
-Result<const TableFormat*> formatOf(Environment& environment, const TableInputOptions& options)
+std::string nameForFormat(const TableInputOptions& options)
 {
-    if (!options.from.empty())
-        return formatNamed(options.from);
-    if (options.file == standardStream)
-        return &calibration_csv::format();
-    const std::string name = pathFromText(options.file).filename().string();
+    return options.file == standardStream ? displayName(options.file)
+                                          : pathFromText(options.file).filename().string();
+}
+
+std::string beginningFor(const TableInputOptions& options, const Piped& piped)
+{
+    return piped ? piped->substr(0, longestBeginning) : beginningOf(pathFromText(options.file));
+}
+
+/// By content and name. Standard input, which has no name, is a calibration file where its content
+/// leaves it open.
+Result<const TableFormat*> recognisedFormat(
+    Environment& environment, const TableInputOptions& options, const Piped& piped)
+{
     const auto choice =
-        chooseFormat(beginningOf(pathFromText(options.file)), name, options.dimensions != 0);
+        chooseFormat(beginningFor(options, piped), nameForFormat(options), options.dimensions != 0);
+    const bool isUnreadable = !choice && choice.error().context.contains("utf16");
+    if (!choice && piped && (options.dimensions != 0 || !isUnreadable))
+        return &calibration_csv::format();
     if (!choice) {
         AXISCOMP_CHECK(
             loadFile(pathFromText(options.file), maximumTableFile)); // or there is nothing to know
@@ -83,7 +111,7 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
     }
     const std::string others = formatNames(choice->others);
     if (!isTriamec(*choice->format))
-        environment.console().note(options.file + ": read as "
+        environment.console().note(displayName(options.file) + ": read as "
             + std::string(choice->format->facts.name)
             + (others.empty() ? "" : "; it could be " + others + " as well: say it with --from"));
     return choice->format;
@@ -91,8 +119,7 @@ Result<const TableFormat*> formatOf(Environment& environment, const TableInputOp
 
 /// The number of dimensions is the user's to choose, but when only one fits it can be named.
 Result<CsvReading> refuseWithoutDimensions(Environment& environment,
-    const TableInputOptions& options, const StatedUnits& units,
-    const std::optional<std::string>& text)
+    const TableInputOptions& options, const StatedUnits& units, const Piped& text)
 {
     std::vector<int> fitting;
     for (int dimensions = 1; dimensions <= 3; ++dimensions) {
@@ -108,23 +135,18 @@ Result<CsvReading> refuseWithoutDimensions(Environment& environment,
     if (fitting.size() == 1)
         reason += "; only --dims " + std::to_string(fitting.front()) + " fits "
             + displayName(options.file);
-    const std::string name = pathFromText(options.file).filename().string();
-    if (const auto choice =
-            chooseFormat(text ? *text : beginningOf(pathFromText(options.file)), name, false);
-        choice && !choice->others.empty())
-        reason += "; it could be " + formatNames(choice->others) + " as well: say it with --from";
+    auto others = guessFormat(beginningFor(options, text), nameForFormat(options)).formats;
+    std::erase(others, &calibration_csv::format());
+    if (!others.empty())
+        reason += "; it could be " + formatNames(others) + " as well: say it with --from";
+    else if (text)
+        reason += "; say it with --from if it is no calibration file";
     return wrongUsage(reason, options.command);
 }
 
-Result<TableInput> inspectCsv(
-    Environment& environment, const TableInputOptions& options, const FormatSettings& settings)
+Result<TableInput> inspectCsv(Environment& environment, const TableInputOptions& options,
+    const FormatSettings& settings, const Piped& text)
 {
-    std::optional<std::string> text;
-    if (options.file == standardStream) {
-        AXISCOMP_TRY(
-            auto all, readStandardInput(environment.interrupt(), CsvOptions{}.maximumBytes));
-        text = std::move(all);
-    }
     const StatedUnits units = statedUnits(settings, options.units);
     AXISCOMP_TRY(auto reading,
         options.dimensions == 0
@@ -148,10 +170,10 @@ Result<TableInput> inspectCsv(
 }
 
 Result<TableInput> inspectTamTable(
-    Environment& environment, const TableInputOptions& options, const FormatSettings& settings)
+    const TableInputOptions& options, const FormatSettings& settings, const Piped& piped)
 {
     AXISCOMP_TRY(auto profile, profileOf(options.profile));
-    AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
+    AXISCOMP_TRY(const auto text, wholeInput(options, piped));
     AXISCOMP_TRY(auto table, decodeTamTable(asBytes(text), profile.layout));
     const int dimensions = table.table.grid.dimensions();
     if (options.dimensions != 0 && options.dimensions != dimensions)
@@ -168,13 +190,13 @@ Result<TableInput> inspectTamTable(
 }
 
 Result<TableInput> inspectOther(Environment& environment, const TableFormat& format,
-    const TableInputOptions& options, const FormatSettings& settings)
+    const TableInputOptions& options, const FormatSettings& settings, const Piped& piped)
 {
     if (format.read == nullptr)
         return wrongUsage(
             "the format " + std::string(format.facts.name) + " can be written, not read",
             options.command);
-    AXISCOMP_TRY(const auto text, wholeInput(environment, options.file));
+    AXISCOMP_TRY(const auto text, wholeInput(options, piped));
     TableReadOptions readOptions;
     readOptions.dimensions = options.dimensions;
     readOptions.settings = settings;
@@ -292,15 +314,22 @@ std::string displayName(const std::string& file)
 
 Result<TableInput> inspectInput(Environment& environment, const TableInputOptions& options)
 {
-    AXISCOMP_TRY(const auto format, formatOf(environment, options));
     AXISCOMP_TRY(auto given, settingsOf(options.settings, options.command));
+    const TableFormat* format = nullptr;
+    if (!options.from.empty()) {
+        AXISCOMP_TRY(format, formatNamed(options.from));
+    }
+    AXISCOMP_TRY(const auto piped, readPiped(environment, options, format));
+    if (format == nullptr) {
+        AXISCOMP_TRY(format, recognisedFormat(environment, options, piped));
+    }
     AXISCOMP_TRY(
         const auto settings, withStatedUnits(format->facts, std::move(given), options.units));
     AXISCOMP_CHECK(SettingValues::of(format->facts, settings, false));
     if (!isTriamec(*format))
-        return inspectOther(environment, *format, options, settings);
-    return format == &calibration_csv::format() ? inspectCsv(environment, options, settings)
-                                                : inspectTamTable(environment, options, settings);
+        return inspectOther(environment, *format, options, settings, piped);
+    return format == &calibration_csv::format() ? inspectCsv(environment, options, settings, piped)
+                                                : inspectTamTable(options, settings, piped);
 }
 
 Result<TableInput> readInput(Environment& environment, const TableInputOptions& options)

@@ -167,11 +167,6 @@ std::string outsideWords(const FormatFacts& facts)
     return text;
 }
 
-bool holdsSeveral(const FormatFacts& facts)
-{
-    return facts.mostTables != 1 || facts.mostColumns != 1;
-}
-
 std::string formatText(const TableFormat& format)
 {
     const FormatFacts& facts = format.facts;

@@ -13,7 +13,6 @@ namespace axiscomp::app {
     KnotRule rule); ///< "any ascending", "even", "square cells"
 [[nodiscard]] std::string dimensionsText(const FormatFacts& facts); ///< "1 to 3"
 [[nodiscard]] std::string outsideWords(const FormatFacts& facts);
-[[nodiscard]] bool holdsSeveral(const FormatFacts& facts); ///< tables or columns
 
 /// Everything about one format, for a terminal.
 [[nodiscard]] std::string formatText(const TableFormat& format);

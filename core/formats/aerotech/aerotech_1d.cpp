@@ -21,7 +21,8 @@ constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerot
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = AXISCOMP_TEXT(
             "Error", "number of the axis, from 1, instead of the table's name for it"),
-        .forWriting = true}};
+        .forWriting = true,
+        .namedAxis = AxisOfTable::source(0)}};
 
 constexpr std::array<std::string_view, 6> rules{
     ":START AXIS SAMPLEDIST=d POSUNIT=u CORUNIT=u begins a table, further :START lines add "
@@ -91,7 +92,7 @@ std::optional<NeutralTable> tableOf(aerotech::Block& block, const TextReading& r
     column.values = std::move(block.values);
     const double scale = block.option("NEGCOR") ? -1.0 : 1.0;
     for (double& value : column.values)
-        value = value == 0.0 ? 0.0 : scale * value / valueUnit->perUnit; // no -0
+        value = scale * value / valueUnit->perUnit;
     if (sampling.isDownwards())
         std::ranges::reverse(column.values);
     return aerotech::areFinite(table, block, diagnostics) ? std::optional(table) : std::nullopt;

@@ -15,25 +15,27 @@ constexpr std::string_view known[] = {"POSUNIT", "CORUNIT", "OFFSETROW", "OFFSET
     "NEGCOR", "SERIALNUMBER", "HOMEDIRECTION", "HOMEOFFSET"};
 constexpr std::size_t mostOutputs = 3;
 
-constexpr FormatSetting axisNumberSetting(std::string_view key, const TextPattern& meaning)
+constexpr FormatSetting axisNumberSetting(
+    std::string_view key, AxisOfTable axis, const TextPattern& meaning)
 {
     return {.key = key,
         .kind = FormatSetting::Kind::WholeNumber,
         .meaning = meaning,
-        .forWriting = true};
+        .forWriting = true,
+        .namedAxis = axis};
 }
 constexpr std::array<std::string_view, 1> extensions{".cal"};
 constexpr std::array settings{aerotech::rotaryAxes, aerotech::primaryUnit, aerotech::secondaryUnit,
     aerotech::countsPerUnit, aerotech::units,
-    axisNumberSetting("column-axis",
+    axisNumberSetting("column-axis", AxisOfTable::source(0),
         AXISCOMP_TEXT("Error", "number of the axis that changes along a line, from 1")),
-    axisNumberSetting("row-axis",
+    axisNumberSetting("row-axis", AxisOfTable::source(1),
         AXISCOMP_TEXT("Error", "number of the axis that changes from line to line, from 1")),
-    axisNumberSetting("output-axis-1",
+    axisNumberSetting("output-axis-1", AxisOfTable::target(0),
         AXISCOMP_TEXT("Error", "number of the axis of the first corrections, from 1")),
-    axisNumberSetting("output-axis-2",
+    axisNumberSetting("output-axis-2", AxisOfTable::target(1),
         AXISCOMP_TEXT("Error", "number of the axis of the second corrections, from 1")),
-    axisNumberSetting("output-axis-3",
+    axisNumberSetting("output-axis-3", AxisOfTable::target(2),
         AXISCOMP_TEXT("Error", "number of the axis of the third corrections, from 1"))};
 
 constexpr std::array<std::string_view, 7> rules{
@@ -172,7 +174,7 @@ std::vector<double> valuesOf(const aerotech::Block& block, std::size_t output, s
             const std::size_t x = samplings[0].isDownwards() ? width - 1 - i : i;
             const std::size_t y = samplings[1].isDownwards() ? height - 1 - j : j;
             const double value = block.values[(j * width + i) * outputs + output];
-            values[y * width + x] = value == 0.0 ? 0.0 : value / factor; // no -0
+            values[y * width + x] = value / factor;
         }
     return values;
 }

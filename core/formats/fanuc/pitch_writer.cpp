@@ -246,9 +246,9 @@ FormatSettings readingSettings(const FormatSettings& given, const SourceAxis& ax
     return reading;
 }
 
-/// What nobody has published, and what is to be done.
+/// What nobody has published, and what is to be done. given: what a person says of it is known.
 void remark(const PitchWriter& writer, const PitchSetup& setup, std::int64_t largestStep,
-    std::vector<Text>& remarks)
+    const FormatSettings& given, std::vector<Text>& remarks)
 {
     if (writer.count() > usualNumbers)
         remarks.push_back(AXISCOMP_TEXT("Error",
@@ -256,11 +256,16 @@ void remark(const PitchWriter& writer, const PitchSetup& setup, std::int64_t lar
                               .with("count", writer.count())
                               .with("most", usualNumbers));
     remarks.push_back(writer.parameters());
-    remarks.push_back(AXISCOMP_TEXT("Error",
-        "nobody has published that the numbers begin at line N{first} (first-record) and that a "
-        "value is at most {most} (largest-step): compare with a file of this controller")
-                          .with("first", setup.firstRecord)
-                          .with("most", largestStep));
+    if (given.find(firstRecordKey) == given.end())
+        remarks.push_back(AXISCOMP_TEXT("Error",
+            "nobody has published that the numbers begin at line N{first} (first-record): compare "
+            "with a file of this controller")
+                              .with("first", setup.firstRecord));
+    if (given.find(largestStepKey) == given.end())
+        remarks.push_back(AXISCOMP_TEXT("Error",
+            "nobody has published that a value is at most {most} (largest-step): compare with a "
+            "file of this controller")
+                              .with("most", largestStep));
     remarks.emplace_back(AXISCOMP_TEXT("Error",
         "the sign is an assumption: a value is put out to the axis as pulses. Check one point on "
         "the machine"));
@@ -295,7 +300,7 @@ Result<WrittenTables> writeFile(
         readBack(format, written.bytes,
             readingSettings(settings, table.axes.front(), writer.interval())));
     written.held = std::move(held);
-    remark(writer, setup, largestStep, written.remarks);
+    remark(writer, setup, largestStep, settings, written.remarks);
     return written;
 }
 

@@ -334,7 +334,7 @@ void FileReader::takeValues(const Row& row, double position)
             if (const auto value = readNumber(
                     token, AXISCOMP_TEXT("Error", "a compensation value"), m_diagnostics)) {
                 m_columns[column].positions.push_back(position);
-                m_columns[column].values.push_back(*value == 0.0 ? 0.0 : *value); // no -0
+                m_columns[column].values.push_back(*value);
                 m_columns[column].lines.push_back(token.line);
                 m_columns[column].numbers.push_back(m_lastNumber.value_or(0));
             }

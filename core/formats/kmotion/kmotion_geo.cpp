@@ -206,7 +206,7 @@ bool Reader::header()
         m_distances[n] =
             number(distances[n], AXISCOMP_TEXT("Error", "a distance such as 0.5"), wrongSpacing);
         if (m_distances[n] == 0.0 && !m_reading.diagnostics.hasErrors())
-            fault(wrongSpacing, DiagnosticCode::UnevenSpacing, distances[n],
+            fault(wrongSpacing, DiagnosticCode::LimitExceeded, distances[n],
                 AXISCOMP_TEXT("Error", "a distance of 0"),
                 AXISCOMP_TEXT("Error", "another one: with 0 the controller corrects nothing"));
         m_starts[n] = number(

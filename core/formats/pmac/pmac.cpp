@@ -23,7 +23,8 @@ constexpr std::string_view desiredPosition =
 
 constexpr std::array<std::string_view, 1> motors1d{"source-motor"};
 constexpr std::array<std::string_view, 1> counts1d{"source-counts-per-unit"};
-constexpr std::array settings1d{countsForWriting, countsForReading, usesActual,
+constexpr std::array settings1d{countsForWriting("source-counts-per-unit, target-counts-per-unit"),
+    countsForReading, usesActual,
     countsSetting(
         counts1d[0], AXISCOMP_TEXT("Error", "encoder counts for one unit of the positions")),
     targetCounts,
@@ -45,7 +46,9 @@ constexpr std::array<std::string_view, 6> rules1d{
 constexpr std::array<std::string_view, 2> motors2d{"row-motor", "column-motor"};
 constexpr std::array<std::string_view, 2> counts2d{
     "source-counts-per-unit", "column-counts-per-unit"};
-constexpr std::array settings2d{countsForWriting, countsForReading, usesActual,
+constexpr std::array settings2d{
+    countsForWriting("source-counts-per-unit, column-counts-per-unit, target-counts-per-unit"),
+    countsForReading, usesActual,
     countsSetting(
         counts2d[0], AXISCOMP_TEXT("Error", "encoder counts for one unit of the row motor")),
     countsSetting(

@@ -61,12 +61,17 @@ inline constexpr std::array<std::string_view, 5> assumptions{
     "One table is written to a file, for its target motor; a file that is read may hold several.",
 };
 
-inline constexpr FormatSetting countsForWriting{.key = "counts-per-unit",
-    .kind = FormatSetting::Kind::Number,
-    .meaning = AXISCOMP_TEXT(
-        "Error", "encoder counts for one unit, of every motor without a setting of its own"),
-    .forWriting = true,
-    .isNeeded = true};
+/// ofMotors: the settings of all motors of the format.
+[[nodiscard]] constexpr FormatSetting countsForWriting(std::string_view ofMotors)
+{
+    return {.key = "counts-per-unit",
+        .kind = FormatSetting::Kind::Number,
+        .meaning = AXISCOMP_TEXT(
+            "Error", "encoder counts for one unit, of every motor without a setting of its own"),
+        .forWriting = true,
+        .isNeeded = true,
+        .unless = ofMotors};
+}
 inline constexpr FormatSetting countsForReading{.key = "counts-per-unit",
     .kind = FormatSetting::Kind::Number,
     .meaning =

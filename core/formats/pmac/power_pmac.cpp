@@ -22,7 +22,9 @@ constexpr std::string_view prefix = "CompTable[";
 constexpr std::string_view sourceCountsKey = "source-counts-per-unit";
 
 constexpr std::array<std::string_view, 2> extensions{".cfg", ".txt"};
-constexpr std::array settings{pmac::countsForWriting, pmac::countsForReading,
+constexpr std::array settings{
+    pmac::countsForWriting("source-counts-per-unit, target-counts-per-unit"),
+    pmac::countsForReading,
     pmac::countsSetting(
         sourceCountsKey, AXISCOMP_TEXT("Error", "motor units for one unit of the positions")),
     pmac::targetCounts,

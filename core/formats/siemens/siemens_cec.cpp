@@ -32,12 +32,14 @@ constexpr std::array settings{siemens::rotaryAxes,
         .kind = FormatSetting::Kind::Text,
         .meaning = AXISCOMP_TEXT(
             "Error", "name of the axis whose position counts, instead of the table's name for it"),
-        .forWriting = true},
+        .forWriting = true,
+        .namedAxis = AxisOfTable::source(0)},
     FormatSetting{.key = "output-axis",
         .kind = FormatSetting::Kind::Text,
         .meaning = AXISCOMP_TEXT(
             "Error", "name of the axis that is compensated, instead of the table's name for it"),
-        .forWriting = true}};
+        .forWriting = true,
+        .namedAxis = AxisOfTable::target(0)}};
 
 constexpr std::array<std::string_view, 8> rules{
     "A part program assigns $AN_CEC[table,point], with _INPUT_AXIS, _OUTPUT_AXIS, _STEP, _MIN, "

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace axiscomp::siemens {
 
@@ -369,6 +370,21 @@ std::optional<bool> isModulo(const Curve& curve, DiagnosticList& diagnostics)
     return std::nullopt;
 }
 
+/// Even from MIN to MAX, also where STEP is rounded, such as 33.3333 for a third of 100.
+std::vector<double> positionsOf(const Curve& curve, std::size_t count)
+{
+    const double min = curve.value(Curve::Min);
+    const double max = curve.value(Curve::Max);
+    const double step = curve.value(Curve::Step);
+    const auto steps = static_cast<double>(count - 1);
+    const double rounding =
+        4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(min), std::abs(max));
+    const bool endsAtMax = std::abs(min + steps * step - max) <= rounding;
+    auto positions = evenKnots(min, endsAtMax ? step : (max - min) / steps, count);
+    positions.back() = max;
+    return positions;
+}
+
 } // namespace
 
 std::optional<Sampled> sample(const Curve& curve, DiagnosticList& diagnostics)
@@ -381,12 +397,10 @@ std::optional<Sampled> sample(const Curve& curve, DiagnosticList& diagnostics)
     if (!values)
         return std::nullopt;
     Sampled sampled;
-    const double min = curve.value(Curve::Min);
-    sampled.axis.knots = evenKnots(min, curve.value(Curve::Step), *count);
-    sampled.axis.knots.back() = curve.value(Curve::Max);
+    sampled.axis.knots = positionsOf(curve, *count);
     sampled.values = std::move(*values);
     if (*wraps) {
-        sampled.axis.wrap = curve.value(Curve::Max) - min;
+        sampled.axis.wrap = curve.value(Curve::Max) - curve.value(Curve::Min);
         if (sampled.values.front() != sampled.values.back())
             diagnostics.warning(DiagnosticCode::NotPeriodic, curve.lines[Curve::IsModulo], 0,
                 about(curve, AXISCOMP_TEXT("Error", "{number} at MAX of {curve}"))

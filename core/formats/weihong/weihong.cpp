@@ -22,7 +22,8 @@ constexpr std::array settings{FormatSetting{.key = "axis",
     .kind = FormatSetting::Kind::Choice,
     .meaning = AXISCOMP_TEXT("Error", "axis of the table, where the table names none of these"),
     .choices = "X, Y, Z",
-    .forWriting = true}};
+    .forWriting = true,
+    .namedAxis = AxisOfTable::source(0)}};
 
 constexpr std::array<std::string_view, 8> rules{
     "A line unit=mm, a section [X], [Y] or [Z] for each axis, and in it lines nominal, forward "

@@ -270,7 +270,8 @@ void Assembly::checkDuplicates()
                 .with("first", values[i - 1].line)
                 .with("second", values[i].line),
             areMeans ? AXISCOMP_TEXT("Error", "one mean for each target and direction")
-                     : AXISCOMP_TEXT("Error", "one value for each target, direction and run"));
+                     : AXISCOMP_TEXT("Error",
+                         "one value for each target, direction and run, or a number for each run"));
     }
 }
 

@@ -142,6 +142,36 @@ private Q_SLOTS:
         VERIFY_CODE(said, 0);
     }
 
+    void standardInputIsKnownByItsContent()
+    {
+        const Sandbox box;
+        const QByteArray program =
+            "$AA_ENC_COMP[0,0,X1]=0.003\n$AA_ENC_COMP[0,1,X1]=0.01\n$AA_ENC_COMP_STEP[0,X1]=10\n"
+            "$AA_ENC_COMP_MIN[0,X1]=0\n$AA_ENC_COMP_MAX[0,X1]=10\n$AA_ENC_COMP_IS_MODULO[0,X1]=0\n"
+            "M17\n";
+        for (const QStringList& command :
+            {QStringList{"inspect", "-"}, QStringList{"inspect", "-", "--dims", "1"},
+                QStringList{"convert", "-", "x.csv"}, QStringList{"lookup", "-", "5"}}) {
+            const ProgramRun run = box.run(command, program);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.err.contains("<stdin>: read as siemens-eec"), run.err.constData());
+        }
+        QCOMPARE(box.run({"lookup", "-", "50", "--dims", "1"}, linearError).out.trimmed(),
+            QByteArray("0.005"));
+        // What content leaves open is a calibration file, unless somebody says it.
+        for (const QByteArray& open : {linearError, QByteArray("0,0\n100,0.01\n200,0.02\n")}) {
+            const ProgramRun run = box.run({"inspect", "-"}, open);
+            VERIFY_CODE(run, 2);
+            QVERIFY2(run.err.contains("give --dims 1, 2 or 3")
+                    && run.err.contains("it could be icube as well: say it with --from"),
+                run.err.constData());
+        }
+        const ProgramRun unknown = box.run({"inspect", "-"}, "nothing\n");
+        VERIFY_CODE(unknown, 2);
+        QVERIFY2(unknown.err.contains("say it with --from if it is no calibration file"),
+            unknown.err.constData());
+    }
+
     void aFileOfAnotherControllerIsInspected()
     {
         const Sandbox box;
@@ -623,6 +653,22 @@ private Q_SLOTS:
         // Command values are turned: -e(x + c), with e = 4e-5 x.
         const double command = at50({"--sign", "command"}).toDouble();
         QVERIFY2(std::abs(command + 0.002 / 1.00004) < 1e-9, std::to_string(command).c_str());
+    }
+
+    void aValueInAnotherUnitThanThatOfTheFileIsSaidToBe()
+    {
+        const Sandbox box;
+        box.file("um.csv", "X [mm],X error [um]\n0,0\n100,4\n");
+        box.file("mm.csv", "X [mm],X error [mm]\n0,0\n100,0.004\n");
+        const auto noteOf = [&](const QString& file, const QString& as) {
+            const ProgramRun run = box.run({"lookup", file, "50", "--dims", "1", "--as", as});
+            return run.code == 0 ? run.err : QByteArray("failed: " + run.err);
+        };
+        const QByteArray note = "um.csv: the unit of the value is mm; that of the file is um\n";
+        QVERIFY2(noteOf("um.csv", "softmc").contains(note), noteOf("um.csv", "softmc").constData());
+        for (const QByteArray& err : {noteOf("um.csv", "csv"), noteOf("mm.csv", "softmc")})
+            QVERIFY2(
+                !err.contains("the unit of the value") && !err.contains("failed"), err.constData());
     }
 
     void whatATamTableDoesNotHoldIsSaid()

@@ -202,6 +202,27 @@ private Q_SLOTS:
         QVERIFY(process->readAllStandardError().startsWith("error: Cancelled: "));
     }
 
+    void pointsAreReadAsAnyEditorSavesThem_data()
+    {
+        QTest::addColumn<QByteArray>("points");
+        QTest::newRow("CRLF") << QByteArray("5000\r\n0\r\n");
+        QTest::newRow("CR") << QByteArray("5000\r0");
+        QTest::newRow("byte-order mark") << QByteArray("\xEF\xBB\xBF"
+                                                       "5000\n0\n");
+    }
+    void pointsAreReadAsAnyEditorSavesThem()
+    {
+        QFETCH(const QByteArray, points);
+        const Sandbox box;
+        box.file("t.csv", line1D);
+        box.file("points.txt", points);
+        const QStringList lookup{"lookup", "t.csv", "--dims", "1"};
+        const ProgramRun one = box.run(lookup + QStringList{"0"});
+        const ProgramRun run = box.run(lookup + QStringList{"--points", "points.txt"});
+        VERIFY_CODE(run, 0);
+        QCOMPARE(run.out, "3.5\n" + one.out);
+    }
+
     void aBadPointNamesItsPlace_data()
     {
         QTest::addColumn<QByteArray>("points");
@@ -221,6 +242,8 @@ private Q_SLOTS:
             box.run({"lookup", "t.csv", "--dims", "2", "--points", "points.txt", "--json"});
         VERIFY_CODE(run, 3);
         QVERIFY2(run.err.startsWith(place), run.err.constData());
+        QVERIFY2(run.err.contains("points.txt is not a valid list of positions: one problem"),
+            run.err.constData());
         const QJsonObject error = run.json().value("error").toObject();
         QCOMPARE(error.value("diagnostics").toArray().size(), 1);
     }

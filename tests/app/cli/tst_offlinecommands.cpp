@@ -467,6 +467,14 @@ private Q_SLOTS:
         QCOMPARE(formats.at(0).toObject().value("name").toString(), "csv");
         QCOMPARE(formats.at(1).toObject().value("extension").toString(), ".TAMtbl");
         QCOMPARE(formats.at(1).toObject().value("persistency").toBool(), true);
+        // As `formats NAME` says it: columns of one table are no tables of their own.
+        for (const QJsonValue& value : formats) {
+            const QJsonObject format = value.toObject();
+            const ProgramRun one = box.run({"formats", format.value("name").toString()});
+            QCOMPARE(one.out.contains("several tables in a file"),
+                format.value("severalTables").toBool());
+            QCOMPARE(one.out.contains(", one column"), !format.value("severalColumns").toBool());
+        }
         const ProgramRun text = box.run({"formats"});
         QVERIFY(text.out.contains("tamtbl"));
     }

@@ -637,6 +637,25 @@ private Q_SLOTS:
         QVERIFY(made->written.bytes.find("// lookup: set") != std::string::npos);
     }
 
+    void theDriveThatWasMeasuredIsInTheFileOrSaid_data() { addFormats(); }
+    void theDriveThatWasMeasuredIsInTheFileOrSaid()
+    {
+        QFETCH(const int, index);
+        const TableFormat& to = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable table = exampleTable(to.facts.fewestDimensions, SignConvention::Feedback);
+        nameAxes(table, to);
+        table.notes = {driveNote(driveText("Mill", 850618))};
+        const ConversionRequest request = requestFor(calibration_csv::format(), to);
+        const auto conversion = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(conversion);
+        QCOMPARE(test::mentions(conversion->written.bytes, "850618"), to.facts.holdsNotes);
+        QCOMPARE(contains(conversion->remarks, "the serial number 850618"), !to.facts.holdsNotes);
+        if (to.facts.holdsNotes)
+            return;
+        table.notes.push_back(driveNote(driveText("Twin", 850619)));
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
+    }
+
     void aPlaceOfTheLookupThatContradictsTheFileIsRefused()
     {
         NeutralTable table =
@@ -661,6 +680,30 @@ private Q_SLOTS:
         VERIFY_ERROR(
             convertTables(tables, requestFor(calibration_csv::format(), linuxcnc::format())),
             ErrorCode::FormatCannotHold);
+    }
+
+    void aSettingForAnAxisIsRefusedForTablesOfDifferentAxes()
+    {
+        const auto sag = [](const char* from, const char* to) {
+            return test::commandTable({test::evenAxis(from, "mm", 0, 10, 3)},
+                {test::columnOf(to, "mm", {0, 0.001, -0.002})});
+        };
+        const TableFormat& cec = siemens_cec::format();
+        ConversionRequest request = requestFor(cec, cec);
+        request.writing.settings = {{"input-axis", "X"}};
+        const std::vector different{sag("Z1", "Y1"), sag("X1", "Y1")};
+        const auto refused = convertTables(different, request);
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(test::mentions(said, "input-axis says X") && test::mentions(said, "Z1, X1")
+                && test::mentions(said, "--table"),
+            said.c_str());
+        VERIFY_RESULT(convertTables(std::span(different).first(1), request));
+        const std::vector same{sag("X1", "Y1"), sag("X1", "Z1")};
+        const auto renamed = convertTables(same, request);
+        VERIFY_RESULT(renamed);
+        for (const NeutralTable& table : renamed->written.held)
+            QCOMPARE(table.axes.front().name, std::string("X"));
     }
 
     /// No file says it, and a drive's table has other points after a resampling.

@@ -324,6 +324,20 @@ private Q_SLOTS:
             }
     }
 
+    void whatAPersonStatesIsNotSaidToBeUnknown()
+    {
+        const auto remarksOn = [](const FormatSettings& settings) {
+            const auto written = format.write(std::array{example()}, test::writingWith(settings));
+            return written ? test::joined(written->remarks) : std::string();
+        };
+        const std::string step = remarksOn(set("largest-step", "20", writing));
+        QVERIFY2(!test::mentions(step, "largest-step") && test::mentions(step, "first-record"),
+            step.c_str());
+        const std::string record = remarksOn(set("first-record", "0", writing));
+        QVERIFY2(!test::mentions(record, "first-record") && test::mentions(record, "largest-step"),
+            record.c_str());
+    }
+
     void valuesForEachDirectionAreRefusedByName()
     {
         NeutralTable table = example();

@@ -588,6 +588,33 @@ private Q_SLOTS:
         }
     }
 
+    void aNeededSettingMayHaveOthersInItsPlace_data()
+    {
+        addFormats([](const FormatSample& sample) {
+            return std::ranges::any_of(sample.format->facts.settings,
+                [](const FormatSetting& setting) { return !setting.unless.empty(); });
+        });
+    }
+    void aNeededSettingMayHaveOthersInItsPlace()
+    {
+        const FormatFacts& facts = sample().format->facts;
+        for (const FormatSetting& setting : facts.settings) {
+            const std::string words(setting.unless);
+            std::vector<Token> keys;
+            splitTokens({words, 0, 0}, ", ", keys);
+            if (keys.empty())
+                continue;
+            QVERIFY(setting.isNeeded);
+            FormatSettings others;
+            for (const Token& key : keys)
+                others[std::string(key.text)] = "1000";
+            VERIFY_RESULT(SettingValues::of(facts, others, setting.forWriting));
+            others.erase(std::string(keys.back().text));
+            VERIFY_ERROR(
+                SettingValues::of(facts, others, setting.forWriting), ErrorCode::InvalidArgument);
+        }
+    }
+
     void settingsThatCannotBeAreRefused_data() { addRows(&FormatSample::refusedSettings); }
     void settingsThatCannotBeAreRefused()
     {
@@ -735,6 +762,39 @@ private Q_SLOTS:
         directed.columns[0].direction = Direction::Positive;
         directed.columns[1].direction = Direction::Negative;
         refuses(directed, "both directions of motion");
+    }
+
+    void aSettingGivesDifferentAxesNoCommonName_data()
+    {
+        addFormats([](const FormatSample& sample) {
+            return isWritten(sample) && sample.format->facts.mostTables != 1;
+        });
+    }
+    void aSettingGivesDifferentAxesNoCommonName()
+    {
+        const FormatFacts& facts = sample().format->facts;
+        const NeutralTable& first = heldTable();
+        for (const FormatSetting& setting : formatSettings(facts, true)) {
+            const bool namesAnAxis = setting.key.find("axis") != std::string_view::npos;
+            QVERIFY2(setting.namedAxis.has_value() == namesAnAxis, setting.key.data());
+            if (!setting.namedAxis)
+                continue;
+            const std::size_t number = setting.namedAxis->number;
+            if (setting.namedAxis->isTarget && number >= first.columns.size())
+                continue;
+            NeutralTable other = first;
+            if (setting.namedAxis->isTarget)
+                other.columns[number].target = otherAxis;
+            else
+                other.axes[number].name = "9";
+            const FormatSettings given{{std::string(setting.key), "1"}};
+            VERIFY_RESULT(checkNamedAxes(facts, std::array{first, first}, given));
+            VERIFY_RESULT(checkNamedAxes(facts, std::array{first, other}, {}));
+            const auto refused = checkNamedAxes(facts, std::array{first, other}, given);
+            VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+            QVERIFY2(mentions(sentence(refused.error()), "the setting " + std::string(setting.key)),
+                sentence(refused.error()).c_str());
+        }
     }
 
     void numbersThatAreNoneAreRefused_data() { addFormats(isWritten); }

@@ -94,7 +94,7 @@ void describe(test::FormatSample& sample)
     row("a blank before the comma", with("2,3", "2 ,3"),
         "1:2 Syntax  ,3|a comma directly behind the number \"2\"", sizes);
     row("no comma", with("20,10", "20 10"), "2:3 Syntax", spacing);
-    row("a distance of 0", with("20,10", "20,0"), "2:4 UnevenSpacing a distance of 0|", spacing);
+    row("a distance of 0", with("20,10", "20,0"), "2:4 LimitExceeded a distance of 0|", spacing);
     row("a distance that is none", with("20,10", "x,10"), "2:1 NotANumber x|", spacing);
     row("a start that is none", with("-20,5", "-20,nan"), "3:5 NotANumber nan|", offset);
     row("a decimal comma", with("5.001,0.00125", "5,001,0,00125"), "4:1", point);

@@ -252,6 +252,17 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].unit, std::string("um"));
     }
 
+    void countsOfEveryMotorAreWrittenWithoutCommonOnes()
+    {
+        const NeutralTable table = closedTable();
+        WRITE_TABLE(common, format, table, thousand);
+        const auto own = test::writingWith(
+            {{"source-counts-per-unit", "1000"}, {"target-counts-per-unit", "1000"}});
+        WRITE_TABLE(written, format, table, own);
+        QCOMPARE(written->bytes, common->bytes);
+        QCOMPARE(written->held, common->held);
+    }
+
     void aMotorIsWrittenInOneUnit()
     {
         NeutralTable own = closedTable();

@@ -206,6 +206,18 @@ private Q_SLOTS:
                         "controller adds the values to the positions\n"));
     }
 
+    /// Runs are of measurements.
+    void aValueThatIsThereTwiceIsNotSaidToBeOfARun()
+    {
+        const auto reading =
+            format.read(with("Sys.", "CompTable[0].Data[4] = 8;\nSys."), counted("1"));
+        VERIFY_RESULT(reading);
+        QCOMPARE(reading->diagnostics.size(), std::size_t{1});
+        QCOMPARE(textOf(reading->diagnostics.front()).english(),
+            std::string("the same value is there twice: found value 4 again, expected each value "
+                        "once; the last one counts; delete one of the two"));
+    }
+
     void eachTableOfAFileIsRead()
     {
         const auto reading = format.read(

@@ -188,6 +188,20 @@ class TestRapidcode : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// 0 / -1000 and -0 are a zero as any other.
+    void aZeroHasNoSign()
+    {
+        for (const auto& [perUnit, row] :
+            {std::pair("-1000", "0,-10,0,0\n"), std::pair("1000", "-0,10,-0,0\n")}) {
+            const std::string text = test::with(oneAxisText(grid, row), "counts-per-unit = 1000",
+                std::string("counts-per-unit = ") + perUnit);
+            READ_TABLE(table, rapidcode::format(), text, {});
+            const std::vector<double>& values = table.columns[0].values;
+            QCOMPARE(values, (std::vector<double>{0, 0.01, 0, 0}));
+            QVERIFY(std::ranges::none_of(values, [](double value) { return std::signbit(value); }));
+        }
+    }
+
     void theRangeIsAnIntegerMultipleOfTheDelta()
     {
         READ_TABLE(decimal, format,

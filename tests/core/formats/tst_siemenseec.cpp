@@ -174,6 +174,23 @@ private Q_SLOTS:
         QVERIFY(table.axes[0].knots.back() == 0.3);
     }
 
+    /// A third of 100 has no decimals that end; the format takes even positions only.
+    void aRoundedStepIsEven()
+    {
+        for (const char* step : {"33.3333", "33.3333333"}) {
+            std::string text = with("STEP[0,X1]=1.0", std::string("STEP[0,X1]=") + step);
+            text = test::with(text, "MIN[0,X1]=-200.0", "MIN[0,X1]=0");
+            text = test::with(text, "MAX[0,X1]=-198.0", "MAX[0,X1]=100");
+            text = test::with(text, "CHANDATA(1)\n", "CHANDATA(1)\n$AA_ENC_COMP[0,3,X1]=0.5\n");
+            READ_TABLE(table, format, text, {});
+            const std::vector<double> third{0, 100.0 / 3, 200.0 / 3, 100};
+            QVERIFY(test::largestDifference(table.axes[0].knots, third) < 1e-13);
+            VERIFY_RESULT(checkHolds(format.facts, std::array{table}));
+            WRITE_TABLE(written, format, table, {});
+            QCOMPARE(written->held, std::vector{table});
+        }
+    }
+
     void theExampleOfTheManualIsRead()
     {
         READ_TABLE(table, format, program, {});

@@ -198,6 +198,17 @@ private Q_SLOTS:
             QCOMPARE(choice->format, &calibration_csv::format());
         }
     }
+
+    void thatAFileIsUtf16IsSaidInsteadOfTheFormatsThatThereAre()
+    {
+        using namespace std::string_literals;
+        for (const std::string& text : {"\xFF\xFEk\0o\0"s, "\xFE\xFF\0k\0o"s, "k\0o\0p\0f\0"s}) {
+            const auto choice = chooseFormat(text, "x.lis", false);
+            VERIFY_ERROR(choice, ErrorCode::UnknownFormat);
+            QCOMPARE(sentence(choice.error()),
+                std::string("x.lis is UTF-16 text; save it as UTF-8 text"));
+        }
+    }
 };
 
 AXISCOMP_TEST(TestCalibrationTables)

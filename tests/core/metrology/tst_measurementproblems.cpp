@@ -91,7 +91,8 @@ private Q_SLOTS:
         row("bad run", "runs", head + "0,+,0,1\n1,+,1.5,1\n2,+,x,1\n",
             {"2:3 BadRun 0|a whole number from 1", "3:3 BadRun 1.5|", "4:3 BadRun x|"});
         row("a value twice", "runs", head + "0,+,1,1\n5,+,1,1\n0.0,up,1,2\n",
-            {"4:0 DuplicateValue target 0 mm, up, run 1 in line 2 and in line 4|one value"});
+            {"4:0 DuplicateValue target 0 mm, up, run 1 in line 2 and in line 4|one value "
+             "for each target, direction and run, or a number for each run"});
         row("a mean twice", "runs", "// kind: averages\n" + head + "0,+,1,1\n5,+,1,1\n0,+,2,2\n",
             {"5:0 DuplicateValue target 0 mm, up, run 2 in line 3 and in line 5|one mean for each "
              "target and direction"});
