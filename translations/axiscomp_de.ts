@@ -5342,10 +5342,6 @@
         <translation>Zielposition {target}, {direction}, Durchlauf {run} in Zeile {first} und in Zeile {second}</translation>
     </message>
     <message>
-        <source>one value for each target, direction and run</source>
-        <translation>ein Wert für jede Zielposition, jede Richtung und jeden Durchlauf</translation>
-    </message>
-    <message>
         <source>{up} up and {down} down</source>
         <translation>{up} aufwärts und {down} abwärts</translation>
     </message>
@@ -7822,10 +7818,6 @@
         <translation>das sind {count} Punkte, und eine Quelle sagt, dass eine Achse höchstens {most} hat</translation>
     </message>
     <message>
-        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
-        <translation>niemand hat veröffentlicht, dass die Nummern bei Zeile N{first} beginnen (first-record) und dass ein Wert höchstens {most} ist (largest-step): mit einer Datei dieser Steuerung vergleichen</translation>
-    </message>
-    <message>
         <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
         <translation>das Vorzeichen ist eine Annahme: ein Wert wird als Impulse an die Achse ausgegeben. Einen Punkt an der Maschine prüfen</translation>
     </message>
@@ -8700,6 +8692,50 @@
     <message>
         <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
         <translation>Die neue Tabelle ist flüchtig: nach einem Neustart hat die Achse wieder die alte, dauerhafte, oder keine, wenn seither die Parameter gespeichert wurden.</translation>
+    </message>
+    <message>
+        <source>the setting {key} says {value} for tables of different axes, {axes}; choose one of the tables (--table), or leave the setting out</source>
+        <translation>die Einstellung {key} nennt {value} für Tabellen verschiedener Achsen, {axes}; eine der Tabellen wählen (--table) oder die Einstellung weglassen</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the set position: use it with such sources only</source>
+        <translation>die neue Datei sagt nicht, dass der Antrieb an der Sollposition nachschlagen muss: nur mit solchen Quellen verwenden</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the encoder position: use it with such sources only</source>
+        <translation>die neue Datei sagt nicht, dass der Antrieb an der Position des Gebers nachschlagen muss: nur mit solchen Quellen verwenden</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive with the serial number {serial} was measured, as its source does: use it for that drive only</source>
+        <translation>anders als ihre Quelle sagt die neue Datei nicht, dass der Antrieb mit der Seriennummer {serial} gemessen wurde: nur für diesen Antrieb verwenden</translation>
+    </message>
+    <message>
+        <source>several tables are called {table}; choose one by its number, such as #1: {alike}</source>
+        <translation>mehrere Tabellen heißen {table}; eine über ihre Nummer wählen, etwa #1: {alike}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{file} is not a valid list of positions: {count} problems</source>
+        <comment>{file} is not a valid list of positions: one problem</comment>
+        <translation>
+            <numerusform>{file} ist keine gültige Liste von Positionen: 1 Problem</numerusform>
+            <numerusform>{file} ist keine gültige Liste von Positionen: {count} Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file} is UTF-16 text; save it as UTF-8 text</source>
+        <translation>{file} ist Text in UTF-16; als Text in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>one value for each target, direction and run, or a number for each run</source>
+        <translation>ein Wert für jede Zielposition, jede Richtung und jeden Durchlauf, oder eine Nummer für jeden Durchlauf</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record): compare with a file of this controller</source>
+        <translation>niemand hat veröffentlicht, dass die Nummern bei Zeile N{first} beginnen (first-record): mit einer Datei dieser Steuerung vergleichen</translation>
+    </message>
+    <message>
+        <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>niemand hat veröffentlicht, dass ein Wert höchstens {most} ist (largest-step): mit einer Datei dieser Steuerung vergleichen</translation>
     </message>
 </context>
 <context>
@@ -10838,10 +10874,6 @@
         <translation>derselbe Wert ist zweimal da</translation>
     </message>
     <message>
-        <source>delete one of the two lines, or give each run its number</source>
-        <translation>löschen Sie eine der beiden Zeilen oder geben Sie jedem Durchlauf seine Nummer</translation>
-    </message>
-    <message>
         <source>the file holds another number than it says</source>
         <translation>die Datei enthält eine andere Anzahl, als sie angibt</translation>
     </message>
@@ -11013,6 +11045,10 @@
         <source>UTF-8 text</source>
         <comment>expected in a machine file that is in another encoding</comment>
         <translation>Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>delete one of the two</source>
+        <translation>löschen Sie eine der beiden Angaben</translation>
     </message>
 </context>
 <context>

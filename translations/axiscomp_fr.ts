@@ -5342,10 +5342,6 @@
         <translation>position cible {target}, {direction}, passe {run} à la ligne {first} et à la ligne {second}</translation>
     </message>
     <message>
-        <source>one value for each target, direction and run</source>
-        <translation>une valeur par position cible, sens et passe</translation>
-    </message>
-    <message>
         <source>{up} up and {down} down</source>
         <translation>{up} en sens positif et {down} en sens négatif</translation>
     </message>
@@ -7822,10 +7818,6 @@
         <translation>ce sont {count} points, et une source indique qu&apos;un axe en a au plus {most}</translation>
     </message>
     <message>
-        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
-        <translation>personne n&apos;a publié que les numéros commencent à la ligne N{first} (first-record) ni qu&apos;une valeur vaut au plus {most} (largest-step)&#xa0;: comparer avec un fichier de cette commande</translation>
-    </message>
-    <message>
         <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
         <translation>le signe est une hypothèse&#xa0;: une valeur est émise vers l&apos;axe sous forme d&apos;impulsions. Vérifier un point sur la machine</translation>
     </message>
@@ -8700,6 +8692,50 @@
     <message>
         <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
         <translation>La nouvelle table est volatile&#xa0;: après un redémarrage, l&apos;axe retrouve l&apos;ancienne table persistante, ou n&apos;en a aucune si les paramètres ont été enregistrés entre-temps.</translation>
+    </message>
+    <message>
+        <source>the setting {key} says {value} for tables of different axes, {axes}; choose one of the tables (--table), or leave the setting out</source>
+        <translation>le réglage {key} indique {value} pour des tables d&apos;axes différents, {axes}&#xa0;; choisir l&apos;une des tables (--table) ou omettre le réglage</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the set position: use it with such sources only</source>
+        <translation>le nouveau fichier n&apos;indique pas que le variateur doit le consulter à la position de consigne&#xa0;: ne l&apos;utiliser qu&apos;avec de telles sources</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the encoder position: use it with such sources only</source>
+        <translation>le nouveau fichier n&apos;indique pas que le variateur doit le consulter à la position du codeur&#xa0;: ne l&apos;utiliser qu&apos;avec de telles sources</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive with the serial number {serial} was measured, as its source does: use it for that drive only</source>
+        <translation>contrairement à sa source, le nouveau fichier n&apos;indique pas que le variateur de numéro de série {serial} a été mesuré&#xa0;: ne l&apos;utiliser que pour ce variateur</translation>
+    </message>
+    <message>
+        <source>several tables are called {table}; choose one by its number, such as #1: {alike}</source>
+        <translation>plusieurs tables s&apos;appellent {table}&#xa0;; en choisir une par son numéro, par exemple #1&#xa0;: {alike}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{file} is not a valid list of positions: {count} problems</source>
+        <comment>{file} is not a valid list of positions: one problem</comment>
+        <translation>
+            <numerusform>{file} n&apos;est pas une liste de positions valide&#xa0;: {count} problème</numerusform>
+            <numerusform>{file} n&apos;est pas une liste de positions valide&#xa0;: {count} problèmes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file} is UTF-16 text; save it as UTF-8 text</source>
+        <translation>{file} est du texte UTF-16&#xa0;; l&apos;enregistrer en texte UTF-8</translation>
+    </message>
+    <message>
+        <source>one value for each target, direction and run, or a number for each run</source>
+        <translation>une valeur par position cible, sens et passe, ou un numéro par passe</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record): compare with a file of this controller</source>
+        <translation>personne n&apos;a publié que les numéros commencent à la ligne N{first} (first-record)&#xa0;: comparer avec un fichier de cette commande</translation>
+    </message>
+    <message>
+        <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>personne n&apos;a publié qu&apos;une valeur vaut au plus {most} (largest-step)&#xa0;: comparer avec un fichier de cette commande</translation>
     </message>
 </context>
 <context>
@@ -10838,10 +10874,6 @@
         <translation>la même valeur figure deux fois</translation>
     </message>
     <message>
-        <source>delete one of the two lines, or give each run its number</source>
-        <translation>supprimer l&apos;une des deux lignes ou donner à chaque passe son numéro</translation>
-    </message>
-    <message>
         <source>the file holds another number than it says</source>
         <translation>le fichier contient un autre nombre que celui indiqué</translation>
     </message>
@@ -11013,6 +11045,10 @@
         <source>UTF-8 text</source>
         <comment>expected in a machine file that is in another encoding</comment>
         <translation>du texte en UTF-8</translation>
+    </message>
+    <message>
+        <source>delete one of the two</source>
+        <translation>supprimer l&apos;un des deux</translation>
     </message>
 </context>
 <context>

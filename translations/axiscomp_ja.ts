@@ -5312,10 +5312,6 @@
         <translation>目標位置 {target}、{direction}、走行 {run} が行 {first} と行 {second} に重複</translation>
     </message>
     <message>
-        <source>one value for each target, direction and run</source>
-        <translation>目標位置、方向、走行ごとに値は 1 つ</translation>
-    </message>
-    <message>
         <source>{up} up and {down} down</source>
         <translation>正方向 {up}、負方向 {down}</translation>
     </message>
@@ -7781,10 +7777,6 @@
         <translation>{count} 点ありますが、ある資料によれば 1 軸は {most} 点以下です</translation>
     </message>
     <message>
-        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
-        <translation>番号が行 N{first} から始まること (first-record) と、値が {most} 以下であること (largest-step) は公開されていません。このコントローラのファイルと比べてください</translation>
-    </message>
-    <message>
         <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
         <translation>符号は推定です。値はパルスとして軸に出力されるものとしています。機械で 1 点を確認してください</translation>
     </message>
@@ -8659,6 +8651,49 @@
     <message>
         <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
         <translation>新しいテーブルは揮発です。再起動すると、軸は以前の不揮発のテーブルに戻ります。それまでにパラメータを保存した場合は、テーブルなしになります。</translation>
+    </message>
+    <message>
+        <source>the setting {key} says {value} for tables of different axes, {axes}; choose one of the tables (--table), or leave the setting out</source>
+        <translation>設定 {key} は異なる軸 {axes} のテーブルに対して {value} を指定しています。テーブルを 1 つ選ぶか (--table)、設定を省いてください</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the set position: use it with such sources only</source>
+        <translation>新しいファイルには、ドライブが指令位置で参照する必要があることが記されません。そのような入力源でのみ使用してください</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the encoder position: use it with such sources only</source>
+        <translation>新しいファイルには、ドライブがエンコーダの位置で参照する必要があることが記されません。そのような入力源でのみ使用してください</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive with the serial number {serial} was measured, as its source does: use it for that drive only</source>
+        <translation>元のファイルと違い、新しいファイルには、シリアル番号 {serial} のドライブが測定されたことが記されません。そのドライブにのみ使用してください</translation>
+    </message>
+    <message>
+        <source>several tables are called {table}; choose one by its number, such as #1: {alike}</source>
+        <translation>{table} という名前のテーブルが複数あります。#1 のように番号で選んでください: {alike}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{file} is not a valid list of positions: {count} problems</source>
+        <comment>{file} is not a valid list of positions: one problem</comment>
+        <translation>
+            <numerusform>{file} は有効な位置のリストではありません: 問題 {count} 件</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file} is UTF-16 text; save it as UTF-8 text</source>
+        <translation>{file} は UTF-16 のテキストです。UTF-8 のテキストで保存してください</translation>
+    </message>
+    <message>
+        <source>one value for each target, direction and run, or a number for each run</source>
+        <translation>目標位置、方向、走行ごとに値は 1 つ、または走行ごとの番号</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record): compare with a file of this controller</source>
+        <translation>番号が行 N{first} から始まること (first-record) は公開されていません。このコントローラのファイルと比べてください</translation>
+    </message>
+    <message>
+        <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>値が {most} 以下であること (largest-step) は公開されていません。このコントローラのファイルと比べてください</translation>
     </message>
 </context>
 <context>
@@ -10788,10 +10823,6 @@
         <translation>同じ値が 2 回あります</translation>
     </message>
     <message>
-        <source>delete one of the two lines, or give each run its number</source>
-        <translation>2 つの行のどちらかを削除するか、走行ごとに番号を付けてください</translation>
-    </message>
-    <message>
         <source>the file holds another number than it says</source>
         <translation>ファイルにある個数が、その記載と異なります</translation>
     </message>
@@ -10963,6 +10994,10 @@
         <source>UTF-8 text</source>
         <comment>expected in a machine file that is in another encoding</comment>
         <translation>UTF-8 のテキスト</translation>
+    </message>
+    <message>
+        <source>delete one of the two</source>
+        <translation>どちらか一方を削除してください</translation>
     </message>
 </context>
 <context>

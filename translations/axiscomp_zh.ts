@@ -5312,10 +5312,6 @@
         <translation>目标位置 {target}、{direction}、第 {run} 趟出现在第 {first} 行和第 {second} 行</translation>
     </message>
     <message>
-        <source>one value for each target, direction and run</source>
-        <translation>每个目标位置、方向和趟次一个值</translation>
-    </message>
-    <message>
         <source>{up} up and {down} down</source>
         <translation>正向 {up}，负向 {down}</translation>
     </message>
@@ -7781,10 +7777,6 @@
         <translation>共 {count} 个点，而据某一资料，一个轴最多 {most} 个</translation>
     </message>
     <message>
-        <source>nobody has published that the numbers begin at line N{first} (first-record) and that a value is at most {most} (largest-step): compare with a file of this controller</source>
-        <translation>编号从行 N{first} 开始（first-record）以及值最多为 {most}（largest-step）均未公开：请与该控制器的文件比较</translation>
-    </message>
-    <message>
         <source>the sign is an assumption: a value is put out to the axis as pulses. Check one point on the machine</source>
         <translation>符号是假定：值以脉冲形式输出到轴。请在机床上检查一个点</translation>
     </message>
@@ -8659,6 +8651,49 @@
     <message>
         <source>The new table is volatile: after a reboot the axis has the old, persistent one again, or none where the parameters have been saved since then.</source>
         <translation>新表是易失的：重启后该轴将恢复原来的持久表；如果此后保存过参数，则没有表。</translation>
+    </message>
+    <message>
+        <source>the setting {key} says {value} for tables of different axes, {axes}; choose one of the tables (--table), or leave the setting out</source>
+        <translation>设置 {key} 为不同轴 {axes} 的表指定了 {value}；请选择其中一个表 (--table)，或去掉该设置</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the set position: use it with such sources only</source>
+        <translation>新文件不会说明驱动器必须按给定位置查表：请只与这样的来源一起使用</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive has to look it up at the encoder position: use it with such sources only</source>
+        <translation>新文件不会说明驱动器必须按编码器位置查表：请只与这样的来源一起使用</translation>
+    </message>
+    <message>
+        <source>the new file does not say that the drive with the serial number {serial} was measured, as its source does: use it for that drive only</source>
+        <translation>与源文件不同，新文件不会说明所测量的是序列号为 {serial} 的驱动器：请只用于该驱动器</translation>
+    </message>
+    <message>
+        <source>several tables are called {table}; choose one by its number, such as #1: {alike}</source>
+        <translation>有多个表名为 {table}；请按编号选择，例如 #1：{alike}</translation>
+    </message>
+    <message numerus="yes">
+        <source>{file} is not a valid list of positions: {count} problems</source>
+        <comment>{file} is not a valid list of positions: one problem</comment>
+        <translation>
+            <numerusform>{file} 不是有效的位置列表：{count} 个问题</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>{file} is UTF-16 text; save it as UTF-8 text</source>
+        <translation>{file} 是 UTF-16 编码的文本；请保存为 UTF-8 编码的文本</translation>
+    </message>
+    <message>
+        <source>one value for each target, direction and run, or a number for each run</source>
+        <translation>每个目标位置、方向和趟次一个值，或每一趟一个编号</translation>
+    </message>
+    <message>
+        <source>nobody has published that the numbers begin at line N{first} (first-record): compare with a file of this controller</source>
+        <translation>编号从行 N{first} 开始（first-record）未经公开：请与该控制器的文件比较</translation>
+    </message>
+    <message>
+        <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
+        <translation>值最多为 {most}（largest-step）未经公开：请与该控制器的文件比较</translation>
     </message>
 </context>
 <context>
@@ -10788,10 +10823,6 @@
         <translation>同一个值出现两次</translation>
     </message>
     <message>
-        <source>delete one of the two lines, or give each run its number</source>
-        <translation>删除两行之一，或给每一趟编号</translation>
-    </message>
-    <message>
         <source>the file holds another number than it says</source>
         <translation>文件中的个数与其所述不符</translation>
     </message>
@@ -10963,6 +10994,10 @@
         <source>UTF-8 text</source>
         <comment>expected in a machine file that is in another encoding</comment>
         <translation>UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>delete one of the two</source>
+        <translation>删除两者之一</translation>
     </message>
 </context>
 <context>
