@@ -879,11 +879,15 @@ private Q_SLOTS:
 
     void columnsOfWhichOneCountsAreNotWrittenWhereTheyAreAdded()
     {
-        NeutralTable table = tableThatMovesBoth(false);
+        NeutralTable table = exampleTable(2, SignConvention::Feedback);
+        nameAxes(table, aerotech_2d::format());
+        table.columns[0].target = "3";
+        table.columns.push_back(table.columns[0]);
+        table.columns[1].target = "4";
         const ConversionRequest request =
             requestFor(calibration_csv::format(), aerotech_2d::format());
         VERIFY_RESULT(convertTables(std::span(&table, 1), request));
-        table.columns[1].target = "1";
+        table.columns[1].target = "3";
         VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::FormatCannotHold);
 
         NeutralTable pair = exampleTable(1, SignConvention::Feedback);
