@@ -199,8 +199,7 @@ void FitResults::fillRemarks()
         return;
     const bool isAngular = m_outcome->request.measurement->isAngular;
     for (const Verdict& verdict : m_outcome->report->verdicts) {
-        const double limit = verdict.tolerance.value;
-        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, isAngular);
+        const auto shown = comparedTexts(verdict, isAngular);
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
                       .arg(capital(translated(figureText(verdict.tolerance.figure))),
                           verdict.value ? shown.value : tr("not defined"), shown.limit,

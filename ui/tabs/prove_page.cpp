@@ -38,8 +38,7 @@ QString figuresWith(const ComparisonState& state, VerdictResult result)
         if (verdict.result != result)
             continue;
         const QString name = qString(figureName(verdict.tolerance.figure));
-        const double limit = verdict.tolerance.value;
-        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, state.isAngular);
+        const auto shown = comparedTexts(verdict, state.isAngular);
         figures += verdict.value
             ? ProvePage::tr("%1 %2 (tolerance %3)").arg(name, shown.value, shown.limit)
             : ProvePage::tr("%1 not defined (tolerance %2)").arg(name, shown.limit);

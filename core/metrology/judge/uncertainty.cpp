@@ -188,9 +188,9 @@ std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tole
         if (verdict.value) {
             const double size = std::abs(*verdict.value);
             const double u = uncertainty.value_or(0.0);
-            if (size + u <= tolerance.value)
+            if (!isAbove(size + u, tolerance.value))
                 verdict.result = VerdictResult::Passed;
-            else if (size - u > tolerance.value)
+            else if (isAbove(size - u, tolerance.value))
                 verdict.result = VerdictResult::Failed;
             else
                 verdict.result = VerdictResult::Undecided;
@@ -198,6 +198,13 @@ std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tole
         results.push_back(verdict);
     }
     return results;
+}
+
+ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals)
+{
+    const double limit = verdict.tolerance.value;
+    const double value = verdict.value.value_or(limit);
+    return comparedDigits(value, limit, isAngular, decimals, verdict.uncertainty.value_or(0.0));
 }
 
 } // namespace axiscomp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/iso230.h"
 
 namespace axiscomp {
@@ -64,9 +65,11 @@ struct Verdict {
     VerdictResult result = VerdictResult::NotDefined;
 };
 /// With U: passed when value + U <= tolerance, failed when value - U > tolerance, otherwise
-/// undecided (the rule of ISO 14253-1, as we understand it). Without: plain comparison. The mean
-/// reversal value counts with its size.
+/// undecided (the rule of ISO 14253-1, as we understand it). Without: plain comparison. Both but
+/// for what computing leaves (isAbove). The mean reversal value counts with its size.
 [[nodiscard]] std::vector<Verdict> verdicts(const Iso230Figures& figures,
     std::span<const Tolerance> tolerances, std::optional<double> uncertainty);
+/// How value, tolerance and U of a verdict are shown, so that they read as they were decided.
+[[nodiscard]] ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals);
 
 } // namespace axiscomp

@@ -436,12 +436,12 @@ private:
         const bool isAfter = m_after.reported != nullptr;
         heading(isAfter ? AXISCOMP_TEXT("Report", "Verdict on the measurement after")
                         : AXISCOMP_TEXT("Report", "Verdict on the measurement before"));
-        const Text uncertainty = m_content.uncertainty ? fine(m_content.uncertainty) : notStated();
         if (m_content.tolerances.empty()) {
-            m_document.blocks.emplace_back(
-                ReportFacts{{{AXISCOMP_TEXT("Report", "Tolerances"), notStated()},
-                                {AXISCOMP_TEXT("Report", "Uncertainty U, k = 2"), uncertainty}},
-                    2});
+            m_document.blocks.emplace_back(ReportFacts{
+                {{AXISCOMP_TEXT("Report", "Tolerances"), notStated()},
+                    {AXISCOMP_TEXT("Report", "Uncertainty U, k = 2"),
+                        m_content.uncertainty ? fine(m_content.uncertainty) : notStated()}},
+                2});
             return;
         }
         ReportTable table;
@@ -452,15 +452,15 @@ private:
         const Iso230Figures& figures = isAfter ? m_after.figures : m_before.figures;
         for (const Verdict& verdict :
             verdicts(figures, m_content.tolerances, m_content.uncertainty)) {
-            const double limit = verdict.tolerance.value;
-            const auto shown = comparedDigits(
-                verdict.value.value_or(limit), limit, m_content.isAngular, figureDecimals);
+            const auto shown = verdictDigits(verdict, m_content.isAngular, figureDecimals);
             const auto text = [&shown](const FineUnit& unit, double value) {
                 return quantityText(unit.digits(value, shown.decimals), unit.symbol);
             };
             table.rows.push_back({figureText(verdict.tolerance.figure),
                 verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
-                text(shown.limit, limit), uncertainty, verdictText(verdict.result)});
+                text(shown.limit, verdict.tolerance.value),
+                verdict.uncertainty ? text(shown.uncertainty, *verdict.uncertainty) : notStated(),
+                verdictText(verdict.result)});
         }
         m_document.blocks.emplace_back(std::move(table));
     }
