@@ -73,7 +73,7 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         return {Tone::Warning,
             ProvePage::tr("Undecided, since the uncertainty is too large: %1.")
                 .arg(figuresWith(state, VerdictResult::Undecided))};
-    if (comparison.isAsPredicted == false)
+    if (comparison.isAsPredicted == false && !comparison.isNoBetter)
         return {Tone::Warning, ProvePage::tr("The machine is not as good as was predicted.")};
     if (!comparison.hints.empty())
         return {Tone::Warning, ProvePage::tr("The machine is no better than before.")};
@@ -91,6 +91,38 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         isUncertaintyStated(comparison)
             ? ProvePage::tr("Within the tolerances.")
             : ProvePage::tr("Within the tolerances (uncertainty not stated).")};
+}
+
+/// Whether the machine became as good as was promised, with the limit.
+std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
+{
+    const Comparison& comparison = *state.comparison;
+    if (!comparison.largestAsPredicted)
+        return {Tone::Information,
+            ProvePage::tr(
+                "Nothing was predicted between the targets: before and after are compared alone.")};
+    const FineScale scale(state.unit);
+    const QString found = scale.textWithUnit(*comparison.after[Iso230Figure::M].value);
+    if (comparison.isNoBetter) {
+        const QString words = comparison.isAsPredicted
+            ? ProvePage::tr("Not as predicted, since the machine is no better than before: M is %1 "
+                            "after and was %2 before.")
+            : ProvePage::tr("Whether it is as predicted is open, since M is smaller than before by "
+                            "no more than what cannot be told: M is %1 after and was %2 before.");
+        return {Tone::Warning,
+            words.arg(found, scale.textWithUnit(*comparison.before[Iso230Figure::M].value))};
+    }
+    const QString words = !comparison.isAsPredicted
+        ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was measured: "
+                        "M is %1 after, and up to %2 is as predicted.")
+        : *comparison.isAsPredicted
+        ? ProvePage::tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M "
+                        "held out, and what cannot be told).")
+        : ProvePage::tr("Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times "
+                        "M held out, and what cannot be told).");
+    const bool isGood = comparison.isAsPredicted == true && !state.isCorrectedOtherwise;
+    return {isGood ? Tone::Success : Tone::Warning,
+        words.arg(found, scale.textWithUnit(*comparison.largestAsPredicted))};
 }
 
 } // namespace
@@ -273,29 +305,8 @@ void ProvePage::sayPromise()
     for (const ComparisonHint& hint : comparison->hints)
         hints += sentenceText(hint.text);
     m_hints->setText(tr("What to look at: %1").arg(hints.join(u' ')));
-    if (!comparison->largestAsPredicted) {
-        m_promise->say(Tone::Information,
-            tr("Nothing was predicted between the targets: before and after are compared alone."));
-        return;
-    }
-    const FineScale scale(m_comparison.state().unit);
-    const QString found = scale.textWithUnit(*comparison->after[Iso230Figure::M].value);
-    const QString limit = scale.textWithUnit(*comparison->largestAsPredicted);
-    if (!comparison->isAsPredicted)
-        m_promise->say(Tone::Warning,
-            tr("Whether it is as predicted is open, since less of the axis was measured: M is %1 "
-               "after, and up to %2 is as predicted.")
-                .arg(found, limit));
-    else if (*comparison->isAsPredicted)
-        m_promise->say(m_comparison.state().isCorrectedOtherwise ? Tone::Warning : Tone::Success,
-            tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, "
-               "and what cannot be told).")
-                .arg(found, limit));
-    else
-        m_promise->say(Tone::Warning,
-            tr("Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held "
-               "out, and what cannot be told).")
-                .arg(found, limit));
+    const auto [tone, sentence] = promiseSentence(m_comparison.state());
+    m_promise->say(tone, sentence);
 }
 
 std::pair<Tone, QString> ProvePage::missing() const

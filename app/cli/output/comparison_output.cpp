@@ -65,6 +65,20 @@ std::string warningsText(const Comparison& comparison)
     return text.empty() ? text : text + "\n";
 }
 
+/// Of an M that is within the limit, as it was before.
+std::string noBetterText(bool isAngular, const Comparison& comparison)
+{
+    const double before = comparison.before[Iso230Figure::M].value.value_or(0.0);
+    const double after = comparison.after[Iso230Figure::M].value.value_or(0.0);
+    const auto [value, limit] = comparedQuantities(after, before, isAngular);
+    return (comparison.isAsPredicted
+                   ? "Not as predicted, since the machine is no better than before: M is "
+                   : "Whether it is as predicted is open, since M is smaller than before by no "
+                     "more than what cannot be told: M is ")
+        + withUnit(value.digits, value.unit) + " after and was "
+        + withUnit(limit.digits, limit.unit) + " before\n";
+}
+
 std::string promiseText(bool isAngular, const Comparison& comparison)
 {
     if (!comparison.heldOut)
@@ -75,6 +89,8 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
         + fineText(comparison.heldOut->rms, isAngular) + "\n";
     if (!comparison.largestAsPredicted)
         return text;
+    if (comparison.isNoBetter)
+        return text + noBetterText(isAngular, comparison);
     const double spread = comparison.after[Iso230Figure::M].value.value_or(0.0);
     const auto [value, limit] =
         comparedQuantities(spread, *comparison.largestAsPredicted, isAngular);

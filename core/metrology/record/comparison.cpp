@@ -391,28 +391,61 @@ std::vector<ComparisonHint> hintsOf(const ErrorCurves& curves, bool isAngular)
             .with("shift", Quantity{about(slope.factor), isAngular ? "deg" : "mm"})}};
 }
 
-void judgePrediction(Comparison& comparison, const ComparisonRequest& request)
+/// What was promised of M, and what came of it.
+struct Promise {
+    std::optional<double> before = {};
+    double after = 0.0;
+    double largest = 0.0; ///< that counts as predicted
+    double unknown = 0.0; ///< what cannot be told of it: max(U, 2 s / sqrt(2 n))
+};
+
+/// Nothing: that is open.
+std::optional<bool> isKept(const Promise& promise, const std::vector<ComparisonHint>& hints)
 {
-    constexpr double allowance = 1.2;
-    const auto& spread = comparison.after[Iso230Figure::M].value;
-    if (!request.heldOut || !spread)
-        return;
-    comparison.largestAsPredicted = allowance * request.heldOut->range
-        + std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
-    const bool isWithin = *spread <= *comparison.largestAsPredicted;
-    // What was promised is of all of the travel: over less of it, or at fewer of its targets, M is
-    // smaller by itself.
-    if (!isWithin || !(comparison.lesserRange || comparison.isWider))
-        comparison.isAsPredicted = isWithin;
+    if (isAbove(promise.after, promise.largest))
+        return false;
+    if (!promise.before || isAbove(*promise.before, promise.largest + promise.unknown))
+        return true;
+    // A table that does nothing is within such a limit, too: only what has become of the error
+    // tells. Of an axis that has none to speak of nobody can see that it became better.
+    const double before = *promise.before;
+    if (!isAbove(before, promise.unknown) && !isAbove(promise.after, before + promise.unknown))
+        return true;
+    const bool isSame = std::ranges::count(hints, "NotActive", &ComparisonHint::name) > 0;
+    if (isSame || !isAbove(before, promise.after))
+        return false;
+    if (isAbove(before, promise.after + promise.unknown))
+        return true;
+    return std::nullopt;
 }
 
-bool isSuspicious(const Comparison& comparison)
+/// Whether the machine became as good as was promised, or better at all, and if not, what to look
+/// at.
+void judgePrediction(Comparison& comparison, const ComparisonRequest& request, bool isAngular)
 {
-    if (comparison.isAsPredicted)
-        return !*comparison.isAsPredicted;
+    constexpr double allowance = 1.2;
     const auto& before = comparison.before[Iso230Figure::M].value;
     const auto& after = comparison.after[Iso230Figure::M].value;
-    return before && after && *after >= *before;
+    if (!after)
+        return;
+    auto hints = hintsOf(errorCurves(comparison.before, comparison.residual), isAngular);
+    if (!request.heldOut) {
+        if (before && !isAbove(*before, *after))
+            comparison.hints = std::move(hints);
+        return;
+    }
+    const double unknown =
+        std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
+    const double largest = allowance * request.heldOut->range + unknown;
+    const auto kept = isKept({before, *after, largest, unknown}, hints);
+    comparison.largestAsPredicted = largest;
+    comparison.isNoBetter = kept != true && !isAbove(*after, largest);
+    // What was promised is of all of the travel: over less of it, or at fewer of its targets, M is
+    // smaller by itself.
+    if (kept != true || !(comparison.lesserRange || comparison.isWider))
+        comparison.isAsPredicted = kept;
+    if (kept != true)
+        comparison.hints = std::move(hints);
 }
 
 /// Nothing: every value is used.
@@ -599,10 +632,7 @@ Result<Comparison> compareMeasurements(
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     warnOfLesserTravel(comparison, before, after);
-    judgePrediction(comparison, request);
-    if (isSuspicious(comparison))
-        comparison.hints =
-            hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
+    judgePrediction(comparison, request, after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     judgeAllValues(comparison, before, after, request);
     warnOfOtherMachine(comparison, before.header, after.header);
