@@ -19,16 +19,12 @@
 #include <QTableWidget>
 
 #include <algorithm>
-#include <array>
 
 namespace axiscomp::ui {
 
 namespace {
 
 enum Column { Figure, Before, Predicted, Left, ColumnCount };
-
-constexpr std::array shownFigures{
-    Iso230Figure::A, Iso230Figure::R, Iso230Figure::E, Iso230Figure::B, Iso230Figure::M};
 
 QString capital(QString text)
 {
@@ -114,12 +110,12 @@ std::vector<FitResults::Row> FitResults::rows() const
     const FitReport& report = *m_outcome->report;
     const FittedTable& made = report.tables[m_table];
     std::vector<Row> rows;
-    for (const Iso230Figure figure : shownFigures) {
-        if (!report.before || !report.predicted)
-            break;
+    const bool hasFigures = report.before && report.predicted;
+    for (const Iso230Figure figure :
+        hasFigures ? figuresInShort(*report.before) : std::vector<Iso230Figure>()) {
         Row row{capital(translated(figureText(figure))), (*report.before)[figure].value,
             (*report.predicted)[figure].value, std::nullopt, false};
-        if (figure == Iso230Figure::M && report.heldOut)
+        if (report.heldOut && figure == figureStandingFor(Iso230Figure::M, *report.before))
             row.heldOut = report.heldOut->range;
         rows.push_back(row);
     }

@@ -97,32 +97,38 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
 std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
 {
     const Comparison& comparison = *state.comparison;
-    if (!comparison.largestAsPredicted)
+    if (!comparison.heldOut)
         return {Tone::Information,
             ProvePage::tr(
                 "Nothing was predicted between the targets: before and after are compared alone.")};
+    const QString figure = qString(figureSymbol(comparison.promised));
+    if (!comparison.largestAsPredicted)
+        return {Tone::Warning,
+            ProvePage::tr("Whether it is as predicted is open, since %1 is not defined after.")
+                .arg(figure)};
     const FineScale scale(state.unit);
-    const QString found = scale.textWithUnit(*comparison.after[Iso230Figure::M].value);
+    const QString found = scale.textWithUnit(*comparison.after[comparison.promised].value);
     if (comparison.isNoBetter) {
         const QString words = comparison.isAsPredicted
-            ? ProvePage::tr("Not as predicted, since the machine is no better than before: M is %1 "
-                            "after and was %2 before.")
-            : ProvePage::tr("Whether it is as predicted is open, since M is smaller than before by "
-                            "no more than what cannot be told: M is %1 after and was %2 before.");
-        return {Tone::Warning,
-            words.arg(found, scale.textWithUnit(*comparison.before[Iso230Figure::M].value))};
+            ? ProvePage::tr("Not as predicted, since the machine is no better than before: %3 is "
+                            "%1 after and was %2 before.")
+            : ProvePage::tr("Whether it is as predicted is open, since %3 is smaller than before "
+                            "by no more than what cannot be told: %3 is %1 after and was %2 "
+                            "before.");
+        const double before = *comparison.before[comparison.promised].value;
+        return {Tone::Warning, words.arg(found, scale.textWithUnit(before), figure)};
     }
     const QString words = !comparison.isAsPredicted
         ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was measured: "
-                        "M is %1 after, and up to %2 is as predicted.")
+                        "%3 is %1 after, and up to %2 is as predicted.")
         : *comparison.isAsPredicted
-        ? ProvePage::tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M "
+        ? ProvePage::tr("As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 "
                         "held out, and what cannot be told).")
-        : ProvePage::tr("Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times "
-                        "M held out, and what cannot be told).");
+        : ProvePage::tr("Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times "
+                        "%3 held out, and what cannot be told).");
     const bool isGood = comparison.isAsPredicted == true && !state.isCorrectedOtherwise;
     return {isGood ? Tone::Success : Tone::Warning,
-        words.arg(found, scale.textWithUnit(*comparison.largestAsPredicted))};
+        words.arg(found, scale.textWithUnit(*comparison.largestAsPredicted), figure)};
 }
 
 } // namespace

@@ -252,23 +252,39 @@ std::vector<RemainingError> remainingErrors(const Iso230Figures& figures)
     return errors;
 }
 
-/// 2 s / sqrt(2 n), of the pooled standard deviation; 0 when there is none.
-double scatterOfMeans(const Iso230Figures& figures)
+/// Of what a figure is the range: M of the means of both directions, E of those of one.
+const std::optional<double>& meanBy(const TargetFigures& target, Iso230Figure range)
+{
+    if (range == Iso230Figure::M)
+        return target.mean;
+    return range == Iso230Figure::EUp ? target.up.mean : target.down.mean;
+}
+
+/// 2 s / sqrt(2 n), of the pooled standard deviation, and of one direction 2 s / sqrt(n); 0 when
+/// there is none.
+double scatterOfMeans(const Iso230Figures& figures, Iso230Figure range)
 {
     double squares = 0.0;
     double degrees = 0.0;
     std::size_t fewest = 0;
-    for (const TargetFigures& target : figures.targets)
-        for (const DirectionFigures* direction : {&target.up, &target.down}) {
-            if (!direction->s)
-                continue;
-            const double freedom = static_cast<double>(direction->n) - 1.0;
-            squares += freedom * *direction->s * *direction->s;
-            degrees += freedom;
-            fewest = fewest == 0 ? direction->n : std::min(fewest, direction->n);
-        }
-    return degrees > 0.0 ? 2.0 * std::sqrt(squares / degrees / (2.0 * static_cast<double>(fewest)))
-                         : 0.0;
+    const auto add = [&](const DirectionFigures& direction) {
+        if (!direction.s)
+            return;
+        const double freedom = static_cast<double>(direction.n) - 1.0;
+        squares += freedom * *direction.s * *direction.s;
+        degrees += freedom;
+        fewest = fewest == 0 ? direction.n : std::min(fewest, direction.n);
+    };
+    for (const TargetFigures& target : figures.targets) {
+        if (range != Iso230Figure::EDown)
+            add(target.up);
+        if (range != Iso230Figure::EUp)
+            add(target.down);
+    }
+    const double directions = range == Iso230Figure::M ? 2.0 : 1.0;
+    return degrees > 0.0
+        ? 2.0 * std::sqrt(squares / degrees / (directions * static_cast<double>(fewest)))
+        : 0.0;
 }
 
 void centre(Numbers& values)
@@ -311,26 +327,29 @@ struct ErrorCurves {
     Numbers slope;
 };
 
-ErrorCurves errorCurves(const Iso230Figures& before, const std::vector<RemainingError>& residual)
+/// range: of what they are (meanBy).
+ErrorCurves errorCurves(const Iso230Figures& before, const Iso230Figures& after, Iso230Figure range)
 {
     Numbers knots;
     Numbers means;
-    for (const RemainingError& error : remainingErrors(before)) {
-        knots.push_back(error.position);
-        means.push_back(error.value);
+    for (const TargetFigures& target : before.targets) {
+        if (!meanBy(target, range))
+            continue;
+        knots.push_back(target.position);
+        means.push_back(*meanBy(target, range));
     }
     ErrorCurves curves;
     const auto spline = interpolatingSpline({knots, means});
     if (!spline)
         return curves;
     const double step = 1e-4 * (knots.back() - knots.front());
-    for (const RemainingError& error : residual) {
-        const double x = error.position;
-        if (x < knots.front() || x > knots.back())
+    for (const TargetFigures& target : after.targets) {
+        const double x = target.position;
+        if (x < knots.front() || x > knots.back() || !meanBy(target, range))
             continue;
         const double low = std::max(x - step, knots.front());
         const double high = std::min(x + step, knots.back());
-        curves.residual.push_back(error.value);
+        curves.residual.push_back(*meanBy(target, range));
         curves.before.push_back(spline->at(x));
         curves.slope.push_back((spline->at(high) - spline->at(low)) / (high - low));
     }
@@ -419,23 +438,41 @@ std::optional<bool> isKept(const Promise& promise, const std::vector<ComparisonH
     return std::nullopt;
 }
 
+std::vector<ComparisonHint> hintsBy(
+    const Comparison& comparison, Iso230Figure range, bool isAngular)
+{
+    return hintsOf(errorCurves(comparison.before, comparison.after, range), isAngular);
+}
+
+/// Nothing was promised: what has not become smaller is looked at.
+std::vector<ComparisonHint> hintsWithoutPromise(const Comparison& comparison, bool isAngular)
+{
+    for (const Iso230Figure range : {Iso230Figure::M, Iso230Figure::EUp, Iso230Figure::EDown}) {
+        const auto& before = comparison.before[range].value;
+        const auto& after = comparison.after[range].value;
+        if (!before || !after)
+            continue;
+        return isAbove(*before, *after) ? std::vector<ComparisonHint>()
+                                        : hintsBy(comparison, range, isAngular);
+    }
+    return {};
+}
+
 /// Whether the machine became as good as was promised, or better at all, and if not, what to look
 /// at.
 void judgePrediction(Comparison& comparison, const ComparisonRequest& request, bool isAngular)
 {
     constexpr double allowance = 1.2;
-    const auto& before = comparison.before[Iso230Figure::M].value;
-    const auto& after = comparison.after[Iso230Figure::M].value;
-    if (!after)
-        return;
-    auto hints = hintsOf(errorCurves(comparison.before, comparison.residual), isAngular);
-    if (!request.heldOut) {
-        if (before && !isAbove(*before, *after))
-            comparison.hints = std::move(hints);
+    comparison.promised = figureStandingFor(Iso230Figure::M, comparison.before);
+    const auto& before = comparison.before[comparison.promised].value;
+    const auto& after = comparison.after[comparison.promised].value;
+    if (!request.heldOut || !after) {
+        comparison.hints = hintsWithoutPromise(comparison, isAngular);
         return;
     }
-    const double unknown =
-        std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
+    auto hints = hintsBy(comparison, comparison.promised, isAngular);
+    const double unknown = std::max(
+        request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after, comparison.promised));
     const double largest = allowance * request.heldOut->range + unknown;
     const auto kept = isKept({before, *after, largest, unknown}, hints);
     comparison.largestAsPredicted = largest;

@@ -140,6 +140,9 @@ private Q_SLOTS:
         const ProgramRun up = box.run(QStringList{"fit", "up.csv"} + offAtEncoder);
         VERIFY_CODE(up, 0);
         QVERIFY2(up.out.contains("linear, positive direction"), up.out.constData());
+        // The figures that it has, and no lines of those that it cannot have.
+        QVERIFY2(up.out.contains("systematic deviation E, up"), up.out.constData());
+        QVERIFY2(!up.out.contains("reversal value B"), up.out.constData());
     }
 
     /// The drive adds the one value in the other direction too.

@@ -1132,6 +1132,22 @@ private Q_SLOTS:
         QCOMPARE(warns(2e-5), std::optional(true));
     }
 
+    /// A peak of 4 um at one target: without it that is all left, and half of it too much beside.
+    void runsOfOneDirectionAreForetoldByTheirE()
+    {
+        Measurement runs =
+            runsOver(0.0, 10.0, 11, [](double x) { return x == 50.0 ? 0.004 : 0.0; });
+        const auto both = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(both);
+        QVERIFY(hasRemark(*both, "BetweenTargets", "M is 6.000 um, before it was 4.000 um"));
+        std::erase_if(
+            runs.values, [](const RunValue& value) { return value.direction == Approach::Down; });
+        const auto up = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(up);
+        QVERIFY(hasRemark(*up, "BetweenTargets",
+            "E of the direction that was measured is 6.000 um, before it was 4.000 um"));
+    }
+
     /// What was taken out of the table stays in the machine, and more targets do not change that.
     void aSlopeThatWasTakenOutIsForetoldHeldOutToo()
     {

@@ -61,6 +61,13 @@ std::vector<double> spaced(double first, double last, int count)
     return targets;
 }
 
+Measurement upAlone(Measurement measurement)
+{
+    std::erase_if(measurement.values,
+        [](const RunValue& value) { return value.direction == Approach::Down; });
+    return measurement;
+}
+
 ComparisonRequest promised(double range)
 {
     ComparisonRequest request;
@@ -510,6 +517,42 @@ private Q_SLOTS:
         VERIFY_RESULT(worse);
         QCOMPARE(worse->isAsPredicted, std::optional(false));
         QVERIFY(worse->isNoBetter && !worse->hints.empty());
+    }
+
+    /// E up is what M is of both directions; +-d in two runs leave s = sqrt(2) d, and 2 s / sqrt(2)
+    /// of their mean.
+    void runsOfOneDirectionAreJudgedByTheirE()
+    {
+        const auto before = upAlone(measured(&errorBefore));
+        const auto after = [](double share) {
+            return upAlone(measured([share](double x) { return share * errorBefore(x); }, 1e-4));
+        };
+        const auto good = compareMeasurements(before, after(0.05), promised(1e-3));
+        VERIFY_RESULT(good);
+        QCOMPARE(good->promised, Iso230Figure::EUp);
+        QVERIFY(std::abs(*good->largestAsPredicted - 1.4e-3) < 1e-15);
+        QCOMPARE(good->isAsPredicted, std::optional(true));
+        QVERIFY(good->hints.empty());
+        for (const auto& request : {promised(1e-3), ComparisonRequest{}}) {
+            const auto twice = compareMeasurements(before, after(2.0), request);
+            VERIFY_RESULT(twice);
+            QCOMPARE(twice->isAsPredicted, request.heldOut ? std::optional(false) : std::nullopt);
+            QCOMPARE(twice->hints.size(), std::size_t{1});
+            QCOMPARE(twice->hints.front().name, std::string_view("Sign"));
+        }
+    }
+
+    /// What is promised of the mean of both directions is not shown by one, but its error can be
+    /// the old one.
+    void runsOfOneDirectionLeaveAPromiseOfBothOpen()
+    {
+        const auto after = upAlone(measured([](double x) { return 2.0 * errorBefore(x); }));
+        const auto result =
+            compareMeasurements(measured(&errorBefore, 0.0, 2e-3), after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->promised, Iso230Figure::M);
+        QVERIFY(!result->largestAsPredicted && !result->isAsPredicted);
+        QCOMPARE(result->hints.front().name, std::string_view("Sign"));
     }
 
     void whatIsLeftSaysWhatToLookAt_data()
