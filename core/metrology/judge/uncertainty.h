@@ -16,7 +16,7 @@ struct UncertaintyBudget {
     double misalignmentMrad = 0.0; ///< g, between the beam and the axis
     double expansionPerKelvin = 0.0; ///< a
     double temperatureRangeKelvin = 0.0; ///< r(T), by which the temperature is not known
-    double materialCelsius = 20.0; ///< T
+    double materialCelsius = 20.0; ///< T; without r(a) it counts nothing
     double expansionRangePerKelvin = 0.0; ///< r(a), by which the coefficient is not known
     double environmentMm = 0.0; ///< EVE, the range of a drift test
 };
@@ -33,8 +33,9 @@ struct Uncertainty {
 
 /// A JSON file with the budget: members length, device, environment in mm; devicePpm; misalignment
 /// in mrad; expansion, expansionRange in 1/K; temperature in deg C, temperatureRange in K. length
-/// may be missing: then it is that of the measurement. Others may be missing and count nothing.
-/// Errors: InvalidArgument with the place.
+/// may be missing: then it is that of the measurement. Terms may be missing and count nothing, but
+/// not all of them. Errors: InvalidArgument with the place, also for expansion without
+/// temperatureRange and temperature without expansionRange, and the other way round.
 [[nodiscard]] Result<UncertaintyBudget> uncertaintyBudgetFromJson(
     std::string_view text, double defaultLengthMm);
 

@@ -227,6 +227,45 @@ private Q_SLOTS:
         QVERIFY(std::abs(uncertaintyOf(*own).total - 0.002) < 1e-12);
     }
 
+    /// A coefficient is never assumed, and neither is what is multiplied by it.
+    void aBudgetThatLacksHalfOfATermIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("budget");
+        QTest::addColumn<QByteArray>("words"); // empty: it is complete
+        QTest::newRow("no coefficient")
+            << QByteArray(R"({"device": 0.0002, "temperatureRange": 2})")
+            << QByteArray("temperatureRange: this counts only with expansion, which is missing");
+        QTest::newRow("no range of the temperature")
+            << QByteArray(R"({"device": 0.0002, "expansion": 11.5e-6})")
+            << QByteArray("expansion: this counts only with temperatureRange");
+        QTest::newRow("no temperature")
+            << QByteArray(R"({"device": 0.0002, "expansionRange": 2e-6})")
+            << QByteArray("expansionRange: this counts only with temperature, which is missing");
+        QTest::newRow("no range of the coefficient")
+            << QByteArray(R"({"device": 0.0002, "temperature": 25, "expansion": 11.5e-6})")
+            << QByteArray("this counts only with");
+        QTest::newRow("nothing") << QByteArray("{}")
+                                 << QByteArray("it states no term of the uncertainty");
+        QTest::newRow("a length alone")
+            << QByteArray(R"({"length": 500})") << QByteArray("it states no term");
+        QTest::newRow("a device without any") << QByteArray(R"({"device": 0})") << QByteArray();
+        QTest::newRow("both") << QByteArray(R"({"expansion": 11.5e-6, "temperatureRange": 2})")
+                              << QByteArray();
+    }
+    void aBudgetThatLacksHalfOfATermIsRefused()
+    {
+        QFETCH(const QByteArray, budget);
+        QFETCH(const QByteArray, words);
+        const auto read = uncertaintyBudgetFromJson(budget.toStdString(), 500.0);
+        if (words.isEmpty()) {
+            VERIFY_RESULT(read);
+            return;
+        }
+        VERIFY_ERROR(read, ErrorCode::InvalidArgument);
+        const std::string said = sentence(read.error());
+        QVERIFY2(said.find(words.toStdString()) != std::string::npos, said.c_str());
+    }
+
     void aToleranceIsMetBeyondTheUncertaintyOnly()
     {
         const Measurement measurement = publicRuns("bifrost.csv"); // A 0.0185713
