@@ -196,10 +196,12 @@ void FitResults::fillRemarks()
     const bool isAngular = m_outcome->request.measurement->isAngular;
     for (const Verdict& verdict : m_outcome->report->verdicts) {
         const auto shown = comparedTexts(verdict, isAngular);
+        QString value = verdict.value ? shown.value : tr("not defined");
+        if (verdict.heldOut)
+            value = tr("%1, held out %2").arg(value, fineText(*verdict.heldOut, isAngular));
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
-                      .arg(capital(translated(figureText(verdict.tolerance.figure))),
-                          verdict.value ? shown.value : tr("not defined"), shown.limit,
-                          translated(verdictText(verdict.result))),
+                      .arg(capital(translated(figureText(verdict.tolerance.figure))), value,
+                          shown.limit, translated(verdictText(verdict.result))),
             verdict.result != VerdictResult::Passed);
     }
     const auto addRemarks = [this](bool areWarnings) {

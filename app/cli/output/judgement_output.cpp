@@ -286,7 +286,10 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
             text(shown.limit, verdict.tolerance.value),
             verdict.uncertainty ? "U " + text(shown.uncertainty, *verdict.uncertainty)
                                 : "uncertainty not stated",
-            verdictText(verdict.result).words});
+            std::string(verdictText(verdict.result).words)
+                + (verdict.heldOut
+                        ? ", held out " + fineText(*verdict.heldOut, measurement.isAngular)
+                        : "")});
     }
     return "\n" + heading + "\n" + table.text();
 }
@@ -294,10 +297,13 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
 Json verdictsJson(const std::vector<Verdict>& verdicts)
 {
     Json list = Json::array();
-    for (const Verdict& verdict : verdicts)
+    for (const Verdict& verdict : verdicts) {
         list.push_back({{"figure", figureName(verdict.tolerance.figure)},
             {"value", numberOrNull(verdict.value)}, {"tolerance", verdict.tolerance.value},
             {"U", numberOrNull(verdict.uncertainty)}, {"result", verdictName(verdict.result)}});
+        if (verdict.heldOut)
+            list.back()["heldOut"] = *verdict.heldOut;
+    }
     return list;
 }
 

@@ -195,6 +195,15 @@ TextPattern verdictText(VerdictResult result)
     return AXISCOMP_TEXT("Measurement", "not defined");
 }
 
+VerdictResult verdictResult(double value, double tolerance, std::optional<double> uncertainty)
+{
+    const double size = std::abs(value);
+    const double u = uncertainty.value_or(0.0);
+    if (!isAbove(size + u, tolerance))
+        return VerdictResult::Passed;
+    return isAbove(size - u, tolerance) ? VerdictResult::Failed : VerdictResult::Undecided;
+}
+
 std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tolerance> tolerances,
     std::optional<double> uncertainty)
 {
@@ -202,16 +211,8 @@ std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tole
     for (const Tolerance& tolerance : tolerances) {
         Verdict verdict{
             tolerance, figures[tolerance.figure].value, uncertainty, VerdictResult::NotDefined};
-        if (verdict.value) {
-            const double size = std::abs(*verdict.value);
-            const double u = uncertainty.value_or(0.0);
-            if (!isAbove(size + u, tolerance.value))
-                verdict.result = VerdictResult::Passed;
-            else if (isAbove(size - u, tolerance.value))
-                verdict.result = VerdictResult::Failed;
-            else
-                verdict.result = VerdictResult::Undecided;
-        }
+        if (verdict.value)
+            verdict.result = verdictResult(*verdict.value, tolerance.value, uncertainty);
         results.push_back(verdict);
     }
     return results;

@@ -64,12 +64,18 @@ struct Verdict {
     std::optional<double> value; ///< nothing: not defined
     std::optional<double> uncertainty; ///< nothing: not stated
     VerdictResult result = VerdictResult::NotDefined;
+    /// Of a verdict on what is foretold: the same figure held out, where that keeps it from being
+    /// passed.
+    std::optional<double> heldOut = {};
 };
 /// With U: passed when value + U <= tolerance, failed when value - U > tolerance, otherwise
 /// undecided (the rule of ISO 14253-1, as we understand it). Without: plain comparison. Both but
 /// for what computing leaves (isAbove). The mean reversal value counts with its size.
 [[nodiscard]] std::vector<Verdict> verdicts(const Iso230Figures& figures,
     std::span<const Tolerance> tolerances, std::optional<double> uncertainty);
+/// By the same rule, of one value.
+[[nodiscard]] VerdictResult verdictResult(
+    double value, double tolerance, std::optional<double> uncertainty);
 /// How value, tolerance and U of a verdict are shown, so that they read as they were decided.
 [[nodiscard]] ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals);
 

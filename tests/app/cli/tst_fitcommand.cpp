@@ -343,6 +343,21 @@ private Q_SLOTS:
         QVERIFY2(failed.out.contains("8.354 um"), failed.out.constData());
     }
 
+    void aToleranceThatIsForetoldAtTheTargetsAloneIsUndecided()
+    {
+        const Sandbox box;
+        const QStringList fit{"fit", publicFile("bifrost.csv"), "--zero", "keep", "--tolerance"};
+        VERIFY_CODE(box.run(fit + QStringList{"M=18um"} + offAtEncoder), 0);
+        const ProgramRun open = box.run(fit + QStringList{"M=5um"} + offAtEncoder);
+        VERIFY_CODE(open, 8);
+        QVERIFY2(open.out.contains("undecided, held out 17.79"), open.out.constData());
+        const ProgramRun json = box.run(fit + QStringList{"M=5um", "--json"} + offAtEncoder);
+        VERIFY_CODE(json, 8);
+        const QJsonObject verdict = json.json().value("verdict").toArray().at(0).toObject();
+        QCOMPARE(verdict.value("result").toString(), "undecided");
+        QVERIFY(std::abs(verdict.value("heldOut").toDouble() - 0.0177945) < 1e-6);
+    }
+
     void theMeasurementIsNotReplacedByItsTable()
     {
         const Sandbox box;
