@@ -4,6 +4,7 @@
 #include "core/text/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace axiscomp {
@@ -31,6 +32,12 @@ FineUnit slopeUnit(bool isAngular)
     return isAngular ? FineUnit{3600.0, "arcsec/deg", "″/°"} : FineUnit{1e6, "um/m", "µm/m"};
 }
 
+bool isAbove(double amount, double limit)
+{
+    constexpr double rounding = 1e-9;
+    return amount - limit > rounding * std::max(std::abs(amount), std::abs(limit));
+}
+
 Quantity fineQuantity(double value, bool isAngular)
 {
     const std::optional<double> shown[] = {value};
@@ -38,18 +45,29 @@ Quantity fineQuantity(double value, bool isAngular)
     return {unit.digits(value), unit.name};
 }
 
-ComparedDigits comparedDigits(double value, double limit, bool isAngular, int decimals)
+ComparedDigits comparedDigits(
+    double value, double limit, bool isAngular, int decimals, double uncertainty)
 {
-    const std::optional<double> shown[] = {value, limit};
-    const FineUnit unit = fineUnit(shown, isAngular);
+    const std::optional<double> shown[] = {value, limit, uncertainty};
+    const auto suiting = [&shown, isAngular](std::size_t first, std::size_t count) {
+        return fineUnit(std::span(shown).subspan(first, count), isAngular);
+    };
+    const FineUnit unit = suiting(0, 2);
+    const double size = std::abs(value);
+    const std::array amounts{size, size + uncertainty, size - uncertainty};
+    const auto areToldApart = [&](int places) {
+        return std::ranges::none_of(amounts, [&](double amount) {
+            return (isAbove(amount, limit) || isAbove(limit, amount))
+                && unit.digits(amount, places) == unit.digits(limit, places);
+        });
+    };
     constexpr int mostDecimals = 20; // more than a double has
     int needed = decimals;
-    while (needed < mostDecimals && unit.digits(value, needed) == unit.digits(limit, needed))
+    while (needed < mostDecimals && !areToldApart(needed))
         ++needed;
     if (needed > decimals && needed < mostDecimals)
-        return {unit, unit, needed};
-    return {fineUnit(std::span(shown).first(1), isAngular),
-        fineUnit(std::span(shown).last(1), isAngular), decimals};
+        return {unit, unit, unit, needed};
+    return {suiting(0, 1), suiting(1, 1), suiting(2, 1), decimals};
 }
 
 ComparedQuantities comparedQuantities(double value, double limit, bool isAngular)

@@ -28,18 +28,26 @@ struct FineUnit {
 /// In which slopes of deviations, in mm/mm or deg/deg, are shown: um/m, or arcsec/deg.
 [[nodiscard]] FineUnit slopeUnit(bool isAngular);
 
+/// Whether one amount is above another, such as a figure above its limit, by more than computing
+/// leaves: a billionth of the larger. Figures are differences of positions up to some metres, of
+/// which a double has a few femtometres, so that a sum of tenths may end on either side of its
+/// limit.
+[[nodiscard]] bool isAbove(double amount, double limit);
+
 /// A value in mm or deg that stands alone, in the unit that suits it.
 [[nodiscard]] Quantity fineQuantity(double value, bool isAngular);
-/// How a figure and the limit that it is held against are shown side by side.
+/// How a figure, its uncertainty and the limit that it is held against are shown side by side.
 struct ComparedDigits {
     FineUnit value;
     FineUnit limit;
-    int decimals = 3; ///< of both
+    FineUnit uncertainty;
+    int decimals = 3; ///< of all
 };
-/// Each in the unit that suits it and with these decimals; where they would read the same and are
-/// not, in one unit with as many more decimals as tell them apart. In mm or deg.
+/// Each in the unit that suits it and with these decimals; where the size of the value, or that and
+/// the uncertainty or less it, would read as the limit and is not (isAbove), in one unit with as
+/// many more decimals as tell them apart. In mm or deg.
 [[nodiscard]] ComparedDigits comparedDigits(
-    double value, double limit, bool isAngular, int decimals = 3);
+    double value, double limit, bool isAngular, int decimals = 3, double uncertainty = 0.0);
 struct ComparedQuantities {
     Quantity value;
     Quantity limit;

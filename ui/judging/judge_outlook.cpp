@@ -37,8 +37,7 @@ QString ofVerdict(const Verdict& verdict, bool isAngular)
                            "smaller.")
         : OutlookTexts::tr("%1: %2, above the tolerance %3. No table makes it smaller: look at the "
                            "mechanics.");
-    return asSentence(words.arg(figure,
-        comparedTexts(*verdict.value, verdict.tolerance.value, isAngular).value, tolerance));
+    return asSentence(words.arg(figure, comparedTexts(verdict, isAngular).value, tolerance));
 }
 
 /// What a person should look at first; empty: nothing is wrong.

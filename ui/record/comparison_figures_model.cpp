@@ -71,7 +71,7 @@ std::optional<double> ComparisonFiguresModel::value(int row, int column) const
     case Predicted:
         return comparison.predicted ? (*comparison.predicted)[figure] : std::nullopt;
     case HeldOut:
-        return comparison.heldOut && figure == Iso230Figure::M
+        return comparison.heldOut && figure == comparison.promised
             ? std::optional(comparison.heldOut->range)
             : std::nullopt;
     case After:

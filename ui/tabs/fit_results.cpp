@@ -19,16 +19,12 @@
 #include <QTableWidget>
 
 #include <algorithm>
-#include <array>
 
 namespace axiscomp::ui {
 
 namespace {
 
 enum Column { Figure, Before, Predicted, Left, ColumnCount };
-
-constexpr std::array shownFigures{
-    Iso230Figure::A, Iso230Figure::R, Iso230Figure::E, Iso230Figure::B, Iso230Figure::M};
 
 QString capital(QString text)
 {
@@ -114,12 +110,12 @@ std::vector<FitResults::Row> FitResults::rows() const
     const FitReport& report = *m_outcome->report;
     const FittedTable& made = report.tables[m_table];
     std::vector<Row> rows;
-    for (const Iso230Figure figure : shownFigures) {
-        if (!report.before || !report.predicted)
-            break;
+    const bool hasFigures = report.before && report.predicted;
+    for (const Iso230Figure figure :
+        hasFigures ? figuresInShort(*report.before) : std::vector<Iso230Figure>()) {
         Row row{capital(translated(figureText(figure))), (*report.before)[figure].value,
             (*report.predicted)[figure].value, std::nullopt, false};
-        if (figure == Iso230Figure::M && report.heldOut)
+        if (report.heldOut && figure == figureStandingFor(Iso230Figure::M, *report.before))
             row.heldOut = report.heldOut->range;
         rows.push_back(row);
     }
@@ -199,12 +195,13 @@ void FitResults::fillRemarks()
         return;
     const bool isAngular = m_outcome->request.measurement->isAngular;
     for (const Verdict& verdict : m_outcome->report->verdicts) {
-        const double limit = verdict.tolerance.value;
-        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, isAngular);
+        const auto shown = comparedTexts(verdict, isAngular);
+        QString value = verdict.value ? shown.value : tr("not defined");
+        if (verdict.heldOut)
+            value = tr("%1, held out %2").arg(value, fineText(*verdict.heldOut, isAngular));
         addRemark(tr("%1: foretold %2, tolerance %3: %4.")
-                      .arg(capital(translated(figureText(verdict.tolerance.figure))),
-                          verdict.value ? shown.value : tr("not defined"), shown.limit,
-                          translated(verdictText(verdict.result))),
+                      .arg(capital(translated(figureText(verdict.tolerance.figure))), value,
+                          shown.limit, translated(verdictText(verdict.result))),
             verdict.result != VerdictResult::Passed);
     }
     const auto addRemarks = [this](bool areWarnings) {

@@ -38,8 +38,7 @@ QString figuresWith(const ComparisonState& state, VerdictResult result)
         if (verdict.result != result)
             continue;
         const QString name = qString(figureName(verdict.tolerance.figure));
-        const double limit = verdict.tolerance.value;
-        const auto shown = comparedTexts(verdict.value.value_or(limit), limit, state.isAngular);
+        const auto shown = comparedTexts(verdict, state.isAngular);
         figures += verdict.value
             ? ProvePage::tr("%1 %2 (tolerance %3)").arg(name, shown.value, shown.limit)
             : ProvePage::tr("%1 not defined (tolerance %2)").arg(name, shown.limit);
@@ -74,7 +73,7 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         return {Tone::Warning,
             ProvePage::tr("Undecided, since the uncertainty is too large: %1.")
                 .arg(figuresWith(state, VerdictResult::Undecided))};
-    if (comparison.isAsPredicted == false)
+    if (comparison.isAsPredicted == false && !comparison.isNoBetter)
         return {Tone::Warning, ProvePage::tr("The machine is not as good as was predicted.")};
     if (!comparison.hints.empty())
         return {Tone::Warning, ProvePage::tr("The machine is no better than before.")};
@@ -92,6 +91,44 @@ std::pair<Tone, QString> verdictSentence(const ComparisonState& state)
         isUncertaintyStated(comparison)
             ? ProvePage::tr("Within the tolerances.")
             : ProvePage::tr("Within the tolerances (uncertainty not stated).")};
+}
+
+/// Whether the machine became as good as was promised, with the limit.
+std::pair<Tone, QString> promiseSentence(const ComparisonState& state)
+{
+    const Comparison& comparison = *state.comparison;
+    if (!comparison.heldOut)
+        return {Tone::Information,
+            ProvePage::tr(
+                "Nothing was predicted between the targets: before and after are compared alone.")};
+    const QString figure = qString(figureSymbol(comparison.promised));
+    if (!comparison.largestAsPredicted)
+        return {Tone::Warning,
+            ProvePage::tr("Whether it is as predicted is open, since %1 is not defined after.")
+                .arg(figure)};
+    const FineScale scale(state.unit);
+    const QString found = scale.textWithUnit(*comparison.after[comparison.promised].value);
+    if (comparison.isNoBetter) {
+        const QString words = comparison.isAsPredicted
+            ? ProvePage::tr("Not as predicted, since the machine is no better than before: %3 is "
+                            "%1 after and was %2 before.")
+            : ProvePage::tr("Whether it is as predicted is open, since %3 is smaller than before "
+                            "by no more than what cannot be told: %3 is %1 after and was %2 "
+                            "before.");
+        const double before = *comparison.before[comparison.promised].value;
+        return {Tone::Warning, words.arg(found, scale.textWithUnit(before), figure)};
+    }
+    const QString words = !comparison.isAsPredicted
+        ? ProvePage::tr("Whether it is as predicted is open, since less of the axis was measured: "
+                        "%3 is %1 after, and up to %2 is as predicted.")
+        : *comparison.isAsPredicted
+        ? ProvePage::tr("As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 "
+                        "held out, and what cannot be told).")
+        : ProvePage::tr("Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times "
+                        "%3 held out, and what cannot be told).");
+    const bool isGood = comparison.isAsPredicted == true && !state.isCorrectedOtherwise;
+    return {isGood ? Tone::Success : Tone::Warning,
+        words.arg(found, scale.textWithUnit(*comparison.largestAsPredicted), figure)};
 }
 
 } // namespace
@@ -274,29 +311,8 @@ void ProvePage::sayPromise()
     for (const ComparisonHint& hint : comparison->hints)
         hints += sentenceText(hint.text);
     m_hints->setText(tr("What to look at: %1").arg(hints.join(u' ')));
-    if (!comparison->largestAsPredicted) {
-        m_promise->say(Tone::Information,
-            tr("Nothing was predicted between the targets: before and after are compared alone."));
-        return;
-    }
-    const FineScale scale(m_comparison.state().unit);
-    const QString found = scale.textWithUnit(*comparison->after[Iso230Figure::M].value);
-    const QString limit = scale.textWithUnit(*comparison->largestAsPredicted);
-    if (!comparison->isAsPredicted)
-        m_promise->say(Tone::Warning,
-            tr("Whether it is as predicted is open, since less of the axis was measured: M is %1 "
-               "after, and up to %2 is as predicted.")
-                .arg(found, limit));
-    else if (*comparison->isAsPredicted)
-        m_promise->say(m_comparison.state().isCorrectedOtherwise ? Tone::Warning : Tone::Success,
-            tr("As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, "
-               "and what cannot be told).")
-                .arg(found, limit));
-    else
-        m_promise->say(Tone::Warning,
-            tr("Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held "
-               "out, and what cannot be told).")
-                .arg(found, limit));
+    const auto [tone, sentence] = promiseSentence(m_comparison.state());
+    m_promise->say(tone, sentence);
 }
 
 std::pair<Tone, QString> ProvePage::missing() const

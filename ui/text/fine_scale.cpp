@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/fine_scale.h"
 
-#include "core/metrology/judge/uncertainty.h"
 #include "ui/text/typed_number.h"
 #include "ui/text/value_text.h"
 
@@ -36,11 +35,12 @@ QString fineText(double value, bool isAngular)
     return FineScale(fineUnit(shown, isAngular)).textWithUnit(value);
 }
 
-ComparedTexts comparedTexts(double value, double limit, bool isAngular)
+ComparedTexts comparedTexts(const Verdict& verdict, bool isAngular)
 {
     constexpr int decimals = 2;
-    const ComparedDigits shown = comparedDigits(value, limit, isAngular, decimals);
-    return {FineScale(shown.value).textWithUnit(value, shown.decimals),
+    const double limit = verdict.tolerance.value;
+    const ComparedDigits shown = verdictDigits(verdict, isAngular, decimals);
+    return {FineScale(shown.value).textWithUnit(verdict.value.value_or(limit), shown.decimals),
         FineScale(shown.limit).textWithUnit(limit, shown.decimals)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/judge/uncertainty.h"
 
 #include <QString>
 
@@ -26,12 +27,12 @@ private:
 
 /// A deviation or figure that stands alone, in the unit that suits it: "93.20 µm".
 [[nodiscard]] QString fineText(double value, bool isAngular);
-/// A figure and its limit, with as many digits as tell them apart (comparedDigits).
+/// A figure and its limit, with as many digits as show what was decided (verdictDigits).
 struct ComparedTexts {
-    QString value;
+    QString value; ///< of a figure that is not defined, the limit
     QString limit;
 };
-[[nodiscard]] ComparedTexts comparedTexts(double value, double limit, bool isAngular);
+[[nodiscard]] ComparedTexts comparedTexts(const Verdict& verdict, bool isAngular);
 /// An amount that a person has said, in mm or deg, as one would write it: "10 µm", "0.5 ″".
 [[nodiscard]] QString amountText(double value, bool isAngular);
 /// The amount that a person has written, in mm or deg: "10" in um or arcsec, "10 µm", "0,01 mm"

@@ -65,26 +65,53 @@ std::string warningsText(const Comparison& comparison)
     return text.empty() ? text : text + "\n";
 }
 
+/// "M", or what stands for it with runs of one direction: "E up".
+std::string promisedName(const Comparison& comparison)
+{
+    if (comparison.promised == Iso230Figure::M)
+        return "M";
+    return comparison.promised == Iso230Figure::EUp ? "E up" : "E down";
+}
+
+/// Of an M that is within the limit, as it was before.
+std::string noBetterText(bool isAngular, const Comparison& comparison)
+{
+    const std::string name = promisedName(comparison);
+    const double before = comparison.before[comparison.promised].value.value_or(0.0);
+    const double after = comparison.after[comparison.promised].value.value_or(0.0);
+    const auto [value, limit] = comparedQuantities(after, before, isAngular);
+    return (comparison.isAsPredicted
+                   ? "Not as predicted, since the machine is no better than before: "
+                   : "Whether it is as predicted is open, since " + name
+                       + " is smaller than before by no more than what cannot be told: ")
+        + name + " is " + withUnit(value.digits, value.unit) + " after and was "
+        + withUnit(limit.digits, limit.unit) + " before\n";
+}
+
 std::string promiseText(bool isAngular, const Comparison& comparison)
 {
     if (!comparison.heldOut)
         return {};
-    std::string text = "\nHeld out, at targets that the table did not know: M "
+    const std::string name = promisedName(comparison);
+    std::string text = "\nHeld out, at targets that the table did not know: " + name + " "
         + fineText(comparison.heldOut->range, isAngular) + ", largest "
         + fineText(comparison.heldOut->largest, isAngular) + ", rms "
         + fineText(comparison.heldOut->rms, isAngular) + "\n";
     if (!comparison.largestAsPredicted)
-        return text;
-    const double spread = comparison.after[Iso230Figure::M].value.value_or(0.0);
+        return text + "Whether it is as predicted is open, since " + name
+            + " is not defined after\n";
+    if (comparison.isNoBetter)
+        return text + noBetterText(isAngular, comparison);
+    const double spread = comparison.after[comparison.promised].value.value_or(0.0);
     const auto [value, limit] =
         comparedQuantities(spread, *comparison.largestAsPredicted, isAngular);
     const std::string result = !comparison.isAsPredicted
         ? "Whether it is as predicted is open, since less of the axis was measured: "
         : *comparison.isAsPredicted ? "As predicted: "
                                     : "Not as predicted: ";
-    return text + result + "M is " + withUnit(value.digits, value.unit) + " after, and "
-        + withUnit(limit.digits, limit.unit)
-        + " or less is as predicted (1.2 times M held out, and what cannot be told)\n";
+    return text + result + name + " is " + withUnit(value.digits, value.unit) + " after, and "
+        + withUnit(limit.digits, limit.unit) + " or less is as predicted (1.2 times " + name
+        + " held out, and what cannot be told)\n";
 }
 
 std::string residualText(const Measurement& after, const Comparison& comparison)

@@ -129,9 +129,9 @@ std::string figuresText(const Measurement& measurement, const FitReport& report)
         shown.push_back(report.heldOut->range);
     const FineText fine(shown, measurement.isAngular);
     TextTable table({"figure", ">before", ">foretold", ">held out"});
-    for (const Iso230Figure figure :
-        {Iso230Figure::A, Iso230Figure::R, Iso230Figure::E, Iso230Figure::B, Iso230Figure::M}) {
-        const bool isRange = figure == Iso230Figure::M && report.heldOut;
+    for (const Iso230Figure figure : figuresInShort(*report.before)) {
+        const bool isRange =
+            report.heldOut && figure == figureStandingFor(Iso230Figure::M, *report.before);
         table.add({figureText(figure).words, fine((*report.before)[figure].value),
             fine((*report.predicted)[figure].value), isRange ? fine(report.heldOut->range) : ""});
     }

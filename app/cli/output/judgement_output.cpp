@@ -274,18 +274,22 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
 {
     if (verdicts.empty())
         return {};
-    const bool isAngular = measurement.isAngular;
+    constexpr int decimals = 3; // as of all that is printed
     TextTable table({"figure", ">value", ">tolerance", "uncertainty", "verdict"});
     for (const Verdict& verdict : verdicts) {
-        const double limit = verdict.tolerance.value;
-        const auto [value, tolerance] =
-            comparedQuantities(verdict.value.value_or(limit), limit, isAngular);
+        const ComparedDigits shown = verdictDigits(verdict, measurement.isAngular, decimals);
+        const auto text = [&shown](const FineUnit& unit, double value) {
+            return withUnit(unit.digits(value, shown.decimals), unit.name);
+        };
         table.add({figureText(verdict.tolerance.figure).words,
-            verdict.value ? withUnit(value.digits, value.unit) : "-",
-            withUnit(tolerance.digits, tolerance.unit),
-            verdict.uncertainty ? "U " + fineText(*verdict.uncertainty, isAngular)
+            verdict.value ? text(shown.value, *verdict.value) : "-",
+            text(shown.limit, verdict.tolerance.value),
+            verdict.uncertainty ? "U " + text(shown.uncertainty, *verdict.uncertainty)
                                 : "uncertainty not stated",
-            verdictText(verdict.result).words});
+            std::string(verdictText(verdict.result).words)
+                + (verdict.heldOut
+                        ? ", held out " + fineText(*verdict.heldOut, measurement.isAngular)
+                        : "")});
     }
     return "\n" + heading + "\n" + table.text();
 }
@@ -293,10 +297,13 @@ std::string verdictsText(const Measurement& measurement, const std::vector<Verdi
 Json verdictsJson(const std::vector<Verdict>& verdicts)
 {
     Json list = Json::array();
-    for (const Verdict& verdict : verdicts)
+    for (const Verdict& verdict : verdicts) {
         list.push_back({{"figure", figureName(verdict.tolerance.figure)},
             {"value", numberOrNull(verdict.value)}, {"tolerance", verdict.tolerance.value},
             {"U", numberOrNull(verdict.uncertainty)}, {"result", verdictName(verdict.result)}});
+        if (verdict.heldOut)
+            list.back()["heldOut"] = *verdict.heldOut;
+    }
     return list;
 }
 

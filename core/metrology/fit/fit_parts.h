@@ -120,5 +120,8 @@ void addStateRemarks(const FitInput& input, const Judgement& judgement,
 [[nodiscard]] std::size_t outlierCount(const Judgement& judgement);
 /// What is foretold of the targets, or that nothing can be. Errors: Cancelled.
 [[nodiscard]] Result<void> addHeldOut(Result<HeldOut> heldOut, FitReport& report);
+/// Verdicts of the figures that are foretold. A figure that was held out, too, is passed when both
+/// are, and undecided when it is passed at the targets alone.
+void judgeForetold(const FitSettings& settings, FitReport& report);
 
 } // namespace axiscomp

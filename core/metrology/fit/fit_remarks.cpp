@@ -187,12 +187,12 @@ void remarkOfMerge(const FitMerge& merge, Remarks& remarks)
                 .with("lost", remarks.fine(merge.lostRange)));
 }
 
-/// A figure that says best how good the axis is: A, else E, else M.
+/// A figure that says best how good the axis is: A, else E, else M, or what stands for it.
 std::optional<Iso230Figure> leadingFigure(const Iso230Figures& figures)
 {
     for (const Iso230Figure figure : {Iso230Figure::A, Iso230Figure::E, Iso230Figure::M})
-        if (figures[figure].value)
-            return figure;
+        if (const auto defined = figureStandingFor(figure, figures); figures[defined].value)
+            return defined;
     return std::nullopt;
 }
 
@@ -220,9 +220,11 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
     // What a gain, the other direction or a slope leaves is no matter of the targets.
     const double unknown = report.heldOut->unknownRange;
     const double heldOut = report.heldOut->range;
-    const auto before = (*report.before)[Iso230Figure::M].value;
-    const auto repeatability = (*report.before)[Iso230Figure::R].value;
-    const auto predicted = (*report.predicted)[Iso230Figure::M].value;
+    const Iso230Figure range = figureStandingFor(Iso230Figure::M, *report.before);
+    const auto before = (*report.before)[range].value;
+    const auto repeatability =
+        (*report.before)[figureStandingFor(Iso230Figure::R, *report.before)].value;
+    const auto predicted = (*report.predicted)[range].value;
     const bool isAboveHalf = before && unknown > 0.5 * *before;
     constexpr double least = 0.01; // of M: without any repeatability rounding is above its half
     const bool isRounding = before && unknown <= least * *before;
@@ -234,9 +236,14 @@ void remarkOfHeldOut(const FitReport& report, Remarks& remarks)
         "between the targets the error is not known well enough: foretold without each target, M "
         "is {heldOut}; measure at more targets");
     if (before)
-        text = AXISCOMP_TEXT("Measurement",
-            "between the targets the error is not known well enough: foretold without each target, "
-            "M is {heldOut}, before it was {before}; measure at more targets")
+        text = (range == Iso230Figure::M
+                ? AXISCOMP_TEXT("Measurement",
+                    "between the targets the error is not known well enough: foretold without each "
+                    "target, M is {heldOut}, before it was {before}; measure at more targets")
+                : AXISCOMP_TEXT("Measurement",
+                    "between the targets the error is not known well enough: foretold without each "
+                    "target, E of the direction that was measured is {heldOut}, before it was "
+                    "{before}; measure at more targets"))
                    .with("before", remarks.fine(*before));
     remarks.warn("BetweenTargets", std::move(text).with("heldOut", remarks.fine(heldOut)));
 }

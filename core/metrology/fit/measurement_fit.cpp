@@ -62,6 +62,24 @@ bool FitReport::isWithinTolerances() const
         verdicts, [](const Verdict& verdict) { return verdict.result == VerdictResult::Passed; });
 }
 
+void judgeForetold(const FitSettings& settings, FitReport& report)
+{
+    report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
+    if (!report.heldOut)
+        return;
+    // At the targets a table through the means leaves nothing, whatever lies between them.
+    const Iso230Figure figure = figureStandingFor(Iso230Figure::M, *report.predicted);
+    const double heldOut = report.heldOut->range;
+    for (Verdict& verdict : report.verdicts) {
+        const auto& [limited, limit] = verdict.tolerance;
+        if (limited != figure || verdict.result != VerdictResult::Passed
+            || verdictResult(heldOut, limit, verdict.uncertainty) == VerdictResult::Passed)
+            continue;
+        verdict.result = VerdictResult::Undecided;
+        verdict.heldOut = heldOut;
+    }
+}
+
 bool isFittedOnGrid(const Measurement& measurement, const FitSettings& settings)
 {
     return measurement.kind == MeasurementKind::Points

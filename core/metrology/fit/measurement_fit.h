@@ -133,7 +133,8 @@ struct FitReport {
     std::optional<Iso230Figures> before = {};
     std::optional<Iso230Figures> predicted = {};
     std::optional<HeldOut> heldOut = {}; ///< nothing for fewer than 4 targets, points and tracks
-    std::vector<Verdict> verdicts = {}; ///< of the figures that are foretold
+    /// Of the figures that are foretold; M is passed only where it is held out as well.
+    std::vector<Verdict> verdicts = {};
     Text sign; ///< what the drive will add where, at the largest value
     std::vector<FitRemark> remarks = {}; ///< warnings first
 

@@ -686,8 +686,8 @@ Result<FitReport> fitRuns(const FitInput& input)
     report.before = judgement.figures;
     AXISCOMP_TRY(const auto predicted, predictedMeasurement(input, tables, report.tables));
     report.predicted = iso230Figures(predicted);
-    report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
     AXISCOMP_CHECK(addHeldOut(heldOutOf(tables, input.stop), report));
+    judgeForetold(settings, report);
     report.sign =
         signOfTables({settled, settings, input.state, input.lookupAt, input.stop}, tables, report);
     addRunsRemarks(input, outlierCount(judgement), tables.front().fit, report);

@@ -590,8 +590,8 @@ Result<FitReport> fitRunsByTemperature(const FitInput& input)
     report.before = figuresOfStates(input.measurement, curves.states);
     AXISCOMP_TRY(const auto predicted, predictedRuns(input, curves, table));
     report.predicted = figuresOfStates(predicted, curves.states);
-    report.verdicts = verdicts(*report.predicted, settings.tolerances, settings.uncertainty);
     AXISCOMP_CHECK(addHeldOut(heldOutOf(input, curves, table), report));
+    judgeForetold(settings, report);
     const ThermalState& reference = curves.states[curves.reference];
     const FitSettings ofState = settingsOfState(settings, settings.zero);
     const FitInput referenceInput{

@@ -129,6 +129,19 @@ private:
     bool m_isDefined = true;
 };
 
+/// Nothing: both, or none.
+std::optional<Approach> onlyDirection(const Iso230Figures& figures)
+{
+    const auto isThere = [&figures](DirectionFigures TargetFigures::*direction) {
+        return std::ranges::any_of(figures.targets,
+            [direction](const TargetFigures& target) { return (target.*direction).n > 0; });
+    };
+    const bool isUpThere = isThere(&TargetFigures::up);
+    if (isUpThere == isThere(&TargetFigures::down))
+        return std::nullopt;
+    return isUpThere ? Approach::Up : Approach::Down;
+}
+
 std::optional<double> absolute(const std::optional<double>& value)
 {
     return value ? std::optional(std::abs(*value)) : std::nullopt;
@@ -295,6 +308,33 @@ bool isRange(Iso230Figure figure)
         break;
     }
     return false;
+}
+
+Iso230Figure figureStandingFor(Iso230Figure figure, const Iso230Figures& figures)
+{
+    const auto only = onlyDirection(figures);
+    if (!only)
+        return figure;
+    const bool isUp = *only == Approach::Up;
+    if (figure == Iso230Figure::A)
+        return isUp ? Iso230Figure::AUp : Iso230Figure::ADown;
+    if (figure == Iso230Figure::R)
+        return isUp ? Iso230Figure::RUp : Iso230Figure::RDown;
+    if (figure == Iso230Figure::E || figure == Iso230Figure::M)
+        return isUp ? Iso230Figure::EUp : Iso230Figure::EDown;
+    return figure;
+}
+
+std::vector<Iso230Figure> figuresInShort(const Iso230Figures& figures)
+{
+    std::vector<Iso230Figure> inShort{
+        Iso230Figure::A, Iso230Figure::R, Iso230Figure::E, Iso230Figure::B, Iso230Figure::M};
+    if (!onlyDirection(figures))
+        return inShort;
+    inShort.resize(3); // there is no reversal, and E is M
+    for (Iso230Figure& figure : inShort)
+        figure = figureStandingFor(figure, figures);
+    return inShort;
 }
 
 std::vector<double> placesOf(const Iso230Figures& figures, Iso230Figure figure)

@@ -82,6 +82,12 @@ struct Iso230Figures {
 
 /// Whether a figure reaches from a highest to a lowest place: A, E and M, also of one direction.
 [[nodiscard]] bool isRange(Iso230Figure figure);
+/// What stands for a figure in those of runs of one direction alone, where it is not defined: A, R
+/// or E of that direction, and its E for M, since the mean of one direction is all that there is.
+/// Else, and of the other figures, the figure itself.
+[[nodiscard]] Iso230Figure figureStandingFor(Iso230Figure figure, const Iso230Figures& figures);
+/// A, R, E, B and M; of runs of one direction those that stand for them.
+[[nodiscard]] std::vector<Iso230Figure> figuresInShort(const Iso230Figures& figures);
 /// The positions where a figure arises: of a range the highest and the lowest place, where these
 /// are not the same. None where it is not defined, and for MeanReversal.
 [[nodiscard]] std::vector<double> placesOf(const Iso230Figures& figures, Iso230Figure figure);

@@ -7,6 +7,7 @@
 #include "core/text/number_text.h"
 #include "core/text/token_scanner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,6 +32,16 @@ double memberOr(const JsonNode& node, std::string_view key, double fallback)
     if (!std::isfinite(number) || (number < 0.0 && key != "temperature"))
         node[key].refuse(AXISCOMP_TEXT("Error", "a number that is not negative"));
     return number;
+}
+
+/// Of a product of two members one alone would count as 0.
+void expectBeside(const JsonNode& budget, std::string_view one, std::string_view other)
+{
+    for (const auto& [there, missing] : {std::pair(one, other), std::pair(other, one)})
+        if (budget.has(there) && !budget.has(missing))
+            budget[there].refuse(
+                AXISCOMP_TEXT("Error", "this counts only with {member}, which is missing")
+                    .with("member", missing));
 }
 
 /// A number and its unit, which has no digit and may follow without a blank: the longest number
@@ -71,6 +82,12 @@ Result<UncertaintyBudget> uncertaintyBudgetFromJson(std::string_view text, doubl
     constexpr std::array<std::string_view, 9> keys{"length", "device", "devicePpm", "misalignment",
         "expansion", "temperatureRange", "temperature", "expansionRange", "environment"};
     root.expectMembers(std::span<const std::string_view>(), keys);
+    expectBeside(root, "expansion", "temperatureRange");
+    expectBeside(root, "temperature", "expansionRange");
+    // A length alone, or nothing, would state that there is no uncertainty.
+    if (std::ranges::none_of(
+            std::span(keys).subspan(1), [&root](std::string_view key) { return root.has(key); }))
+        root.refuse(AXISCOMP_TEXT("Error", "it states no term of the uncertainty"));
     UncertaintyBudget budget;
     budget.lengthMm = memberOr(root, "length", defaultLengthMm);
     budget.deviceMm = memberOr(root, "device", 0.0);
@@ -178,6 +195,15 @@ TextPattern verdictText(VerdictResult result)
     return AXISCOMP_TEXT("Measurement", "not defined");
 }
 
+VerdictResult verdictResult(double value, double tolerance, std::optional<double> uncertainty)
+{
+    const double size = std::abs(value);
+    const double u = uncertainty.value_or(0.0);
+    if (!isAbove(size + u, tolerance))
+        return VerdictResult::Passed;
+    return isAbove(size - u, tolerance) ? VerdictResult::Failed : VerdictResult::Undecided;
+}
+
 std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tolerance> tolerances,
     std::optional<double> uncertainty)
 {
@@ -185,19 +211,18 @@ std::vector<Verdict> verdicts(const Iso230Figures& figures, std::span<const Tole
     for (const Tolerance& tolerance : tolerances) {
         Verdict verdict{
             tolerance, figures[tolerance.figure].value, uncertainty, VerdictResult::NotDefined};
-        if (verdict.value) {
-            const double size = std::abs(*verdict.value);
-            const double u = uncertainty.value_or(0.0);
-            if (size + u <= tolerance.value)
-                verdict.result = VerdictResult::Passed;
-            else if (size - u > tolerance.value)
-                verdict.result = VerdictResult::Failed;
-            else
-                verdict.result = VerdictResult::Undecided;
-        }
+        if (verdict.value)
+            verdict.result = verdictResult(*verdict.value, tolerance.value, uncertainty);
         results.push_back(verdict);
     }
     return results;
+}
+
+ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals)
+{
+    const double limit = verdict.tolerance.value;
+    const double value = verdict.value.value_or(limit);
+    return comparedDigits(value, limit, isAngular, decimals, verdict.uncertainty.value_or(0.0));
 }
 
 } // namespace axiscomp

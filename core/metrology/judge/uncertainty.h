@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/iso230.h"
 
 namespace axiscomp {
@@ -15,7 +16,7 @@ struct UncertaintyBudget {
     double misalignmentMrad = 0.0; ///< g, between the beam and the axis
     double expansionPerKelvin = 0.0; ///< a
     double temperatureRangeKelvin = 0.0; ///< r(T), by which the temperature is not known
-    double materialCelsius = 20.0; ///< T
+    double materialCelsius = 20.0; ///< T; without r(a) it counts nothing
     double expansionRangePerKelvin = 0.0; ///< r(a), by which the coefficient is not known
     double environmentMm = 0.0; ///< EVE, the range of a drift test
 };
@@ -32,8 +33,9 @@ struct Uncertainty {
 
 /// A JSON file with the budget: members length, device, environment in mm; devicePpm; misalignment
 /// in mrad; expansion, expansionRange in 1/K; temperature in deg C, temperatureRange in K. length
-/// may be missing: then it is that of the measurement. Others may be missing and count nothing.
-/// Errors: InvalidArgument with the place.
+/// may be missing: then it is that of the measurement. Terms may be missing and count nothing, but
+/// not all of them. Errors: InvalidArgument with the place, also for expansion without
+/// temperatureRange and temperature without expansionRange, and the other way round.
 [[nodiscard]] Result<UncertaintyBudget> uncertaintyBudgetFromJson(
     std::string_view text, double defaultLengthMm);
 
@@ -62,11 +64,19 @@ struct Verdict {
     std::optional<double> value; ///< nothing: not defined
     std::optional<double> uncertainty; ///< nothing: not stated
     VerdictResult result = VerdictResult::NotDefined;
+    /// Of a verdict on what is foretold: the same figure held out, where that keeps it from being
+    /// passed.
+    std::optional<double> heldOut = {};
 };
 /// With U: passed when value + U <= tolerance, failed when value - U > tolerance, otherwise
-/// undecided (the rule of ISO 14253-1, as we understand it). Without: plain comparison. The mean
-/// reversal value counts with its size.
+/// undecided (the rule of ISO 14253-1, as we understand it). Without: plain comparison. Both but
+/// for what computing leaves (isAbove). The mean reversal value counts with its size.
 [[nodiscard]] std::vector<Verdict> verdicts(const Iso230Figures& figures,
     std::span<const Tolerance> tolerances, std::optional<double> uncertainty);
+/// By the same rule, of one value.
+[[nodiscard]] VerdictResult verdictResult(
+    double value, double tolerance, std::optional<double> uncertainty);
+/// How value, tolerance and U of a verdict are shown, so that they read as they were decided.
+[[nodiscard]] ComparedDigits verdictDigits(const Verdict& verdict, bool isAngular, int decimals);
 
 } // namespace axiscomp

@@ -252,23 +252,39 @@ std::vector<RemainingError> remainingErrors(const Iso230Figures& figures)
     return errors;
 }
 
-/// 2 s / sqrt(2 n), of the pooled standard deviation; 0 when there is none.
-double scatterOfMeans(const Iso230Figures& figures)
+/// Of what a figure is the range: M of the means of both directions, E of those of one.
+const std::optional<double>& meanBy(const TargetFigures& target, Iso230Figure range)
+{
+    if (range == Iso230Figure::M)
+        return target.mean;
+    return range == Iso230Figure::EUp ? target.up.mean : target.down.mean;
+}
+
+/// 2 s / sqrt(2 n), of the pooled standard deviation, and of one direction 2 s / sqrt(n); 0 when
+/// there is none.
+double scatterOfMeans(const Iso230Figures& figures, Iso230Figure range)
 {
     double squares = 0.0;
     double degrees = 0.0;
     std::size_t fewest = 0;
-    for (const TargetFigures& target : figures.targets)
-        for (const DirectionFigures* direction : {&target.up, &target.down}) {
-            if (!direction->s)
-                continue;
-            const double freedom = static_cast<double>(direction->n) - 1.0;
-            squares += freedom * *direction->s * *direction->s;
-            degrees += freedom;
-            fewest = fewest == 0 ? direction->n : std::min(fewest, direction->n);
-        }
-    return degrees > 0.0 ? 2.0 * std::sqrt(squares / degrees / (2.0 * static_cast<double>(fewest)))
-                         : 0.0;
+    const auto add = [&](const DirectionFigures& direction) {
+        if (!direction.s)
+            return;
+        const double freedom = static_cast<double>(direction.n) - 1.0;
+        squares += freedom * *direction.s * *direction.s;
+        degrees += freedom;
+        fewest = fewest == 0 ? direction.n : std::min(fewest, direction.n);
+    };
+    for (const TargetFigures& target : figures.targets) {
+        if (range != Iso230Figure::EDown)
+            add(target.up);
+        if (range != Iso230Figure::EUp)
+            add(target.down);
+    }
+    const double directions = range == Iso230Figure::M ? 2.0 : 1.0;
+    return degrees > 0.0
+        ? 2.0 * std::sqrt(squares / degrees / (directions * static_cast<double>(fewest)))
+        : 0.0;
 }
 
 void centre(Numbers& values)
@@ -311,26 +327,29 @@ struct ErrorCurves {
     Numbers slope;
 };
 
-ErrorCurves errorCurves(const Iso230Figures& before, const std::vector<RemainingError>& residual)
+/// range: of what they are (meanBy).
+ErrorCurves errorCurves(const Iso230Figures& before, const Iso230Figures& after, Iso230Figure range)
 {
     Numbers knots;
     Numbers means;
-    for (const RemainingError& error : remainingErrors(before)) {
-        knots.push_back(error.position);
-        means.push_back(error.value);
+    for (const TargetFigures& target : before.targets) {
+        if (!meanBy(target, range))
+            continue;
+        knots.push_back(target.position);
+        means.push_back(*meanBy(target, range));
     }
     ErrorCurves curves;
     const auto spline = interpolatingSpline({knots, means});
     if (!spline)
         return curves;
     const double step = 1e-4 * (knots.back() - knots.front());
-    for (const RemainingError& error : residual) {
-        const double x = error.position;
-        if (x < knots.front() || x > knots.back())
+    for (const TargetFigures& target : after.targets) {
+        const double x = target.position;
+        if (x < knots.front() || x > knots.back() || !meanBy(target, range))
             continue;
         const double low = std::max(x - step, knots.front());
         const double high = std::min(x + step, knots.back());
-        curves.residual.push_back(error.value);
+        curves.residual.push_back(*meanBy(target, range));
         curves.before.push_back(spline->at(x));
         curves.slope.push_back((spline->at(high) - spline->at(low)) / (high - low));
     }
@@ -391,28 +410,79 @@ std::vector<ComparisonHint> hintsOf(const ErrorCurves& curves, bool isAngular)
             .with("shift", Quantity{about(slope.factor), isAngular ? "deg" : "mm"})}};
 }
 
-void judgePrediction(Comparison& comparison, const ComparisonRequest& request)
+/// What was promised of M, and what came of it.
+struct Promise {
+    std::optional<double> before = {};
+    double after = 0.0;
+    double largest = 0.0; ///< that counts as predicted
+    double unknown = 0.0; ///< what cannot be told of it: max(U, 2 s / sqrt(2 n))
+};
+
+/// Nothing: that is open.
+std::optional<bool> isKept(const Promise& promise, const std::vector<ComparisonHint>& hints)
 {
-    constexpr double allowance = 1.2;
-    const auto& spread = comparison.after[Iso230Figure::M].value;
-    if (!request.heldOut || !spread)
-        return;
-    comparison.largestAsPredicted = allowance * request.heldOut->range
-        + std::max(request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after));
-    const bool isWithin = *spread <= *comparison.largestAsPredicted;
-    // What was promised is of all of the travel: over less of it, or at fewer of its targets, M is
-    // smaller by itself.
-    if (!isWithin || !(comparison.lesserRange || comparison.isWider))
-        comparison.isAsPredicted = isWithin;
+    if (isAbove(promise.after, promise.largest))
+        return false;
+    if (!promise.before || isAbove(*promise.before, promise.largest + promise.unknown))
+        return true;
+    // A table that does nothing is within such a limit, too: only what has become of the error
+    // tells. Of an axis that has none to speak of nobody can see that it became better.
+    const double before = *promise.before;
+    if (!isAbove(before, promise.unknown) && !isAbove(promise.after, before + promise.unknown))
+        return true;
+    const bool isSame = std::ranges::count(hints, "NotActive", &ComparisonHint::name) > 0;
+    if (isSame || !isAbove(before, promise.after))
+        return false;
+    if (isAbove(before, promise.after + promise.unknown))
+        return true;
+    return std::nullopt;
 }
 
-bool isSuspicious(const Comparison& comparison)
+std::vector<ComparisonHint> hintsBy(
+    const Comparison& comparison, Iso230Figure range, bool isAngular)
 {
-    if (comparison.isAsPredicted)
-        return !*comparison.isAsPredicted;
-    const auto& before = comparison.before[Iso230Figure::M].value;
-    const auto& after = comparison.after[Iso230Figure::M].value;
-    return before && after && *after >= *before;
+    return hintsOf(errorCurves(comparison.before, comparison.after, range), isAngular);
+}
+
+/// Nothing was promised: what has not become smaller is looked at.
+std::vector<ComparisonHint> hintsWithoutPromise(const Comparison& comparison, bool isAngular)
+{
+    for (const Iso230Figure range : {Iso230Figure::M, Iso230Figure::EUp, Iso230Figure::EDown}) {
+        const auto& before = comparison.before[range].value;
+        const auto& after = comparison.after[range].value;
+        if (!before || !after)
+            continue;
+        return isAbove(*before, *after) ? std::vector<ComparisonHint>()
+                                        : hintsBy(comparison, range, isAngular);
+    }
+    return {};
+}
+
+/// Whether the machine became as good as was promised, or better at all, and if not, what to look
+/// at.
+void judgePrediction(Comparison& comparison, const ComparisonRequest& request, bool isAngular)
+{
+    constexpr double allowance = 1.2;
+    comparison.promised = figureStandingFor(Iso230Figure::M, comparison.before);
+    const auto& before = comparison.before[comparison.promised].value;
+    const auto& after = comparison.after[comparison.promised].value;
+    if (!request.heldOut || !after) {
+        comparison.hints = hintsWithoutPromise(comparison, isAngular);
+        return;
+    }
+    auto hints = hintsBy(comparison, comparison.promised, isAngular);
+    const double unknown = std::max(
+        request.uncertainty.value_or(0.0), scatterOfMeans(comparison.after, comparison.promised));
+    const double largest = allowance * request.heldOut->range + unknown;
+    const auto kept = isKept({before, *after, largest, unknown}, hints);
+    comparison.largestAsPredicted = largest;
+    comparison.isNoBetter = kept != true && !isAbove(*after, largest);
+    // What was promised is of all of the travel: over less of it, or at fewer of its targets, M is
+    // smaller by itself.
+    if (kept != true || !(comparison.lesserRange || comparison.isWider))
+        comparison.isAsPredicted = kept;
+    if (kept != true)
+        comparison.hints = std::move(hints);
 }
 
 /// Nothing: every value is used.
@@ -599,10 +669,7 @@ Result<Comparison> compareMeasurements(
     comparison.errorBefore = remainingErrors(comparison.before);
     comparison.residual = remainingErrors(comparison.after);
     warnOfLesserTravel(comparison, before, after);
-    judgePrediction(comparison, request);
-    if (isSuspicious(comparison))
-        comparison.hints =
-            hintsOf(errorCurves(comparison.before, comparison.residual), after.isAngular);
+    judgePrediction(comparison, request, after.isAngular);
     comparison.verdicts = verdicts(comparison.after, request.tolerances, request.uncertainty);
     judgeAllValues(comparison, before, after, request);
     warnOfOtherMachine(comparison, before.header, after.header);

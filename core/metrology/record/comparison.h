@@ -97,12 +97,22 @@ struct Comparison {
     Iso230Figures after;
     std::vector<RemainingError> errorBefore; ///< by target of the first measurement
     std::vector<RemainingError> residual; ///< by target of the second measurement
+    /// Of what the promise is: M, or with runs of one direction what stands for it
+    /// (figureStandingFor), which is meant by M below; 2 n is n then.
+    Iso230Figure promised = Iso230Figure::M;
     /// The largest M that counts as predicted: 1.2 M held out + max(U, 2 s / sqrt(2 n)), s the
-    /// pooled standard deviation of the second measurement, n its runs in each direction.
+    /// pooled standard deviation of the second measurement, n its runs in each direction. Nothing
+    /// without a held-out figure or M after.
     std::optional<double> largestAsPredicted = {};
-    /// Nothing without a held-out figure, without M, or where M is that small over less of the
-    /// axis or at targets that are wider apart.
+    /// Never true of a machine that is no better than before (isNoBetter). Nothing without a
+    /// held-out figure, without M, where M is that small over less of the axis or at targets that
+    /// are wider apart, or where it cannot be told whether the machine is better.
     std::optional<bool> isAsPredicted = {};
+    /// M is within that limit, but so was M before, or above it by no more than cannot be told,
+    /// max(U, 2 s / sqrt(2 n)); and M has not become smaller or what is left is the same error (not
+    /// as predicted), or M is smaller by no more than cannot be told (open). Not where M before was
+    /// no larger than that, and M has become larger by no more: then nothing can become better.
+    bool isNoBetter = false;
     std::vector<ComparisonHint> hints = {};
     std::vector<Verdict> verdicts = {}; ///< of the second measurement
     /// Only of a measurement of which values are left out; the figures above are then no evaluation
@@ -127,15 +137,15 @@ struct Comparison {
     [[nodiscard]] const Iso230Figures& ofAllValues(bool isAfter) const;
 };
 
-/// Hints are looked for when the error is not as predicted; without a prediction, when M is not
-/// smaller than before. With b the mean error before at the targets after, b' its slope (natural
-/// spline) and r what is left, all about their means: r = k b with |correlation| above 0.9 is a
-/// table that adds 1 - k times what it should (k = 2: the sign; k = 1: not active); r = d b' one
-/// that is shifted by d.
-/// Errors: InvalidArgument for measurements without targets, of lengths and angles, of two axes, of
-/// two drives, those of the request included, and of two ranges that have nothing in common;
-/// MeasurementState when tableCrc is given and the second measurement was not made with that table
-/// active.
+/// Hints are looked for when the error is not as predicted, or the machine no better than before;
+/// without a prediction, when M is not smaller than before, or E of a direction where that is all
+/// that both measurements have. With b the mean error before at the
+/// targets after, b' its slope (natural spline) and r what is left, all about their means: r = k b
+/// with |correlation| above 0.9 is a table that adds 1 - k times what it should (k = 2: the sign; k
+/// = 1: not active); r = d b' one that is shifted by d. Errors: InvalidArgument for measurements
+/// without targets, of lengths and angles, of two axes, of two drives, those of the request
+/// included, and of two ranges that have nothing in common; MeasurementState when tableCrc is given
+/// and the second measurement was not made with that table active.
 [[nodiscard]] Result<Comparison> compareMeasurements(
     const Measurement& before, const Measurement& after, const ComparisonRequest& request);
 

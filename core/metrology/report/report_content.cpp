@@ -101,18 +101,29 @@ private:
         return value ? quantityText(unit.digits(*value, figureDecimals), "")
                      : Text(AXISCOMP_TEXT("Report", "not defined"));
     }
-    [[nodiscard]] static std::optional<double> accuracyOf(const Judged& one)
+    [[nodiscard]] static std::optional<double> valueOf(const Judged& one, Iso230Figure figure)
     {
-        return one.reported ? one.figures[Iso230Figure::A].value : std::nullopt;
+        return one.reported ? one.figures[figure].value : std::nullopt;
+    }
+    /// A, or where all runs are of one direction that of it.
+    [[nodiscard]] Iso230Figure accuracyFigure() const
+    {
+        for (const Iso230Figure figure : {Iso230Figure::A, Iso230Figure::AUp, Iso230Figure::ADown})
+            if (valueOf(m_before, figure) || valueOf(m_after, figure))
+                return figure;
+        return Iso230Figure::A;
     }
 
     /// The sentence that is read first.
     void addOutcome()
     {
-        const auto before = accuracyOf(m_before);
-        const auto after = accuracyOf(m_after);
+        const Iso230Figure figure = accuracyFigure();
+        const Text symbol = Verbatim{std::string(figureSymbol(figure))};
+        const auto before = valueOf(m_before, figure);
+        const auto after = valueOf(m_after, figure);
         if (m_after.reported && (before || after))
-            paragraph(AXISCOMP_TEXT("Report", "Accuracy A: {before} before, {after} after.")
+            paragraph(AXISCOMP_TEXT("Report", "Accuracy {figure}: {before} before, {after} after.")
+                          .with("figure", symbol)
                           .with("before", fine(before))
                           .with("after", fine(after)),
                 true);
@@ -121,8 +132,9 @@ private:
                 AXISCOMP_TEXT("Report", "The accuracy A is not defined, before or after."), true);
         else if (before)
             paragraph(AXISCOMP_TEXT("Report",
-                          "Accuracy A: {before} before. There is no measurement afterwards on "
-                          "record.")
+                          "Accuracy {figure}: {before} before. There is no measurement afterwards "
+                          "on record.")
+                          .with("figure", symbol)
                           .with("before", fine(before)),
                 true);
         else
@@ -134,16 +146,18 @@ private:
                 AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning), true);
     }
 
-    /// With one run alone A is not defined, and what is systematic still is.
+    /// With one run alone A is not defined, and what is systematic still is; of runs in both
+    /// directions beside those of one the figures of that are.
     void addDefinedOutcome()
     {
-        for (const Iso230Figure figure : {Iso230Figure::E, Iso230Figure::M}) {
-            const auto before = m_before.reported ? m_before.figures[figure].value : std::nullopt;
-            const auto after = m_after.figures[figure].value;
+        for (const Iso230Figure figure : {Iso230Figure::E, Iso230Figure::M, Iso230Figure::AUp,
+                 Iso230Figure::ADown, Iso230Figure::EUp, Iso230Figure::EDown}) {
+            const auto before = valueOf(m_before, figure);
+            const auto after = valueOf(m_after, figure);
             if (!before || !after)
                 continue;
             paragraph(AXISCOMP_TEXT("Report", "{figure}: {before} before, {after} after.")
-                          .with("figure", Verbatim{std::string(figureName(figure))})
+                          .with("figure", Verbatim{std::string(figureSymbol(figure))})
                           .with("before", fine(before))
                           .with("after", fine(after)),
                 true);
@@ -394,8 +408,10 @@ private:
                 "Each figure is the largest of a thermal state and of all runs together."));
         if (const auto& prediction = m_content.prediction; prediction && prediction->heldOutM)
             paragraph(AXISCOMP_TEXT("Report",
-                "Held out: what is left at targets that the table was made without: M {range}, rms "
-                "{rms}, largest {largest}. Of the two predictions this is the one to believe.")
+                "Held out: what is left at targets that the table was made without: {figure} "
+                "{range}, rms {rms}, largest {largest}. Of the two predictions this is the one to "
+                "believe.")
+                          .with("figure", Verbatim{std::string(figureSymbol(heldOutFigure()))})
                           .with("range", fine(prediction->heldOutM))
                           .with("rms", fine(prediction->heldOutRms))
                           .with("largest", fine(prediction->heldOutLargest)));
@@ -423,10 +439,14 @@ private:
         return prediction ? cell(unit, prediction->figures[static_cast<std::size_t>(figure)])
                           : notStated();
     }
+    [[nodiscard]] Iso230Figure heldOutFigure() const
+    {
+        return figureStandingFor(Iso230Figure::M, m_before.figures);
+    }
     [[nodiscard]] Text heldOutCell(const FineUnit& unit, Iso230Figure figure) const
     {
         const auto& prediction = m_content.prediction;
-        if (figure != Iso230Figure::M)
+        if (figure != heldOutFigure())
             return Verbatim{"–"}; // there is but one figure held out
         return prediction ? cell(unit, prediction->heldOutM) : notStated();
     }
@@ -436,12 +456,12 @@ private:
         const bool isAfter = m_after.reported != nullptr;
         heading(isAfter ? AXISCOMP_TEXT("Report", "Verdict on the measurement after")
                         : AXISCOMP_TEXT("Report", "Verdict on the measurement before"));
-        const Text uncertainty = m_content.uncertainty ? fine(m_content.uncertainty) : notStated();
         if (m_content.tolerances.empty()) {
-            m_document.blocks.emplace_back(
-                ReportFacts{{{AXISCOMP_TEXT("Report", "Tolerances"), notStated()},
-                                {AXISCOMP_TEXT("Report", "Uncertainty U, k = 2"), uncertainty}},
-                    2});
+            m_document.blocks.emplace_back(ReportFacts{
+                {{AXISCOMP_TEXT("Report", "Tolerances"), notStated()},
+                    {AXISCOMP_TEXT("Report", "Uncertainty U, k = 2"),
+                        m_content.uncertainty ? fine(m_content.uncertainty) : notStated()}},
+                2});
             return;
         }
         ReportTable table;
@@ -452,15 +472,15 @@ private:
         const Iso230Figures& figures = isAfter ? m_after.figures : m_before.figures;
         for (const Verdict& verdict :
             verdicts(figures, m_content.tolerances, m_content.uncertainty)) {
-            const double limit = verdict.tolerance.value;
-            const auto shown = comparedDigits(
-                verdict.value.value_or(limit), limit, m_content.isAngular, figureDecimals);
+            const auto shown = verdictDigits(verdict, m_content.isAngular, figureDecimals);
             const auto text = [&shown](const FineUnit& unit, double value) {
                 return quantityText(unit.digits(value, shown.decimals), unit.symbol);
             };
             table.rows.push_back({figureText(verdict.tolerance.figure),
                 verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
-                text(shown.limit, limit), uncertainty, verdictText(verdict.result)});
+                text(shown.limit, verdict.tolerance.value),
+                verdict.uncertainty ? text(shown.uncertainty, *verdict.uncertainty) : notStated(),
+                verdictText(verdict.result)});
         }
         m_document.blocks.emplace_back(std::move(table));
     }

@@ -140,6 +140,9 @@ private Q_SLOTS:
         const ProgramRun up = box.run(QStringList{"fit", "up.csv"} + offAtEncoder);
         VERIFY_CODE(up, 0);
         QVERIFY2(up.out.contains("linear, positive direction"), up.out.constData());
+        // The figures that it has, and no lines of those that it cannot have.
+        QVERIFY2(up.out.contains("systematic deviation E, up"), up.out.constData());
+        QVERIFY2(!up.out.contains("reversal value B"), up.out.constData());
     }
 
     /// The drive adds the one value in the other direction too.
@@ -342,6 +345,21 @@ private Q_SLOTS:
         VERIFY_CODE(failed, 8);
         QVERIFY2(failed.out.contains("failed"), failed.out.constData());
         QVERIFY2(failed.out.contains("8.354 um"), failed.out.constData());
+    }
+
+    void aToleranceThatIsForetoldAtTheTargetsAloneIsUndecided()
+    {
+        const Sandbox box;
+        const QStringList fit{"fit", publicFile("bifrost.csv"), "--zero", "keep", "--tolerance"};
+        VERIFY_CODE(box.run(fit + QStringList{"M=18um"} + offAtEncoder), 0);
+        const ProgramRun open = box.run(fit + QStringList{"M=5um"} + offAtEncoder);
+        VERIFY_CODE(open, 8);
+        QVERIFY2(open.out.contains("undecided, held out 17.79"), open.out.constData());
+        const ProgramRun json = box.run(fit + QStringList{"M=5um", "--json"} + offAtEncoder);
+        VERIFY_CODE(json, 8);
+        const QJsonObject verdict = json.json().value("verdict").toArray().at(0).toObject();
+        QCOMPARE(verdict.value("result").toString(), "undecided");
+        QVERIFY(std::abs(verdict.value("heldOut").toDouble() - 0.0177945) < 1e-6);
     }
 
     void theMeasurementIsNotReplacedByItsTable()

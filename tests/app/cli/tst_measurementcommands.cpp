@@ -302,6 +302,26 @@ private Q_SLOTS:
         QVERIFY(box.content("x.html").contains("Warning: " + ranges + "0 to 1 mm"));
     }
 
+    /// Held out a peak at one of the targets is 6 um, though M is 4 um.
+    void aTableThatDoesNothingIsNotAsPredicted()
+    {
+        const Sandbox box;
+        box.file("before.csv", peak("// compensation: off\n", 4.0, 0.0, 0.0));
+        box.file("after.csv", peak({}, 4.0, 0.0, 0.0));
+        VERIFY_CODE(
+            box.run({"fit", "before.csv", "--record", "x.axcal", "--lookup-at", "encoder"}), 0);
+        const ProgramRun run = box.run(
+            {"compare", "after.csv", "--record", "x.axcal", "--measured-with", "on", "--keep"});
+        VERIFY_CODE(run, 0);
+        QVERIFY2(run.out.contains("Not as predicted, since the machine is no better than before: M "
+                                  "is 4.000 um after and was 4.000 um before\n"),
+            run.out.constData());
+        QVERIFY2(run.out.contains("the error is the same as before: the compensation was not "
+                                  "active"),
+            run.out.constData());
+        QVERIFY(box.content("x.axcal").contains("\"asPredicted\": false"));
+    }
+
     void theFirstMeasurementIsTheOneOfTheRecord()
     {
         const Sandbox box;

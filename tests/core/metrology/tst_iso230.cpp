@@ -212,6 +212,27 @@ private Q_SLOTS:
         QCOMPARE(value(figures, Figure::AUp), 4.0 - (1.5 - 2.0 * std::sqrt(0.5)));
     }
 
+    void thoseOfOneDirectionStandForTheFiguresOfBoth()
+    {
+        const std::vector<double> values{1.0, 2.0};
+        const auto up = iso230Figures(measured({{{values, {}}}, {{values, {}}}}));
+        QCOMPARE(figureStandingFor(Figure::A, up), Figure::AUp);
+        QCOMPARE(figureStandingFor(Figure::R, up), Figure::RUp);
+        QCOMPARE(figureStandingFor(Figure::E, up), Figure::EUp);
+        QCOMPARE(figureStandingFor(Figure::M, up), Figure::EUp);
+        QCOMPARE(figureStandingFor(Figure::B, up), Figure::B);
+        QCOMPARE(figuresInShort(up), (std::vector{Figure::AUp, Figure::RUp, Figure::EUp}));
+        const auto down = iso230Figures(measured({{{{}, values}}, {{{}, values}}}));
+        QCOMPARE(figureStandingFor(Figure::M, down), Figure::EDown);
+        QCOMPARE(figuresInShort(down), (std::vector{Figure::ADown, Figure::RDown, Figure::EDown}));
+        // A direction that lacks a target is there all the same.
+        const auto both = iso230Figures(measured({{{values, values}}, {{values, {}}}}));
+        QCOMPARE(figureStandingFor(Figure::M, both), Figure::M);
+        QCOMPARE(figuresInShort(both),
+            (std::vector{Figure::A, Figure::R, Figure::E, Figure::B, Figure::M}));
+        QCOMPARE(figureStandingFor(Figure::M, {}), Figure::M);
+    }
+
     void aDirectionThatLacksATargetIsNotDefined()
     {
         const Iso230Figures figures = iso230Figures(

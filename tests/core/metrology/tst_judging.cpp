@@ -227,6 +227,45 @@ private Q_SLOTS:
         QVERIFY(std::abs(uncertaintyOf(*own).total - 0.002) < 1e-12);
     }
 
+    /// A coefficient is never assumed, and neither is what is multiplied by it.
+    void aBudgetThatLacksHalfOfATermIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("budget");
+        QTest::addColumn<QByteArray>("words"); // empty: it is complete
+        QTest::newRow("no coefficient")
+            << QByteArray(R"({"device": 0.0002, "temperatureRange": 2})")
+            << QByteArray("temperatureRange: this counts only with expansion, which is missing");
+        QTest::newRow("no range of the temperature")
+            << QByteArray(R"({"device": 0.0002, "expansion": 11.5e-6})")
+            << QByteArray("expansion: this counts only with temperatureRange");
+        QTest::newRow("no temperature")
+            << QByteArray(R"({"device": 0.0002, "expansionRange": 2e-6})")
+            << QByteArray("expansionRange: this counts only with temperature, which is missing");
+        QTest::newRow("no range of the coefficient")
+            << QByteArray(R"({"device": 0.0002, "temperature": 25, "expansion": 11.5e-6})")
+            << QByteArray("this counts only with");
+        QTest::newRow("nothing") << QByteArray("{}")
+                                 << QByteArray("it states no term of the uncertainty");
+        QTest::newRow("a length alone")
+            << QByteArray(R"({"length": 500})") << QByteArray("it states no term");
+        QTest::newRow("a device without any") << QByteArray(R"({"device": 0})") << QByteArray();
+        QTest::newRow("both") << QByteArray(R"({"expansion": 11.5e-6, "temperatureRange": 2})")
+                              << QByteArray();
+    }
+    void aBudgetThatLacksHalfOfATermIsRefused()
+    {
+        QFETCH(const QByteArray, budget);
+        QFETCH(const QByteArray, words);
+        const auto read = uncertaintyBudgetFromJson(budget.toStdString(), 500.0);
+        if (words.isEmpty()) {
+            VERIFY_RESULT(read);
+            return;
+        }
+        VERIFY_ERROR(read, ErrorCode::InvalidArgument);
+        const std::string said = sentence(read.error());
+        QVERIFY2(said.find(words.toStdString()) != std::string::npos, said.c_str());
+    }
+
     void aToleranceIsMetBeyondTheUncertaintyOnly()
     {
         const Measurement measurement = publicRuns("bifrost.csv"); // A 0.0185713
@@ -250,6 +289,51 @@ private Q_SLOTS:
         const Tolerance large{Figure::A, 1e9};
         QCOMPARE(verdicts(iso230Figures(oneWay), std::span(&large, 1), {}).front().result,
             VerdictResult::NotDefined);
+    }
+
+    /// An instrument that shows tenths of a micrometre meets a limit often, and a double has no
+    /// tenths; of positions at 500 mm it has less of them still.
+    void aFigureAtItsToleranceIsWithinIt_data()
+    {
+        QTest::addColumn<double>("zero"); // mm
+        QTest::addColumn<double>("low"); // um above it, likewise the next one
+        QTest::addColumn<double>("high");
+        QTest::addColumn<QByteArray>("tolerance");
+        QTest::addColumn<double>("uncertainty"); // um
+        QTest::addColumn<QByteArray>("result");
+        QTest::newRow("13.3 - 3.3")
+            << 0.0 << 3.3 << 13.3 << QByteArray("E=10um") << 0.0 << QByteArray("passed");
+        QTest::newRow("8.9 + 1.1")
+            << 0.0 << -1.1 << 8.9 << QByteArray("E=10um") << 0.0 << QByteArray("passed");
+        QTest::newRow("0.4 - 0.1")
+            << 0.0 << 0.1 << 0.4 << QByteArray("E=0.3um") << 0.0 << QByteArray("passed");
+        QTest::newRow("0.4 - 0.1 at 500 mm")
+            << 500.0 << 0.1 << 0.4 << QByteArray("E=0.3um") << 0.0 << QByteArray("passed");
+        QTest::newRow("a picometre above")
+            << 0.0 << 0.0 << 10.000001 << QByteArray("E=10um") << 0.0 << QByteArray("failed");
+        QTest::newRow("with U at it")
+            << 0.0 << 0.0 << 10.0 << QByteArray("E=10.2um") << 0.2 << QByteArray("passed");
+        QTest::newRow("without U at it")
+            << 0.0 << 0.0 << 10.0 << QByteArray("E=9.6um") << 0.4 << QByteArray("undecided");
+        QTest::newRow("without U above it")
+            << 0.0 << 0.0 << 10.0 << QByteArray("E=9.599um") << 0.4 << QByteArray("failed");
+    }
+    void aFigureAtItsToleranceIsWithinIt()
+    {
+        QFETCH(const double, zero);
+        QFETCH(const double, low);
+        QFETCH(const double, high);
+        QFETCH(const QByteArray, tolerance);
+        QFETCH(const double, uncertainty);
+        QFETCH(const QByteArray, result);
+        Measurement measurement = noisy(2, 100.0, 1);
+        for (RunValue& one : measurement.values)
+            one.deviation = zero + 1e-3 * (one.target == 0 ? low : high);
+        const auto limits = tolerancesFromText(tolerance.toStdString(), false);
+        VERIFY_RESULT(limits);
+        const auto stated = uncertainty > 0.0 ? std::optional(1e-3 * uncertainty) : std::nullopt;
+        const Verdict verdict = verdicts(iso230Figures(measurement), *limits, stated).front();
+        QCOMPARE(verdictName(verdict.result), std::string_view(result.constData()));
     }
 
     void tolerancesAreReadWithTheirUnits()
@@ -561,6 +645,26 @@ private Q_SLOTS:
         QCOMPARE(shown(0.0051350003, 0.005135), "5.1350003 um / 5.1350000 um");
         QCOMPARE(shown(99.9999e-6, 100e-6), "0.0999999 um / 0.1000000 um");
         QCOMPARE(shown(0.005135, 0.005135), "5.135 um / 5.135 um");
+        QCOMPARE(shown(0.0133 - 0.0033, 0.01), "10.000 um / 10.000 um"); // by the last bit only
+        QCOMPARE(shown(-0.0100004, 0.01), "-10.0004 um / 10.0000 um"); // by its size
+    }
+
+    /// 10.0004 + 0.5 is above 10.5.
+    void aVerdictReadsAsItWasDecided()
+    {
+        const auto shown = [](double value, double limit, std::optional<double> uncertainty) {
+            const Verdict verdict{{Figure::E, limit}, value, uncertainty};
+            const ComparedDigits digits = verdictDigits(verdict, false, 3);
+            return digits.value.digits(value, digits.decimals) + " / "
+                + digits.limit.digits(limit, digits.decimals) + " / "
+                + digits.uncertainty.digits(uncertainty.value_or(0.0), digits.decimals) + " "
+                + digits.uncertainty.name;
+        };
+        QCOMPARE(shown(0.0100004, 0.0105, 0.0005), "10.0004 / 10.5000 / 0.5000 um"); // undecided
+        QCOMPARE(shown(0.0110004, 0.0105, 0.0005), "11.0004 / 10.5000 / 0.5000 um"); // failed
+        QCOMPARE(shown(0.01, 0.0105, 0.0005), "10.000 / 10.500 / 0.500 um"); // passed
+        QCOMPARE(shown(0.0100004, 0.0105, std::nullopt), "10.000 / 10.500 / 0.000 um");
+        QCOMPARE(shown(0.0100004, 0.0105, 0.00005), "10.000 / 10.500 / 50.000 nm");
     }
 
     void aJudgementSaysWhatIsDoubtful()

@@ -284,6 +284,29 @@ private Q_SLOTS:
         QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
     }
 
+    /// Of targets that are too far apart M held out may be larger than M before.
+    void aTableThatDoesNothingIsNotAsPredicted()
+    {
+        PageFixture bench;
+        CalibrationRecord record = withTolerance(0.5);
+        record.prediction->heldOut->range = 0.1;
+        const auto used = usedMeasurement(*record.before);
+        VERIFY_RESULT(used);
+        const auto figures = iso230Figures(*used);
+        QVERIFY(showProve(bench, record));
+        QVERIFY(addAfter(bench, test::afterMeasurement(test::stateOf(record), [&](int i) {
+            return 1000.0 * *figures.targets[static_cast<std::size_t>(i)].mean;
+        })));
+        QVERIFY(hints(bench, QStringLiteral("The machine is no better than before.")));
+        QCOMPARE(bench.user.the<QLabel>("provePromise").text(),
+            QStringLiteral("Not as predicted, since the machine is no better than before: M is "
+                           "93.65 µm after and was 93.65 µm before."));
+        QVERIFY(bench.user.the<QLabel>("proveHints")
+                    .text()
+                    .contains(QStringLiteral("the compensation was not active")));
+        QCOMPARE(tabText(bench), QStringLiteral("Prove · warning"));
+    }
+
     /// As by `axiscomp compare`.
     void whatIsNotCorrectedIsNotComparedWithWhatIs()
     {

@@ -1132,6 +1132,50 @@ private Q_SLOTS:
         QCOMPARE(warns(2e-5), std::optional(true));
     }
 
+    /// A peak of 4 um at one target: without it that is all left, and half of it too much beside.
+    void runsOfOneDirectionAreForetoldByTheirE()
+    {
+        Measurement runs =
+            runsOver(0.0, 10.0, 11, [](double x) { return x == 50.0 ? 0.004 : 0.0; });
+        const auto both = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(both);
+        QVERIFY(hasRemark(*both, "BetweenTargets", "M is 6.000 um, before it was 4.000 um"));
+        std::erase_if(
+            runs.values, [](const RunValue& value) { return value.direction == Approach::Down; });
+        const auto up = fitMeasurement(runs, keeping(), measuredOff());
+        VERIFY_RESULT(up);
+        QVERIFY(hasRemark(*up, "BetweenTargets",
+            "E of the direction that was measured is 6.000 um, before it was 4.000 um"));
+    }
+
+    /// Straight lines through the means leave nothing at the targets, whatever lies between them:
+    /// held out 6 um are left of that peak.
+    void aToleranceOfMIsPassedOnlyWhereItIsHeldOutAsWell()
+    {
+        Measurement runs =
+            runsOver(0.0, 10.0, 11, [](double x) { return x == 50.0 ? 0.004 : 0.0; });
+        const auto verdictOf = [&runs](const Tolerance& tolerance, std::optional<double> u) {
+            FitSettings settings = keeping();
+            settings.tolerances = {tolerance};
+            settings.uncertainty = u;
+            const auto report = fitMeasurement(runs, settings, measuredOff());
+            return report ? report->verdicts.front() : Verdict{};
+        };
+        const Verdict within = verdictOf({Iso230Figure::M, 0.0061}, std::nullopt);
+        QCOMPARE(within.result, VerdictResult::Passed);
+        QVERIFY(!within.heldOut);
+        const Verdict above = verdictOf({Iso230Figure::M, 0.005}, std::nullopt);
+        QCOMPARE(above.result, VerdictResult::Undecided);
+        QVERIFY(*above.value < 1e-8 && std::abs(*above.heldOut - 0.006) < 1e-8);
+        QCOMPARE(verdictOf({Iso230Figure::M, 0.0061}, 0.0002).result, VerdictResult::Undecided);
+        QCOMPARE(verdictOf({Iso230Figure::M, 0.0063}, 0.0002).result, VerdictResult::Passed);
+        std::erase_if(
+            runs.values, [](const RunValue& value) { return value.direction == Approach::Down; });
+        const Verdict up = verdictOf({Iso230Figure::EUp, 0.005}, std::nullopt);
+        QCOMPARE(up.result, VerdictResult::Undecided);
+        QVERIFY(std::abs(*up.heldOut - 0.006) < 1e-8);
+    }
+
     /// What was taken out of the table stays in the machine, and more targets do not change that.
     void aSlopeThatWasTakenOutIsForetoldHeldOutToo()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/record/comparison.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -58,6 +59,13 @@ std::vector<double> spaced(double first, double last, int count)
     for (int i = 0; i < count; ++i)
         targets.push_back(first + (last - first) * i / (count - 1));
     return targets;
+}
+
+Measurement upAlone(Measurement measurement)
+{
+    std::erase_if(measurement.values,
+        [](const RunValue& value) { return value.direction == Approach::Down; });
+    return measurement;
 }
 
 ComparisonRequest promised(double range)
@@ -441,6 +449,110 @@ private Q_SLOTS:
         VERIFY_RESULT(passed);
         QCOMPARE(*passed->isAsPredicted, true);
         QVERIFY(passed->hints.empty());
+    }
+
+    /// M before is 0.0190 mm: a limit of 0.0192 mm is met by a table that does nothing.
+    void aMachineThatIsNoBetterIsNeverAsPredicted_data()
+    {
+        QTest::addColumn<double>("heldOut");
+        QTest::addColumn<double>("share"); // of the error before
+        QTest::addColumn<bool>("isAsPredicted");
+        QTest::addColumn<QByteArray>("hint");
+        QTest::newRow("the same") << 0.016 << 1.0 << false << QByteArray("NotActive");
+        QTest::newRow("the same in all but its size")
+            << 0.016 << 0.95 << false << QByteArray("NotActive");
+        QTest::newRow("the wrong sign") << 0.04 << 2.0 << false << QByteArray("Sign");
+        QTest::newRow("half of it") << 0.016 << 0.5 << true << QByteArray();
+        QTest::newRow("none of it") << 0.04 << 0.0 << true << QByteArray();
+    }
+    void aMachineThatIsNoBetterIsNeverAsPredicted()
+    {
+        QFETCH(double, heldOut);
+        QFETCH(double, share);
+        QFETCH(bool, isAsPredicted);
+        QFETCH(QByteArray, hint);
+        const auto after = measured([share](double x) { return share * errorBefore(x); });
+        const auto result = compareMeasurements(measured(&errorBefore), after, promised(heldOut));
+        VERIFY_RESULT(result);
+        QVERIFY(!isAbove(*result->after[Iso230Figure::M].value, *result->largestAsPredicted));
+        QCOMPARE(result->isAsPredicted, std::optional(isAsPredicted));
+        QCOMPARE(result->isNoBetter, !isAsPredicted);
+        QCOMPARE(result->hints.size(), std::size_t{isAsPredicted ? 0U : 1U});
+        if (!isAsPredicted)
+            QCOMPARE(result->hints.front().name, std::string_view(hint.constData()));
+    }
+
+    /// Held out is as large as before, and M smaller by 0.95 um.
+    void whetherTheMachineIsBetterIsOpenWithinWhatCannotBeTold()
+    {
+        const auto after = measured([](double x) { return -0.95 * errorBefore(x); });
+        auto request = promised(0.016);
+        request.uncertainty = 0.002;
+        const auto open = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(open);
+        QVERIFY(!open->isAsPredicted && open->isNoBetter);
+        QCOMPARE(open->hints.front().name, std::string_view("Scale"));
+        request.uncertainty = 0.0005;
+        const auto better = compareMeasurements(measured(&errorBefore), after, request);
+        VERIFY_RESULT(better);
+        QCOMPARE(better->isAsPredicted, std::optional(true));
+        QVERIFY(!better->isNoBetter && better->hints.empty());
+    }
+
+    /// M before is 0.190 um, of which U of 0.2 um tells nothing.
+    void anErrorThatIsTooSmallToTellNeedsNotBecomeSmaller()
+    {
+        const auto small = [](double share) {
+            return measured([share](double x) { return 0.01 * share * errorBefore(x); });
+        };
+        auto request = promised(0.0005);
+        request.uncertainty = 0.0002;
+        for (const double share : {1.0, 2.0}) {
+            const auto good = compareMeasurements(small(1.0), small(share), request);
+            VERIFY_RESULT(good);
+            QCOMPARE(good->isAsPredicted, std::optional(true));
+            QVERIFY(!good->isNoBetter && good->hints.empty());
+        }
+        const auto worse = compareMeasurements(small(1.0), small(3.0), request);
+        VERIFY_RESULT(worse);
+        QCOMPARE(worse->isAsPredicted, std::optional(false));
+        QVERIFY(worse->isNoBetter && !worse->hints.empty());
+    }
+
+    /// E up is what M is of both directions; +-d in two runs leave s = sqrt(2) d, and 2 s / sqrt(2)
+    /// of their mean.
+    void runsOfOneDirectionAreJudgedByTheirE()
+    {
+        const auto before = upAlone(measured(&errorBefore));
+        const auto after = [](double share) {
+            return upAlone(measured([share](double x) { return share * errorBefore(x); }, 1e-4));
+        };
+        const auto good = compareMeasurements(before, after(0.05), promised(1e-3));
+        VERIFY_RESULT(good);
+        QCOMPARE(good->promised, Iso230Figure::EUp);
+        QVERIFY(std::abs(*good->largestAsPredicted - 1.4e-3) < 1e-15);
+        QCOMPARE(good->isAsPredicted, std::optional(true));
+        QVERIFY(good->hints.empty());
+        for (const auto& request : {promised(1e-3), ComparisonRequest{}}) {
+            const auto twice = compareMeasurements(before, after(2.0), request);
+            VERIFY_RESULT(twice);
+            QCOMPARE(twice->isAsPredicted, request.heldOut ? std::optional(false) : std::nullopt);
+            QCOMPARE(twice->hints.size(), std::size_t{1});
+            QCOMPARE(twice->hints.front().name, std::string_view("Sign"));
+        }
+    }
+
+    /// What is promised of the mean of both directions is not shown by one, but its error can be
+    /// the old one.
+    void runsOfOneDirectionLeaveAPromiseOfBothOpen()
+    {
+        const auto after = upAlone(measured([](double x) { return 2.0 * errorBefore(x); }));
+        const auto result =
+            compareMeasurements(measured(&errorBefore, 0.0, 2e-3), after, promised(1e-3));
+        VERIFY_RESULT(result);
+        QCOMPARE(result->promised, Iso230Figure::M);
+        QVERIFY(!result->largestAsPredicted && !result->isAsPredicted);
+        QCOMPARE(result->hints.front().name, std::string_view("Sign"));
     }
 
     void whatIsLeftSaysWhatToLookAt_data()

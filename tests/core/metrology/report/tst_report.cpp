@@ -330,6 +330,33 @@ private Q_SLOTS:
         QVERIFY(htmlOf(content).contains(QStringLiteral("There is no measurement afterwards")));
     }
 
+    /// A up, and E up beside what was held out.
+    void runsOfOneDirectionHaveItsFigures()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        const auto takeUp = [](ReportMeasurement& reported) {
+            std::erase_if(reported.measurement.values,
+                [](const RunValue& value) { return value.direction == Approach::Down; });
+        };
+        takeUp(*content.after);
+        QString html = htmlOf(content);
+        QVERIFY(textsOf(html).join(u'|').contains(
+            QStringLiteral("Accuracy A: 18.57 µm before, not defined after.|A↑: 18.07 µm before, "
+                           "1.81 µm after.")));
+        takeUp(*content.before);
+        html = htmlOf(content);
+        const QString text = textsOf(html).join(u'|');
+        QVERIFY2(text.contains(QStringLiteral("Accuracy A↑: 18.07 µm before, 1.81 µm after.")),
+            qPrintable(text));
+        QVERIFY(!text.contains(QStringLiteral("The accuracy A is not defined")));
+        QCOMPARE(rowOf(html, QStringLiteral("systematic deviation E, up")).at(3),
+            QStringLiteral("17.79"));
+        QCOMPARE(rowOf(html, QStringLiteral("range of the mean deviation M")).at(3),
+            QStringLiteral("–"));
+        QVERIFY(text.contains(QStringLiteral("was made without: E↑ 17.79 µm, rms")));
+    }
+
     void aVerdictThatIsMissedByLittleReadsSo()
     {
         ReportContent content = wholeContent();
