@@ -8737,6 +8737,14 @@
         <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
         <translation>niemand hat veröffentlicht, dass ein Wert höchstens {most} ist (largest-step): mit einer Datei dieser Steuerung vergleichen</translation>
     </message>
+    <message>
+        <source>this counts only with {member}, which is missing</source>
+        <translation>das zählt nur zusammen mit {member}, und das fehlt</translation>
+    </message>
+    <message>
+        <source>it states no term of the uncertainty</source>
+        <translation>es nennt keinen Beitrag zur Messunsicherheit</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10584,6 +10592,10 @@
         <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
         <translation>die Zielpositionen der zweiten Messung liegen bis zu {second} auseinander, die der ersten bis zu {first}: was dazwischen liegt, ist nicht nachgemessen</translation>
     </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation>zwischen den Zielpositionen ist der Fehler nicht gut genug bekannt: ohne die jeweilige Zielposition vorhergesagt ist E der gemessenen Richtung {heldOut}, vorher war es {before}; messen Sie an mehr Zielpositionen</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11146,14 +11158,6 @@
         <translation>nicht definiert</translation>
     </message>
     <message>
-        <source>Accuracy A: {before} before, {after} after.</source>
-        <translation>Genauigkeit A: {before} vorher, {after} nachher.</translation>
-    </message>
-    <message>
-        <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
-        <translation>Genauigkeit A: {before} vorher. Im Protokoll steht keine Messung danach.</translation>
-    </message>
-    <message>
         <source>The accuracy A before is not defined.</source>
         <translation>Die Genauigkeit A vorher ist nicht definiert.</translation>
     </message>
@@ -11300,10 +11304,6 @@
     <message>
         <source>held out</source>
         <translation>ausgelassen</translation>
-    </message>
-    <message>
-        <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
-        <translation>Ausgelassen: was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: M {range}, Effektivwert {rms}, größter Wert {largest}. Von beiden Vorhersagen ist dies die glaubwürdige.</translation>
     </message>
     <message>
         <source>Verdict on the measurement after</source>
@@ -11572,6 +11572,18 @@
     <message>
         <source>values taken as deviations, the file says positions of the reference</source>
         <translation>Werte als Abweichungen genommen, laut Datei Positionen der Referenz</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before, {after} after.</source>
+        <translation>Genauigkeit {figure}: {before} vorher, {after} nachher.</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before. There is no measurement afterwards on record.</source>
+        <translation>Genauigkeit {figure}: {before} vorher. Im Protokoll steht keine Messung danach.</translation>
+    </message>
+    <message>
+        <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
+        <translation>Ausgelassen: was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: {figure} {range}, Effektivwert {rms}, größter Wert {largest}. Von beiden Vorhersagen ist dies die glaubwürdige.</translation>
     </message>
 </context>
 <context>
@@ -15683,6 +15695,10 @@
         <source>Before the table is used</source>
         <translation>Bevor die Tabelle verwendet wird</translation>
     </message>
+    <message>
+        <source>%1, held out %2</source>
+        <translation>%1, ausgelassen %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ForeignChange</name>
@@ -17706,14 +17722,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Zwischen den Zielpositionen wurde nichts vorhergesagt: verglichen werden nur vorher und nachher.</translation>
     </message>
     <message>
-        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
-    </message>
-    <message>
-        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Nicht wie vorhergesagt: M ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von M ausgelassen, und was sich nicht sagen lässt).</translation>
-    </message>
-    <message>
         <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
         <translation>Keine Tabelle dieses Protokolls ist in Gebrauch: eine zweite Messung wird nur mit der von Messen verglichen. Um eine Tabelle nachzuweisen, öffnen Sie ein Protokoll mit ihr.</translation>
     </message>
@@ -17754,12 +17762,32 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Die zweite Messung deckt nur einen Teil des Verfahrwegs der ersten ab.</translation>
     </message>
     <message>
-        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
-        <translation>Ob es wie vorhergesagt ist, bleibt offen, da weniger von der Achse gemessen wurde: M ist nachher %1, und bis %2 gilt als wie vorhergesagt.</translation>
-    </message>
-    <message>
         <source>The measurement is in the record, and that is saved: write the report.</source>
         <translation>Die Messung ist im Protokoll, und das ist gespeichert: Schreiben Sie den Bericht.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %1 is not defined after.</source>
+        <translation>Ob es wie vorhergesagt ist, bleibt offen, da %1 nachher nicht definiert ist.</translation>
+    </message>
+    <message>
+        <source>Not as predicted, since the machine is no better than before: %3 is %1 after and was %2 before.</source>
+        <translation>Nicht wie vorhergesagt, da die Maschine nicht besser ist als vorher: %3 ist nachher %1 und war vorher %2.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %3 is smaller than before by no more than what cannot be told: %3 is %1 after and was %2 before.</source>
+        <translation>Ob es wie vorhergesagt ist, bleibt offen, da %3 um nicht mehr kleiner ist als vorher, als sich nicht sagen lässt: %3 ist nachher %1 und war vorher %2.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>Ob es wie vorhergesagt ist, bleibt offen, da weniger von der Achse gemessen wurde: %3 ist nachher %1, und bis %2 gilt als wie vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>Wie vorhergesagt: %3 ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von %3 ausgelassen, und was sich nicht sagen lässt).</translation>
+    </message>
+    <message>
+        <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>Nicht wie vorhergesagt: %3 ist nachher %1, und bis %2 gilt als wie vorhergesagt (das 1,2-Fache von %3 ausgelassen, und was sich nicht sagen lässt).</translation>
     </message>
 </context>
 <context>

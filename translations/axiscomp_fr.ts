@@ -8737,6 +8737,14 @@
         <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
         <translation>personne n&apos;a publié qu&apos;une valeur vaut au plus {most} (largest-step)&#xa0;: comparer avec un fichier de cette commande</translation>
     </message>
+    <message>
+        <source>this counts only with {member}, which is missing</source>
+        <translation>ceci ne compte qu&apos;avec {member}, qui manque</translation>
+    </message>
+    <message>
+        <source>it states no term of the uncertainty</source>
+        <translation>il n&apos;indique aucune composante de l&apos;incertitude</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10584,6 +10592,10 @@
         <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
         <translation>les positions cibles de la seconde mesure sont espacées de {second} au plus, celles de la première de {first} : ce qui se trouve entre elles n&apos;est pas remesuré</translation>
     </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue&#xa0;: prévu sans chaque position cible, E du sens mesuré vaut {heldOut}, contre {before} avant&#xa0;; mesurer à plus de positions cibles</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11146,14 +11158,6 @@
         <translation>non défini</translation>
     </message>
     <message>
-        <source>Accuracy A: {before} before, {after} after.</source>
-        <translation>Exactitude A&#xa0;: {before} avant, {after} après.</translation>
-    </message>
-    <message>
-        <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
-        <translation>Exactitude A&#xa0;: {before} avant. La fiche ne contient pas de mesure ultérieure.</translation>
-    </message>
-    <message>
         <source>The accuracy A before is not defined.</source>
         <translation>L&apos;exactitude A d&apos;avant n&apos;est pas définie.</translation>
     </message>
@@ -11300,10 +11304,6 @@
     <message>
         <source>held out</source>
         <translation>hors ajustement</translation>
-    </message>
-    <message>
-        <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
-        <translation>Hors ajustement&#xa0;: ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: M {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
     </message>
     <message>
         <source>Verdict on the measurement after</source>
@@ -11572,6 +11572,18 @@
     <message>
         <source>values taken as deviations, the file says positions of the reference</source>
         <translation>valeurs prises comme écarts, le fichier dit positions de la référence</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before, {after} after.</source>
+        <translation>Exactitude {figure}&#xa0;: {before} avant, {after} après.</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before. There is no measurement afterwards on record.</source>
+        <translation>Exactitude {figure}&#xa0;: {before} avant. La fiche ne contient pas de mesure ultérieure.</translation>
+    </message>
+    <message>
+        <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
+        <translation>Hors ajustement&#xa0;: ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: {figure} {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
     </message>
 </context>
 <context>
@@ -15683,6 +15695,10 @@
         <source>Before the table is used</source>
         <translation>Avant d&apos;utiliser la table</translation>
     </message>
+    <message>
+        <source>%1, held out %2</source>
+        <translation>%1, hors ajustement %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ForeignChange</name>
@@ -17706,14 +17722,6 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>Rien n&apos;était prévu entre les positions cibles&#xa0;: seuls avant et après sont comparés.</translation>
     </message>
     <message>
-        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Conforme à la prévision&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
-    </message>
-    <message>
-        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>Non conforme à la prévision&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois M hors ajustement, et ce qui ne peut être déterminé).</translation>
-    </message>
-    <message>
         <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
         <translation>Aucune table de cette fiche n&apos;est utilisée&#xa0;: une deuxième mesure n&apos;est comparée qu&apos;à celle de Mesurer. Ouvrir une fiche avec une table pour valider celle-ci.</translation>
     </message>
@@ -17754,12 +17762,32 @@ Logiciel libre sous licence GNU General Public License, version 3 ou ultérieure
         <translation>La deuxième mesure ne couvre qu&apos;une partie de la course de la première.</translation>
     </message>
     <message>
-        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
-        <translation>La conformité à la prévision reste ouverte, car une moindre partie de l&apos;axe a été mesurée&#xa0;: M vaut %1 après, et jusqu&apos;à %2 est conforme.</translation>
-    </message>
-    <message>
         <source>The measurement is in the record, and that is saved: write the report.</source>
         <translation>La mesure est dans la fiche, qui est enregistrée&#xa0;: écrire le rapport.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %1 is not defined after.</source>
+        <translation>La conformité à la prévision reste ouverte, car %1 n&apos;est pas défini après.</translation>
+    </message>
+    <message>
+        <source>Not as predicted, since the machine is no better than before: %3 is %1 after and was %2 before.</source>
+        <translation>Non conforme à la prévision, car la machine n&apos;est pas meilleure qu&apos;avant&#xa0;: %3 vaut %1 après et valait %2 avant.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %3 is smaller than before by no more than what cannot be told: %3 is %1 after and was %2 before.</source>
+        <translation>La conformité à la prévision reste ouverte, car %3 n&apos;a pas diminué de plus que ce qui ne peut être déterminé&#xa0;: %3 vaut %1 après et valait %2 avant.</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>La conformité à la prévision reste ouverte, car une moindre partie de l&apos;axe a été mesurée&#xa0;: %3 vaut %1 après, et jusqu&apos;à %2 est conforme.</translation>
+    </message>
+    <message>
+        <source>As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>Conforme à la prévision&#xa0;: %3 vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois %3 hors ajustement, et ce qui ne peut être déterminé).</translation>
+    </message>
+    <message>
+        <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>Non conforme à la prévision&#xa0;: %3 vaut %1 après, et jusqu&apos;à %2 est conforme (1,2 fois %3 hors ajustement, et ce qui ne peut être déterminé).</translation>
     </message>
 </context>
 <context>

@@ -8695,6 +8695,14 @@
         <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
         <translation>値が {most} 以下であること (largest-step) は公開されていません。このコントローラのファイルと比べてください</translation>
     </message>
+    <message>
+        <source>this counts only with {member}, which is missing</source>
+        <translation>{member} とそろって初めて有効ですが、それが欠落しています</translation>
+    </message>
+    <message>
+        <source>it states no term of the uncertainty</source>
+        <translation>不確かさの成分が 1 つも記載されていません</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10533,6 +10541,10 @@
         <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
         <translation>2 回目の測定の目標位置の間隔は最大 {second}、1 回目は最大 {first} です。その間は再測定されていません</translation>
     </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation>目標位置の間の誤差が十分に把握できていません。各目標位置を使わずに予測した、測定方向の E は {heldOut} で、補正前は {before} です。目標位置を増やして測定してください</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11095,14 +11107,6 @@
         <translation>未定義</translation>
     </message>
     <message>
-        <source>Accuracy A: {before} before, {after} after.</source>
-        <translation>正確さ A: 補正前 {before}、補正後 {after}。</translation>
-    </message>
-    <message>
-        <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
-        <translation>正確さ A: 補正前 {before}。記録に補正後の測定はありません。</translation>
-    </message>
-    <message>
         <source>The accuracy A before is not defined.</source>
         <translation>補正前の正確さ A は未定義です。</translation>
     </message>
@@ -11249,10 +11253,6 @@
     <message>
         <source>held out</source>
         <translation>未使用点</translation>
-    </message>
-    <message>
-        <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
-        <translation>未使用点: テーブルの作成に使わなかった目標位置に残る誤差。M {range}、rms {rms}、最大 {largest}。2 つの予測のうち、信頼できるのはこちらです。</translation>
     </message>
     <message>
         <source>Verdict on the measurement after</source>
@@ -11518,6 +11518,18 @@
     <message>
         <source>values taken as deviations, the file says positions of the reference</source>
         <translation>値を偏差として読み取り(ファイルには基準の位置とある)</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before, {after} after.</source>
+        <translation>正確さ {figure}: 補正前 {before}、補正後 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before. There is no measurement afterwards on record.</source>
+        <translation>正確さ {figure}: 補正前 {before}。記録に補正後の測定はありません。</translation>
+    </message>
+    <message>
+        <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
+        <translation>未使用点: テーブルの作成に使わなかった目標位置に残る誤差。{figure} {range}、rms {rms}、最大 {largest}。2 つの予測のうち、信頼できるのはこちらです。</translation>
     </message>
 </context>
 <context>
@@ -15629,6 +15641,10 @@
         <source>Before the table is used</source>
         <translation>テーブルを使う前の注意</translation>
     </message>
+    <message>
+        <source>%1, held out %2</source>
+        <translation>%1 (未使用点 %2)</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ForeignChange</name>
@@ -17652,14 +17668,6 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <translation>目標位置の間の予測がありません。補正前と補正後だけを比較します。</translation>
     </message>
     <message>
-        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>予測どおり: 補正後の M は %1 で、%2 以下なら予測どおりです (未使用点の M の 1.2 倍に、判別できない分を加えた値)。</translation>
-    </message>
-    <message>
-        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>予測と不一致: 補正後の M は %1 で、%2 以下なら予測どおりです (未使用点の M の 1.2 倍に、判別できない分を加えた値)。</translation>
-    </message>
-    <message>
         <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
         <translation>この記録のテーブルは使われていません。2 回目の測定は [測定] の測定とだけ比較します。テーブルを検証するには、テーブルのある記録を開いてください。</translation>
     </message>
@@ -17700,12 +17708,32 @@ GNU General Public License バージョン 3 以降によるフリーソフト�
         <translation>2 回目の測定は、1 回目の測定のストロークの一部しか含んでいません。</translation>
     </message>
     <message>
-        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
-        <translation>軸の一部しか測定していないため、予測どおりかどうかは判断できません。補正後の M は %1 で、%2 以下なら予測どおりです。</translation>
-    </message>
-    <message>
         <source>The measurement is in the record, and that is saved: write the report.</source>
         <translation>測定は記録に入り、記録は保存されています。報告書を作成してください。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %1 is not defined after.</source>
+        <translation>補正後の %1 が未定義のため、予測どおりかどうかは判断できません。</translation>
+    </message>
+    <message>
+        <source>Not as predicted, since the machine is no better than before: %3 is %1 after and was %2 before.</source>
+        <translation>予測と不一致: 機械は補正前より良くなっていません。%3 は補正後 %1、補正前 %2 です。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %3 is smaller than before by no more than what cannot be told: %3 is %1 after and was %2 before.</source>
+        <translation>%3 の減少が判別できない範囲にとどまるため、予測どおりかどうかは判断できません。%3 は補正後 %1、補正前 %2 です。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>軸の一部しか測定していないため、予測どおりかどうかは判断できません。補正後の %3 は %1 で、%2 以下なら予測どおりです。</translation>
+    </message>
+    <message>
+        <source>As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>予測どおり: 補正後の %3 は %1 で、%2 以下なら予測どおりです (未使用点の %3 の 1.2 倍に、判別できない分を加えた値)。</translation>
+    </message>
+    <message>
+        <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>予測と不一致: 補正後の %3 は %1 で、%2 以下なら予測どおりです (未使用点の %3 の 1.2 倍に、判別できない分を加えた値)。</translation>
     </message>
 </context>
 <context>

@@ -8695,6 +8695,14 @@
         <source>nobody has published that a value is at most {most} (largest-step): compare with a file of this controller</source>
         <translation>值最多为 {most}（largest-step）未经公开：请与该控制器的文件比较</translation>
     </message>
+    <message>
+        <source>this counts only with {member}, which is missing</source>
+        <translation>此项须与 {member} 一起才有效，但缺少后者</translation>
+    </message>
+    <message>
+        <source>it states no term of the uncertainty</source>
+        <translation>其中没有给出任何不确定度分量</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -10533,6 +10541,10 @@
         <source>the targets of the second measurement are up to {second} apart, those of the first one up to {first}: what lies between them is not measured again</source>
         <translation>第二次测量的目标位置最大间距为 {second}，第一次为 {first}：其间未重新测量</translation>
     </message>
+    <message>
+        <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
+        <translation>目标位置之间的误差了解不足：逐个留出目标位置的预测，所测方向的 E 为 {heldOut}，而补偿前为 {before}；请测量更多的目标位置</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11095,14 +11107,6 @@
         <translation>无定义</translation>
     </message>
     <message>
-        <source>Accuracy A: {before} before, {after} after.</source>
-        <translation>定位精度 A：补偿前 {before}，补偿后 {after}。</translation>
-    </message>
-    <message>
-        <source>Accuracy A: {before} before. There is no measurement afterwards on record.</source>
-        <translation>定位精度 A：补偿前 {before}。档案中没有补偿后的测量。</translation>
-    </message>
-    <message>
         <source>The accuracy A before is not defined.</source>
         <translation>补偿前的定位精度 A 无定义。</translation>
     </message>
@@ -11249,10 +11253,6 @@
     <message>
         <source>held out</source>
         <translation>留出</translation>
-    </message>
-    <message>
-        <source>Held out: what is left at targets that the table was made without: M {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
-        <translation>留出：未用于生成表的目标位置上的残余误差：M {range}，均方根 {rms}，最大 {largest}。两种预测中以此为准。</translation>
     </message>
     <message>
         <source>Verdict on the measurement after</source>
@@ -11518,6 +11518,18 @@
     <message>
         <source>values taken as deviations, the file says positions of the reference</source>
         <translation>数值按偏差读取，文件中写的是参考位置</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before, {after} after.</source>
+        <translation>定位精度 {figure}：补偿前 {before}，补偿后 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy {figure}: {before} before. There is no measurement afterwards on record.</source>
+        <translation>定位精度 {figure}：补偿前 {before}。档案中没有补偿后的测量。</translation>
+    </message>
+    <message>
+        <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
+        <translation>留出：未用于生成表的目标位置上的残余误差：{figure} {range}，均方根 {rms}，最大 {largest}。两种预测中以此为准。</translation>
     </message>
 </context>
 <context>
@@ -15629,6 +15641,10 @@
         <source>Before the table is used</source>
         <translation>使用该表之前</translation>
     </message>
+    <message>
+        <source>%1, held out %2</source>
+        <translation>%1，留出 %2</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::ForeignChange</name>
@@ -17652,14 +17668,6 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <translation>目标位置之间没有预测：只比较补偿前和补偿后。</translation>
     </message>
     <message>
-        <source>As predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>与预测相符：补偿后 M 为 %1，不超过 %2 即为相符（留出 M 的 1.2 倍，加上无法分辨的部分）。</translation>
-    </message>
-    <message>
-        <source>Not as predicted: M is %1 after, and up to %2 is as predicted (1.2 times M held out, and what cannot be told).</source>
-        <translation>与预测不符：补偿后 M 为 %1，不超过 %2 才为相符（留出 M 的 1.2 倍，加上无法分辨的部分）。</translation>
-    </message>
-    <message>
         <source>No table of this record is in use: a second measurement is compared with that of Measure alone. Open a record with a table to prove that one.</source>
         <translation>此档案没有使用中的表：第二次测量只与“测量”中的测量比较。要验证一个表，请打开含该表的档案。</translation>
     </message>
@@ -17700,12 +17708,32 @@ Free software under the GNU General Public License, version 3 or later.</source>
         <translation>第二次测量只覆盖第一次测量行程的一部分。</translation>
     </message>
     <message>
-        <source>Whether it is as predicted is open, since less of the axis was measured: M is %1 after, and up to %2 is as predicted.</source>
-        <translation>由于只测量了轴的一部分，无法判断是否与预测相符：补偿后 M 为 %1，不超过 %2 即为相符。</translation>
-    </message>
-    <message>
         <source>The measurement is in the record, and that is saved: write the report.</source>
         <translation>该测量已在档案中，档案已保存：请生成报告。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %1 is not defined after.</source>
+        <translation>由于补偿后 %1 无定义，无法判断是否与预测相符。</translation>
+    </message>
+    <message>
+        <source>Not as predicted, since the machine is no better than before: %3 is %1 after and was %2 before.</source>
+        <translation>与预测不符，因为机床不比补偿前好：%3 补偿后为 %1，补偿前为 %2。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since %3 is smaller than before by no more than what cannot be told: %3 is %1 after and was %2 before.</source>
+        <translation>由于 %3 的减小不超过无法分辨的部分，无法判断是否与预测相符：%3 补偿后为 %1，补偿前为 %2。</translation>
+    </message>
+    <message>
+        <source>Whether it is as predicted is open, since less of the axis was measured: %3 is %1 after, and up to %2 is as predicted.</source>
+        <translation>由于只测量了轴的一部分，无法判断是否与预测相符：补偿后 %3 为 %1，不超过 %2 即为相符。</translation>
+    </message>
+    <message>
+        <source>As predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>与预测相符：补偿后 %3 为 %1，不超过 %2 即为相符（留出 %3 的 1.2 倍，加上无法分辨的部分）。</translation>
+    </message>
+    <message>
+        <source>Not as predicted: %3 is %1 after, and up to %2 is as predicted (1.2 times %3 held out, and what cannot be told).</source>
+        <translation>与预测不符：补偿后 %3 为 %1，不超过 %2 才为相符（留出 %3 的 1.2 倍，加上无法分辨的部分）。</translation>
     </message>
 </context>
 <context>
