@@ -3,7 +3,7 @@
 
 #include "core/conversion/adjustment.h"
 #include "core/conversion/directions.h"
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/table_format.h"
 #include "core/neutral/lookup_note.h"

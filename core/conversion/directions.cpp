@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/directions.h"
-#include "core/conversion/conversion_errors.h"
+#include "core/conversion/resampling/resampling_errors.h"
 
 #include "core/neutral/table_motion.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/import_choices.h"
 
-#include "core/conversion/conversion_errors.h"
+#include "core/conversion/resampling/resampling_errors.h"
 
 #include <cmath>
 

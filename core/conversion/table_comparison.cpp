@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/parallel.h"
 #include "core/base/portable_math.h"
-#include "core/conversion/conversion_errors.h"
+#include "core/conversion/resampling/resampling_errors.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/grid_points.h"
 #include "core/metrology/fit/scatter_fit.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/curve/curve_grid.h"
 #include "core/curve/fitted_curve.h"
 #include "core/metrology/fit/lookup_frame.h"

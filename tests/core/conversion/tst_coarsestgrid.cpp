@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/text/number_text.h"
 
 #include "tests/core/conversion/numeric_tables.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tables that follow a spline more closely than their own points do (AN140 5.2).
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/curve/smoothing_spline.h"
 #include "core/metrology/judge/iso230.h"
 

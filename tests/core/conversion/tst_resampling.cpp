@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 
-#include "core/conversion/axis_interpolant.h"
+#include "core/conversion/resampling/axis_interpolant.h"
 #include "tests/core/conversion/numeric_tables.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/directions.h"
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/formats/formats.h"
 #include "core/neutral/table_motion.h"

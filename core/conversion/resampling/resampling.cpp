@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 
 #include "core/base/parallel.h"
-#include "core/conversion/axis_interpolant.h"
-#include "core/conversion/conversion_errors.h"
+#include "core/conversion/resampling/axis_interpolant.h"
+#include "core/conversion/resampling/resampling_errors.h"
 #include "core/curve/curve_grid.h"
 #include "core/io/large_memory.h"
 #include "core/neutral/table_motion.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/conversion/resampling.h"
+#include "core/conversion/resampling/resampling.h"
 #include "core/curve/eight_lines.h"
 #include "core/curve/fitted_curve.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/conversion/axis_interpolant.h"
+#include "core/conversion/resampling/axis_interpolant.h"
 
 #include "core/curve/curve_slopes.h"
 #include "core/curve/smoothing_spline.h"
