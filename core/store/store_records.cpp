@@ -59,6 +59,19 @@ std::optional<Grid> gridOf(const std::string& text)
     return document.problem() ? std::nullopt : std::optional(std::move(grid));
 }
 
+std::string unitsText(const TableUnits& units)
+{
+    return units == TableUnits{} ? std::string() : jsonText(toJson(units));
+}
+
+/// What cannot be read is not known.
+TableUnits unitsOf(const std::string& text)
+{
+    StrictJson document{text, registerLimits};
+    TableUnits units = unitsFromJson(document.root());
+    return document.problem() ? TableUnits{} : units;
+}
+
 std::string targetsText(const std::vector<std::string>& targets)
 {
     std::string text;
@@ -81,14 +94,15 @@ void putJournal(
     using Table = JournalEntry::KeptTable;
     Statement(database,
         "INSERT OR REPLACE INTO journal (serial, axis, time, step, backup, registers, slot, crc, "
-        "persistent, table_file, table_size, table_crc, deleted_slot) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)",
+        "persistent, table_file, table_size, table_crc, deleted_slot, units) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
         entry.serialNumber, entry.axis, stored(entry.time), entry.step,
         (isInside ? relative : entry.backup).string(), jsonText(toJson(entry.newRegisters)),
         entry.newSlot, entry.newCrc, entry.persistent,
         table ? table->file.filename().string() : std::string(),
         ofTable([](const Table& kept) { return kept.size; }),
-        ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot)
+        ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot,
+        unitsText(entry.newUnits))
         .run();
 }
 
@@ -97,7 +111,7 @@ std::optional<JournalEntry> journal(
 {
     Statement row(database,
         "SELECT time, step, backup, registers, slot, crc, persistent, table_file, table_size, "
-        "table_crc, deleted_slot FROM journal WHERE serial = ?1 AND axis = ?2",
+        "table_crc, deleted_slot, units FROM journal WHERE serial = ?1 AND axis = ?2",
         serialNumber, axis);
     if (!row.next())
         return std::nullopt;
@@ -110,6 +124,7 @@ std::optional<JournalEntry> journal(
         entry.newTable = JournalEntry::KeptTable{
             folder / pathFromText(row.text(7)), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
     entry.deletedSlot = row.text(10);
+    entry.newUnits = unitsOf(row.text(11));
     return entry;
 }
 

@@ -83,6 +83,8 @@ ALTER TABLE measured ADD COLUMN after_last REAL;
 ALTER TABLE measured ADD COLUMN lookup_at TEXT NOT NULL DEFAULT '';
 ALTER TABLE measured ADD COLUMN targets TEXT NOT NULL DEFAULT '';
 )",
+    // Of the new table, as JSON (toJson of TableUnits); empty: not known.
+    "ALTER TABLE journal ADD COLUMN units TEXT NOT NULL DEFAULT ''",
 };
 
 } // namespace

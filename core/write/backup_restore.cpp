@@ -14,8 +14,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int mostDimensions = 3;
-
 std::string hexAddress(std::uint32_t address)
 {
     char digits[8];
@@ -219,7 +217,7 @@ Result<WriteRequest> restoreRequest(
     } else {
         // The slot that the axis named held nothing, and may hold somebody else's table by now.
         request.withoutTable = true;
-        request.dimensionality = mostDimensions;
+        request.dimensionality = dimensionsOfBackup;
         AXISCOMP_TRY(request.leavesEmptySlot, holdsRegisters(access, backup.registers));
     }
     request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);

@@ -8,6 +8,9 @@
 
 namespace axiscomp {
 
+/// As many sources as a backup may have.
+inline constexpr int dimensionsOfBackup = 3;
+
 /// Table, sources and table file of every axis with compensation registers.
 [[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
     const DriveIdentity& drive, SourceDirectory& sources, WallTime now);

@@ -14,20 +14,24 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int dimensionsOfBackup = 3;
-
 bool isKnownUnit(const std::string& unit)
 {
     return !unitSymbol(unit).empty();
 }
 
-Result<void> checkUnit(Text what, const std::string& kept, const std::string& now)
+/// The argument of the sentence that is about a backup, or about a write that did not end.
+NamedArgument broughtBack(BroughtBackBy by)
+{
+    return {by == BroughtBackBy::Restore ? "restored" : "recovered", Verbatim{"backup"}};
+}
+
+Result<void> checkUnit(Text what, const std::string& kept, const std::string& now, BroughtBackBy by)
 {
     if (!isKnownUnit(kept) || !isKnownUnit(now) || isSameUnit(kept, now))
         return {};
     return fail(ErrorCode::UnitMismatch,
         {{"what", std::move(what)}, {"unit", unitSymbol(kept)}, {"other", unitSymbol(now)},
-            {"restored", Verbatim{"backup"}}});
+            broughtBack(by)});
 }
 
 bool holdsTable(const AxisBackup& backup)
@@ -60,17 +64,17 @@ Result<void> checkFileLayout(const RegisterAccess& access, const AxisBackup& bac
     return {};
 }
 
-Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
+Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now, BroughtBackBy by)
 {
     AXISCOMP_CHECK(
         checkUnit(AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis),
-            kept.unit, now.unit));
+            kept.unit, now.unit, by));
     for (std::size_t n = 0; n < std::min(kept.sourceUnits.size(), now.sourceUnits.size()); ++n)
         AXISCOMP_CHECK(
             checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
                           .with("number", n + 1)
                           .with("axis", kept.axis),
-                kept.sourceUnits[n], now.sourceUnits[n]));
+                kept.sourceUnits[n], now.sourceUnits[n], by));
     return {};
 }
 
@@ -120,15 +124,15 @@ Result<void> describeAxis(
     return {};
 }
 
-Result<RestoredAxis> checkSameAxis(
-    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+Result<RestoredAxis> checkSameAxis(const RegisterAccess& access, SourceDirectory& sources,
+    const AxisBackup& backup, BroughtBackBy by)
 {
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
     AXISCOMP_CHECK(describeAxis(access, sources, now));
     if (areDifferentAxes(backup.axisName, now.axisName))
         return fail(ErrorCode::TargetMismatch,
             {{"axis", backup.axis}, {"target", Verbatim{backup.axisName}},
-                {"name", Verbatim{now.axisName}}, {"restored", Verbatim{"backup"}}});
+                {"name", Verbatim{now.axisName}}, broughtBack(by)});
     RestoredAxis axis{backup.axisName == now.axisName, {}};
     if (!backup.axisName.empty() && !now.axisName.empty() && !axis.hasSameName)
         axis.doubts.push_back(AXISCOMP_TEXT("Error",
@@ -140,7 +144,7 @@ Result<RestoredAxis> checkSameAxis(
     if (!holdsTable(backup))
         return axis;
     AXISCOMP_CHECK(checkFileLayout(access, backup, now, axis.doubts));
-    AXISCOMP_CHECK(checkUnits(backup, now));
+    AXISCOMP_CHECK(checkUnits(backup, now, by));
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
         axis.doubts.push_back(AXISCOMP_TEXT("Error",
             "The backup does not say in which unit axis {axis} was; its table is taken to be in "

@@ -22,6 +22,9 @@ namespace axiscomp {
 [[nodiscard]] Result<void> checkLayout(
     const AxisBackup& backup, const DriveProfile& profile, std::int32_t serialNumber);
 
+/// Who brings the state of a backup back, and says so in a refusal.
+enum class BroughtBackBy { Restore, Recovery };
+
 /// The axis of a backup, as it is on the drive.
 struct RestoredAxis {
     bool hasSameName = false; ///< as when the backup was made
@@ -30,7 +33,7 @@ struct RestoredAxis {
 
 /// That the axis is still the one of the backup, and that the numbers of its table mean what they
 /// meant. Errors: TargetMismatch, UnitMismatch, InvalidArgument for another layout of table files.
-[[nodiscard]] Result<RestoredAxis> checkSameAxis(
-    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
+[[nodiscard]] Result<RestoredAxis> checkSameAxis(const RegisterAccess& access,
+    SourceDirectory& sources, const AxisBackup& backup, BroughtBackBy by = BroughtBackBy::Restore);
 
 } // namespace axiscomp

@@ -53,6 +53,7 @@ JournalEntry entryFor(int axis)
     entry.newCrc = 0x00c0ffee;
     entry.persistent = true;
     entry.deletedSlot = "Small4";
+    entry.newUnits = {"Millimeter", {"Millimeter", "", "Degree"}};
     return entry;
 }
 
