@@ -422,6 +422,12 @@ constexpr std::array variants{
             "the {what} were in {unit} when the write began, and the drive has them in {other} "
             "now, so that the same numbers would mean something else; set the unit on the drive to "
             "{unit} again, or write the table from its file")},
+    Variant{ErrorCode::UnitMismatch, "recorded",
+        AXISCOMP_TEXT("Error",
+            "the {what} of the record's table were in {unit} when it was written, and the drive "
+            "has them in {other} now, so that the same numbers mean something else; set the unit "
+            "on the drive to {unit} again, or write the record's table again (`axiscomp write "
+            "--record`)")},
     Variant{ErrorCode::OtherDrive, "measured",
         AXISCOMP_TEXT("Error",
             "the line // drive: of the file says that the drive with the serial number {expected} "

@@ -42,8 +42,8 @@ enum class ErrorCode {
     ///< kept: of a table on the drive or in a backup; restored by a backup, or recovered: axis,
     ///< target, name
     UnitMismatch, ///< what, unit, other; restored: by a backup; recovered: after a write that did
-    ///< not end; kept: by the axis; or keptKind, number, before, source: a position and a
-    ///< temperature
+    ///< not end; recorded: of the table of a record; kept: by the axis; or keptKind, number,
+    ///< before, source: a position and a temperature
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason

@@ -338,13 +338,15 @@ void putMeasured(Connection& database, std::int32_t serialNumber, int axis,
         ends = {ranges->before.first, ranges->before.last, ranges->after.first, ranges->after.last};
     Statement(database,
         "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out, "
-        "before_first, before_last, after_first, after_last, lookup_at, targets) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
+        "before_first, before_last, after_first, after_last, lookup_at, targets, units, "
+        "axis_name) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
         serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
         measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string(),
         static_cast<std::int64_t>(measured.excluded), ends[0], ends[1], ends[2], ends[3],
         measured.madeFor.at ? std::string(lookupAtName(*measured.madeFor.at)) : std::string(),
-        targetsText(measured.madeFor.targets))
+        targetsText(measured.madeFor.targets), unitsText(measured.units.value_or(TableUnits{})),
+        measured.axisName)
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -370,7 +372,7 @@ std::optional<MeasuredFigures> measured(
 {
     Statement table(database,
         "SELECT time, date, angular, grid, left_out, before_first, before_last, after_first, "
-        "after_last, lookup_at, targets FROM measured "
+        "after_last, lookup_at, targets, units, axis_name FROM measured "
         "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
@@ -384,6 +386,9 @@ std::optional<MeasuredFigures> measured(
     measured.madeFor.at = lookupAtNamed(table.text(9));
     if (const std::string targets = table.text(10); !targets.empty())
         measured.madeFor.targets = targetList(targets);
+    if (const TableUnits units = unitsOf(table.text(11)); !(units == TableUnits{}))
+        measured.units = units;
+    measured.axisName = table.text(12);
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

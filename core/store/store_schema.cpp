@@ -85,6 +85,11 @@ ALTER TABLE measured ADD COLUMN targets TEXT NOT NULL DEFAULT '';
 )",
     // Of the new table, as JSON (toJson of TableUnits); empty: not known.
     "ALTER TABLE journal ADD COLUMN units TEXT NOT NULL DEFAULT ''",
+    // Of the table on the drive, likewise, and the name of its axis; empty: not known.
+    R"(
+ALTER TABLE measured ADD COLUMN units TEXT NOT NULL DEFAULT '';
+ALTER TABLE measured ADD COLUMN axis_name TEXT NOT NULL DEFAULT '';
+)",
 };
 
 } // namespace

@@ -517,6 +517,8 @@ void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
     second.lesserRange = TwoRanges{{-0.1, 500.0}, {0.0, 1.0 / 3.0}};
     second.grid = Grid{{{"", "", -0.1, 1.0 / 3.0, 5}, {"", "", 7.0, 2.0, 2}}};
     second.madeFor = {LookupAt::Set, {"#2", "other"}};
+    second.units = TableUnits{"mm", {"mm", ""}};
+    second.axisName = "X";
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));
     m_store = std::make_unique<DriveStore>(m_root);
