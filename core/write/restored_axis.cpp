@@ -5,6 +5,7 @@
 #include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
+#include "core/table/table_units.h"
 #include "core/table/target_axis.h"
 #include "core/write/backup_restore.h"
 
@@ -23,15 +24,6 @@ bool isKnownUnit(const std::string& unit)
 NamedArgument broughtBack(BroughtBackBy by)
 {
     return {by == BroughtBackBy::Restore ? "restored" : "recovered", Verbatim{"backup"}};
-}
-
-Result<void> checkUnit(Text what, const std::string& kept, const std::string& now, BroughtBackBy by)
-{
-    if (!isKnownUnit(kept) || !isKnownUnit(now) || isSameUnit(kept, now))
-        return {};
-    return fail(ErrorCode::UnitMismatch,
-        {{"what", std::move(what)}, {"unit", unitSymbol(kept)}, {"other", unitSymbol(now)},
-            broughtBack(by)});
 }
 
 bool holdsTable(const AxisBackup& backup)
@@ -64,18 +56,28 @@ Result<void> checkFileLayout(const RegisterAccess& access, const AxisBackup& bac
     return {};
 }
 
+/// What the backup knows of its numbers: those of an axis without a unit may be in any.
+TableUnits unitsIn(const AxisBackup& backup)
+{
+    TableUnits units{unitSymbol(backup.unit), {}};
+    for (const std::string& unit : backup.sourceUnits)
+        units.positions.push_back(unitSymbol(unit));
+    return units;
+}
+
 Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now, BroughtBackBy by)
 {
-    AXISCOMP_CHECK(
-        checkUnit(AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis),
-            kept.unit, now.unit, by));
-    for (std::size_t n = 0; n < std::min(kept.sourceUnits.size(), now.sourceUnits.size()); ++n)
-        AXISCOMP_CHECK(
-            checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
-                          .with("number", n + 1)
-                          .with("axis", kept.axis),
-                kept.sourceUnits[n], now.sourceUnits[n], by));
-    return {};
+    const auto change = changedUnit(unitsIn(kept), {now.unit, now.sourceUnits});
+    if (!change)
+        return {};
+    Text what = change->dimension
+        ? AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
+              .with("number", *change->dimension + 1)
+              .with("axis", kept.axis)
+        : AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis);
+    return fail(ErrorCode::UnitMismatch,
+        {{"what", std::move(what)}, {"unit", change->before}, {"other", unitNow(*change)},
+            broughtBack(by)});
 }
 
 } // namespace
