@@ -38,6 +38,8 @@ struct JournalEntry {
     std::string deletedSlot{};
     /// In which units the drive took the new table; empty: older programs did not note them.
     TableUnits newUnits{};
+    /// The registers whose addresses the new sources are, dimension by dimension; empty: not known.
+    std::vector<std::string> newSourcePaths{};
 
     friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };

@@ -72,6 +72,21 @@ TableUnits unitsOf(const std::string& text)
     return document.problem() ? TableUnits{} : units;
 }
 
+std::string pathsText(const std::vector<std::string>& paths)
+{
+    return paths.empty() ? std::string() : jsonText(paths);
+}
+
+/// What cannot be read is not known.
+std::vector<std::string> pathsOf(const std::string& text)
+{
+    StrictJson document{text, registerLimits};
+    std::vector<std::string> paths;
+    for (const JsonNode& path : document.root().items())
+        paths.push_back(path.text());
+    return document.problem() ? std::vector<std::string>{} : paths;
+}
+
 std::string targetsText(const std::vector<std::string>& targets)
 {
     std::string text;
@@ -94,15 +109,15 @@ void putJournal(
     using Table = JournalEntry::KeptTable;
     Statement(database,
         "INSERT OR REPLACE INTO journal (serial, axis, time, step, backup, registers, slot, crc, "
-        "persistent, table_file, table_size, table_crc, deleted_slot, units) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
+        "persistent, table_file, table_size, table_crc, deleted_slot, units, source_paths) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15)",
         entry.serialNumber, entry.axis, stored(entry.time), entry.step,
         (isInside ? relative : entry.backup).string(), jsonText(toJson(entry.newRegisters)),
         entry.newSlot, entry.newCrc, entry.persistent,
         table ? table->file.filename().string() : std::string(),
         ofTable([](const Table& kept) { return kept.size; }),
         ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot,
-        unitsText(entry.newUnits))
+        unitsText(entry.newUnits), pathsText(entry.newSourcePaths))
         .run();
 }
 
@@ -111,7 +126,7 @@ std::optional<JournalEntry> journal(
 {
     Statement row(database,
         "SELECT time, step, backup, registers, slot, crc, persistent, table_file, table_size, "
-        "table_crc, deleted_slot, units FROM journal WHERE serial = ?1 AND axis = ?2",
+        "table_crc, deleted_slot, units, source_paths FROM journal WHERE serial = ?1 AND axis = ?2",
         serialNumber, axis);
     if (!row.next())
         return std::nullopt;
@@ -125,6 +140,7 @@ std::optional<JournalEntry> journal(
             folder / pathFromText(row.text(7)), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
     entry.deletedSlot = row.text(10);
     entry.newUnits = unitsOf(row.text(11));
+    entry.newSourcePaths = pathsOf(row.text(12));
     return entry;
 }
 

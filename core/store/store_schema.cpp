@@ -90,6 +90,8 @@ ALTER TABLE measured ADD COLUMN targets TEXT NOT NULL DEFAULT '';
 ALTER TABLE measured ADD COLUMN units TEXT NOT NULL DEFAULT '';
 ALTER TABLE measured ADD COLUMN axis_name TEXT NOT NULL DEFAULT '';
 )",
+    // The registers of the new sources, as a JSON list; empty: not known.
+    "ALTER TABLE journal ADD COLUMN source_paths TEXT NOT NULL DEFAULT ''",
 };
 
 } // namespace

@@ -26,6 +26,28 @@ NamedArgument broughtBack(BroughtBackBy by)
     return {by == BroughtBackBy::Restore ? "restored" : "recovered", Verbatim{"backup"}};
 }
 
+std::vector<std::string> withoutLastGaps(std::vector<std::string> texts)
+{
+    while (!texts.empty() && texts.back().empty())
+        texts.pop_back();
+    return texts;
+}
+
+/// Of whatever type: the axis had it. kept: the address of then, which counts where the drive does
+/// not say that of now.
+Result<DimSource> sourceOfPath(const RegisterAccess& access, SourceDirectory& sources,
+    const std::string& path, std::uint32_t kept)
+{
+    const auto readings = access.read({path});
+    if (readings) {
+        const std::uint32_t address = readings->begin()->second.address;
+        return DimSource{address != 0 ? address : kept, path};
+    }
+    if (readings.error().code != ErrorCode::UnknownRegister)
+        return fail(readings.error());
+    return sources.resolve(access, path); // which says what there is instead
+}
+
 bool holdsTable(const AxisBackup& backup)
 {
     return std::ranges::any_of(
@@ -82,6 +104,39 @@ Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now, BroughtBa
 
 } // namespace
 
+Result<std::vector<DimSource>> keptSources(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+{
+    std::vector<DimSource> used(dimensionsOfBackup);
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        const int number = static_cast<int>(n) + 1;
+        const auto address = sourceAddress(access, backup.registers, backup.axis, number);
+        const std::string path = sourcePath(backup, number);
+        if (address == 0)
+            continue;
+        AXISCOMP_TRY(used[n],
+            path.empty() ? sources.sourceAt(access, address)
+                         : sourceOfPath(access, sources, path, address));
+    }
+    return used;
+}
+
+Result<std::vector<RegisterWrite>> keptRegisters(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+{
+    AXISCOMP_TRY(const auto used, keptSources(access, sources, backup));
+    std::vector<RegisterWrite> registers = backup.registers;
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        const int number = static_cast<int>(n) + 1;
+        const auto source = std::ranges::find(registers,
+            access.axisPath(access.registers().source, backup.axis, number), &RegisterWrite::path);
+        if (source != registers.end()
+            && used[n].address != sourceAddress(access, registers, backup.axis, number))
+            source->value = used[n].address;
+    }
+    return registers;
+}
+
 Result<void> checkLayout(
     const AxisBackup& backup, const DriveProfile& profile, std::int32_t serialNumber)
 {
@@ -107,11 +162,7 @@ Result<void> describeAxis(
     backup.axisName = std::move(facts.name);
     backup.profile = access.profile().name;
     backup.layout = layoutText(access.profile().layout);
-    std::vector<DimSource> used(dimensionsOfBackup);
-    for (int n = 1; n <= dimensionsOfBackup; ++n)
-        if (const auto address = sourceAddress(access, backup.registers, backup.axis, n)) {
-            AXISCOMP_TRY(used[static_cast<std::size_t>(n) - 1], sources.sourceAt(access, address));
-        }
+    AXISCOMP_TRY(const auto used, keptSources(access, sources, backup));
     const auto unitOf = [&](int axis) -> Result<std::string> {
         if (axis == backup.axis)
             return facts.unit;
@@ -120,9 +171,11 @@ Result<void> describeAxis(
     };
     AXISCOMP_TRY(auto units, driveUnits(access.profile(), used, backup.axis, unitOf));
     backup.unit = std::move(units.values);
-    backup.sourceUnits = std::move(units.positions);
-    while (!backup.sourceUnits.empty() && backup.sourceUnits.back().empty())
-        backup.sourceUnits.pop_back();
+    backup.sourceUnits = withoutLastGaps(std::move(units.positions));
+    std::vector<std::string> paths;
+    for (const DimSource& source : used)
+        paths.push_back(source.path);
+    backup.sourcePaths = withoutLastGaps(std::move(paths));
     return {};
 }
 
@@ -130,6 +183,7 @@ Result<RestoredAxis> checkSameAxis(const RegisterAccess& access, SourceDirectory
     const AxisBackup& backup, BroughtBackBy by)
 {
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
+    now.sourcePaths = backup.sourcePaths;
     AXISCOMP_CHECK(describeAxis(access, sources, now));
     if (areDifferentAxes(backup.axisName, now.axisName))
         return fail(ErrorCode::TargetMismatch,

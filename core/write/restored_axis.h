@@ -7,14 +7,25 @@
 #include "core/store/backup.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace axiscomp {
 
 /// Fills in which axis a backup is of, in which units its table is, and how its bytes are read:
-/// name, unit, the units of the sources, which its registers name, and the profile. Without them
-/// nobody could tell later that the same numbers mean something else.
+/// name, unit, paths and units of the sources, which its registers name, and the profile. Without
+/// them nobody could tell later that the same numbers mean something else. Errors: those of
+/// keptSources.
 [[nodiscard]] Result<void> describeAxis(
     const RegisterAccess& access, SourceDirectory& sources, AxisBackup& backup);
+
+/// The sources of a backup, dimension by dimension: the registers of its paths, where it has them,
+/// since a replaced drive or another version of its firmware may have others at the same addresses.
+/// Errors: SourceNotFound where a register is not there any more.
+[[nodiscard]] Result<std::vector<DimSource>> keptSources(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
+/// Its registers, with the addresses that these sources have on the drive. Errors: likewise.
+[[nodiscard]] Result<std::vector<RegisterWrite>> keptRegisters(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup);
 
 /// That the profile reads the files of a backup as they were meant, as far as the backup says.
 /// Where nothing but the profile of that drive has changed, as when it was put right, they are the

@@ -131,6 +131,7 @@ Result<AxisBackup> UnfinishedWrite::after(const DriveStore& store) const
     if (isNoted)
         after.unit = m_entry.newUnits.values;
     after.sourceUnits = isNoted ? m_entry.newUnits.positions : unitsOfBackup();
+    after.sourcePaths = m_entry.newSourcePaths;
     return after;
 }
 
@@ -174,17 +175,17 @@ Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIden
         request.deletesTable = true;
         request.slot = m_entry.deletedSlot;
     }
+    AXISCOMP_TRY(const auto wanted, after(store));
     if (!request.withoutTable) {
-        AXISCOMP_TRY(auto file, newFile(store));
-        AXISCOMP_TRY(auto decoded, decodeTamTable(file, m_access.profile().layout));
+        AXISCOMP_TRY(
+            auto decoded, decodeTamTable(wanted.files.front().bytes, m_access.profile().layout));
         request.dimensionality = decoded.table.grid.dimensions();
         request.table = std::move(decoded.table);
         request.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
         AXISCOMP_TRY(auto slot, slotFor(store, drive));
         request.slot = std::move(slot);
     }
-    auto sources =
-        sourceTexts(m_access, m_entry.newRegisters, m_entry.axis, request.dimensionality);
+    auto sources = sourceTexts(m_access, wanted, request.dimensionality);
     if (!request.withoutTable) {
         const auto missing = std::ranges::find(sources, std::string());
         if (missing != sources.end())

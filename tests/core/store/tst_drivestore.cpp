@@ -54,6 +54,7 @@ JournalEntry entryFor(int axis)
     entry.persistent = true;
     entry.deletedSlot = "Small4";
     entry.newUnits = {"Millimeter", {"Millimeter", "", "Degree"}};
+    entry.newSourcePaths = {"Axes[0]/Signals/Position", "", "Axes[1]/Signals/Position"};
     return entry;
 }
 
