@@ -125,6 +125,13 @@ Result<Wiring> wiringFrom(
     return wiring;
 }
 
+/// PositionUnit of the axis whose position a source is; empty: it is none.
+std::string unitPathOf(const RegisterAccess& access, const DimSource& source)
+{
+    const auto owner = access.profile().axisOfPosition(source.path);
+    return owner ? access.axisPath(access.registers().positionUnit, *owner) : std::string();
+}
+
 Result<Readings> readWired(const RegisterAccess& access, int axis, const Wiring& wiring,
     const std::vector<std::string>& more)
 {
@@ -134,6 +141,8 @@ Result<Readings> readWired(const RegisterAccess& access, int axis, const Wiring&
     for (const DimSource& source : wiring.sources) {
         if (!source.path.empty())
             paths.push_back(source.path);
+        if (auto unit = unitPathOf(access, source); !unit.empty())
+            paths.push_back(std::move(unit));
     }
     append(paths, more);
     return access.readAvailable(std::move(paths));
@@ -167,6 +176,7 @@ AxisStatus statusFrom(
         status.indices[n] = numberAt(readings, access.axisPath(names.index, axis, number));
         if (!wiring.sources[n].path.empty())
             status.sourceValues[n] = numberAt(readings, wiring.sources[n].path);
+        status.sourceUnits[n] = textAt(readings, unitPathOf(access, wiring.sources[n]));
     }
     return status;
 }

@@ -14,4 +14,13 @@ TableIdentity identityOf(const TableHeader& table)
     return isShown ? TableIdentity{table.crc, table.grid} : TableIdentity{table.crc};
 }
 
+TableUnits unitsOfTable(const AxisStatus& status)
+{
+    TableUnits units{status.axis.unit, {}};
+    for (std::size_t n = 0; n < status.sourceUnits.size(); ++n)
+        if (status.setup.sources[n].isSet())
+            units.positions.push_back(status.sourceUnits[n]);
+    return units;
+}
+
 } // namespace axiscomp

@@ -7,6 +7,7 @@
 #include "core/drive/travel_coverage.h"
 #include "core/table/grid.h"
 #include "core/table/table_identity.h"
+#include "core/table/table_units.h"
 
 #include <array>
 #include <cstdint>
@@ -70,6 +71,9 @@ struct AxisStatus {
     double output = 0.0; ///< value now added to the encoder position, in position units
     std::array<double, 3> indices{};
     std::array<double, 3> sourceValues{}; ///< of the set sources
+    /// PositionUnit of the axes whose positions the sources are; empty: one is none, or the drive
+    /// does not say.
+    std::array<std::string, 3> sourceUnits{};
     std::string driveError; ///< the drive's word for an error of the whole drive, "None"
     bool hasDriveError = false;
     std::optional<JournalEntry> unfinishedWrite; ///< an earlier write that did not end
@@ -80,5 +84,8 @@ struct AxisStatus {
         return axis.state == CompensationState::Active || axis.state == CompensationState::Ramping;
     }
 };
+
+/// In which units the drive has the numbers of the axis's table.
+[[nodiscard]] TableUnits unitsOfTable(const AxisStatus& status);
 
 } // namespace axiscomp

@@ -384,6 +384,10 @@ constexpr std::array variants{
             "axis {axis} was {target} when the backup was made, and is {name} on the drive "
             "now; give the axes the order or the names that they had, or write the table "
             "from its file")},
+    Variant{ErrorCode::TargetMismatch, "recovered",
+        AXISCOMP_TEXT("Error",
+            "axis {axis} was {target} when the write began, and is {name} on the drive now; give "
+            "the axes the order or the names that they had, or write the table from its file")},
     Variant{ErrorCode::TargetMismatch, "kept",
         AXISCOMP_TEXT("Error",
             "the name of the table, {table}, says that its values correct {target}, but for axis "
@@ -413,6 +417,17 @@ constexpr std::array variants{
             "the {what} are in {unit} in the backup, and the drive has them in {other} "
             "now, so that the same numbers would mean something else; set the unit on the "
             "drive to {unit} again, or write the table from its file")},
+    Variant{ErrorCode::UnitMismatch, "recovered",
+        AXISCOMP_TEXT("Error",
+            "the {what} were in {unit} when the write began, and the drive has them in {other} "
+            "now, so that the same numbers would mean something else; set the unit on the drive to "
+            "{unit} again, or write the table from its file")},
+    Variant{ErrorCode::UnitMismatch, "recorded",
+        AXISCOMP_TEXT("Error",
+            "the {what} of the record's table were in {unit} when it was written, and the drive "
+            "has them in {other} now, so that the same numbers mean something else; set the unit "
+            "on the drive to {unit} again, or write the record's table again (`axiscomp write "
+            "--record`)")},
     Variant{ErrorCode::OtherDrive, "measured",
         AXISCOMP_TEXT("Error",
             "the line // drive: of the file says that the drive with the serial number {expected} "

@@ -39,9 +39,11 @@ enum class ErrorCode {
     SignNotStated, ///< format, sign (that is assumed), statement (how to state it)
     TargetNotKnown, ///< column, sources: whether the values correct one of these or another axis
     TargetMismatch, ///< table, target, axis, role (what the axis is among the sources), statement;
-    ///< kept: of a table on the drive or in a backup; restored by a backup: axis, target, name
-    UnitMismatch, ///< what, unit, other; restored: by a backup; kept: by the axis; or
-    ///< keptKind, number, before, source: a position and a temperature
+    ///< kept: of a table on the drive or in a backup; restored by a backup, or recovered: axis,
+    ///< target, name
+    UnitMismatch, ///< what, unit, other; restored: by a backup; recovered: after a write that did
+    ///< not end; recorded: of the table of a record; kept: by the axis; or keptKind, number,
+    ///< before, source: a position and a temperature
     LargeCorrection, ///< reason
     TableAmbiguous, ///< table, named, numbered
     ResamplingImpossible, ///< reason

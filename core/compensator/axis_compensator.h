@@ -251,7 +251,8 @@ public:
     /// A normal write that brings about the complete new state, from whatever the interruption
     /// left. After an error the write is still unfinished, and can still be undone. Errors: those
     /// of write, OtherDrive, NothingUnfinished, TableNotKept, ChangedMeanwhile when the journal is
-    /// not this entry any more.
+    /// not this entry any more; TargetMismatch and UnitMismatch when the axis has another name, or
+    /// it or a source another unit, than when the write began.
     [[nodiscard]] Result<WriteReport> finishUnfinished(
         const JournalEntry& entry, const OperationOptions& options = {});
     /// Brings back the complete state before the unfinished write, verified, with a backup of what

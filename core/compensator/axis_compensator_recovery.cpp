@@ -3,6 +3,7 @@
 // What becomes of a write that did not end.
 #include "core/compensator/axis_compensator_p.h"
 #include "core/write/backup_restore.h"
+#include "core/write/restored_axis.h"
 #include "core/write/unfinished_write.h"
 #include "core/write/write_procedure.h"
 
@@ -110,6 +111,13 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
             .costOfRecovery(*unfinished));
     if (auto fits = d->checkFlash(drive, recovery.undoFlashOperations, 0); !fits)
         recovery.undoObstacle = std::move(fits).error();
+    auto axis = checkSameAxis(access, d->sources, unfinished->before(), BroughtBackBy::Recovery);
+    if (!axis && isUnreachable(axis.error().code))
+        return fail(axis.error());
+    if (axis)
+        recovery.doubts = std::move(axis->doubts);
+    else
+        recovery.undoObstacle = axis.error();
     if (status.isOn())
         recovery.undoObstacle = compensationActive(status);
     if (auto undoable = unfinished->checkUndoable(); !undoable)
@@ -127,7 +135,11 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
 Result<PreparedWrite> AxisCompensator::Private::prepareFinish(
     const RegisterAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished)
 {
+    AXISCOMP_TRY(const auto after, unfinished.after(store));
+    AXISCOMP_TRY(auto axis, checkSameAxis(access, sources, after, BroughtBackBy::Recovery));
     AXISCOMP_TRY(auto request, unfinished.request(store, drive));
+    request.doubts = std::move(axis.doubts);
+    request.origin = axis.hasSameName ? TableOrigin::Axis : TableOrigin::Drive;
     return WritePlanner(access, store, sources, drive, clock())
         .prepare(unfinished.entry().axis, request);
 }
@@ -157,8 +169,11 @@ Result<WriteReport> AxisCompensator::undoUnfinished(
     access.report("plan", 0.0);
     AXISCOMP_TRY(auto taken, d->resume(access, entry));
     AXISCOMP_CHECK(taken.unfinished.checkUndoable());
-    return WriteProcedure(
-        access, d->store, d->sources, d->clock, taken.unfinished.prepared(taken.drive), entry)
+    AXISCOMP_TRY(auto axis,
+        checkSameAxis(access, d->sources, taken.unfinished.before(), BroughtBackBy::Recovery));
+    PreparedWrite prepared = taken.unfinished.prepared(taken.drive);
+    prepared.plan.warnings = std::move(axis.doubts);
+    return WriteProcedure(access, d->store, d->sources, d->clock, std::move(prepared), entry)
         .recoverOldState(taken.unfinished);
 }
 

@@ -6,7 +6,9 @@
 #include "core/neutral/drive_note.h"
 #include "core/store/backup_json.h"
 #include "core/table/position_unit.h"
+#include "core/table/table_units.h"
 #include "core/table/tam_table.h"
+#include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
@@ -108,6 +110,61 @@ bool isRecordedTable(
             || std::ranges::equal(recorded.table.grid.axes, found.grid->axes, arePositionsOf));
 }
 
+/// Nothing where the drive does not say any.
+std::optional<TableUnits> unitsToNote(TableUnits units)
+{
+    const bool isKnown = !units.values.empty()
+        || std::ranges::any_of(
+            units.positions, [](const std::string& unit) { return !unit.empty(); });
+    if (!isKnown)
+        return std::nullopt;
+    units.values = symbolOrWord(units.values);
+    for (std::string& unit : units.positions)
+        unit = symbolOrWord(unit);
+    return units;
+}
+
+/// Whether one of the record's tables, in the units of the axis as it is now, is the one that was
+/// written.
+bool isWrittenIn(const TableUnits& now, const CalibrationRecord& record, const AxisStatus& status,
+    const DriveProfile& profile)
+{
+    const auto own = ownDimension(profile, status.axis.index, sourcePaths(status.setup));
+    return std::ranges::any_of(record.tables, [&](const RecordedTable& recorded) {
+        const auto converted = inUnitsOfAxis(recorded.table, now, own);
+        if (!converted)
+            return false;
+        const auto crc = elementCrc(converted->table, profile.layout);
+        return crc
+            && isSameTable(TableIdentity{*crc, converted->table.grid}, record.write->table());
+    });
+}
+
+/// The same numbers may have come to mean something else.
+Result<void> checkRecordUnits(
+    const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile)
+{
+    const TableUnits now = unitsOfTable(status);
+    if (!record.write->units) {
+        if (now.values.empty() || isWrittenIn(now, record, status, profile))
+            return {};
+        return notOfRecord(AXISCOMP_TEXT("Error",
+            "the record does not say in which unit the axis was when its table was written, and in "
+            "{unit}, as the axis is now, none of its tables is the one on the drive: set the unit "
+            "that the axis had, or write the record's table again (`axiscomp write --record`)")
+                               .with("unit", symbolOrWord(now.values)));
+    }
+    const auto change = changedUnit(*record.write->units, now);
+    if (!change)
+        return {};
+    const Text what = change->dimension ? AXISCOMP_TEXT("Error", "positions of dimension {number}")
+                                              .with("number", *change->dimension + 1)
+                                        : Text(AXISCOMP_TEXT("Error", "values"));
+    return fail(ErrorCode::UnitMismatch,
+        {{"what", what}, {"unit", change->before}, {"other", unitNow(*change)},
+            {"recorded", Verbatim{"table"}}});
+}
+
 Grid spansOf(Grid grid)
 {
     for (GridAxis& axis : grid.axes) {
@@ -124,7 +181,8 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
     AXISCOMP_CHECK(checkDriveOfRecord(record, status));
     if (!record.drive
         || (record.drive->serialNumber == status.drive.serialNumber
-            && record.drive->axis == status.axis.index))
+            && record.drive->axis == status.axis.index
+            && !areDifferentAxes(record.drive->axisName, status.axis.name)))
         return {};
     return notOfRecord(AXISCOMP_TEXT(
         "Error", "the record is of {recorded}, and this is {found}; begin a record for each axis")
@@ -171,6 +229,7 @@ Result<void> recordWrite(
     write.crc = now.table->crc;
     if (auto known = identityOf(*now.table); known.grid)
         write.grid = spansOf(*std::move(known.grid));
+    write.units = unitsToNote(unitsOfTable(now));
     record.write = std::move(write);
     return {};
 }
@@ -186,8 +245,10 @@ Result<void> checkRecordTable(
     if (!status.table)
         return fail(ErrorCode::NoTable, {{"axis", std::to_string(status.axis.index)}});
     const TableIdentity found = identityOf(*status.table);
-    if (isSameTable(found, record.write->table()))
+    if (isSameTable(found, record.write->table())) {
+        AXISCOMP_CHECK(checkRecordUnits(record, status, profile));
         return checkLookup(statedLookupAt(record), record.tables, status, profile);
+    }
     if (found.crc == record.write->crc)
         return notOfRecord(AXISCOMP_TEXT("Error",
             "the axis has the values of the record's table, {crc}, over other positions: write the "
@@ -210,6 +271,12 @@ bool isLookedUpAsMade(
         table.grid.axes.resize(status.setup.sources.size());
     }
     return checkLookup(made.at, tables, status, profile).has_value();
+}
+
+bool isMeantAsKept(const MeasuredFigures& kept, const AxisStatus& status)
+{
+    return !(kept.units && changedUnit(*kept.units, unitsOfTable(status)))
+        && !areDifferentAxes(kept.axisName, status.axis.name);
 }
 
 Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof,

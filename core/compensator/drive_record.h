@@ -22,7 +22,8 @@ namespace axiscomp {
 // What a drive holds, in the record of a compensation.
 
 /// A record is of one axis: that of its first write, or of its measurement where a drive took part
-/// in that; and of the drive that its measurement states. Errors: InvalidArgument, with both.
+/// in that; and of the drive that its measurement states. An axis that has the name of another one
+/// by now (areDifferentAxes) is not that axis. Errors: InvalidArgument, with both.
 [[nodiscard]] Result<void> checkRecordAxis(
     const CalibrationRecord& record, const AxisStatus& status);
 
@@ -41,9 +42,11 @@ namespace axiscomp {
 [[nodiscard]] Result<void> recordWrite(CalibrationRecord& record, const AxisStatus& now,
     const std::string& profileName, WallTime time);
 
-/// Whether the axis has the table that was written by the record (isSameTable), looked up where the
-/// record's table belongs. Errors: as checkRecordAxis; InvalidArgument for a record that was not
-/// written, and for another table; as checkRecordSources; TargetMismatch.
+/// Whether the axis has the table that was written by the record (isSameTable), in the units in
+/// which it was written, looked up where the record's table belongs. Of an older record, which has
+/// no units, one of its tables has to be the one that was written, in the units of now. Errors: as
+/// checkRecordAxis; InvalidArgument for a record that was not written, and for another table;
+/// UnitMismatch; as checkRecordSources; TargetMismatch.
 [[nodiscard]] Result<void> checkRecordTable(
     const CalibrationRecord& record, const AxisStatus& status, const DriveProfile& profile);
 
@@ -51,6 +54,10 @@ namespace axiscomp {
 /// where that of the record belongs. What is not stated fits.
 [[nodiscard]] bool isLookedUpAsMade(
     const MadeForLookup& made, const AxisStatus& status, const DriveProfile& profile);
+
+/// And whether the numbers of the table still mean what they meant, on the axis that it was (the
+/// rules of checkRecordTable and checkRecordAxis). What is not noted fits.
+[[nodiscard]] bool isMeantAsKept(const MeasuredFigures& kept, const AxisStatus& status);
 
 /// Notes the proof of the record's table; one that shows nothing (Proof::Extent) is none and leaves
 /// the record as it is. Errors: as checkRecordTable.

@@ -30,7 +30,7 @@ std::optional<MeasuredFigures> measuredWith(
     auto known = DriveStore(storeRoot).measured(
         status.drive.serialNumber, status.axis.index, status.table->crc);
     if (!known || !*known || !isSameTable(identityOf(*status.table), (*known)->table())
-        || !isLookedUpAsMade((*known)->madeFor, status, profile))
+        || !isLookedUpAsMade((*known)->madeFor, status, profile) || !isMeantAsKept(**known, status))
         return std::nullopt;
     return *std::move(known);
 }

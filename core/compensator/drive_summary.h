@@ -36,8 +36,8 @@ struct DriveSummary {
 };
 
 /// What this computer knows of the table that the axis has, where the axis looks it up as the
-/// record has it (isLookedUpAsMade): elsewhere it is worth something else. A store that cannot be
-/// read knows nothing.
+/// record has it (isLookedUpAsMade) and its numbers mean what they meant (isMeantAsKept): otherwise
+/// it is worth something else. A store that cannot be read knows nothing.
 [[nodiscard]] std::optional<MeasuredFigures> measuredWith(
     const AxisStatus& status, const DriveProfile& profile, const std::filesystem::path& storeRoot);
 

@@ -3,6 +3,7 @@
 
 #include "core/base/wall_time.h"
 #include "core/drive/register_value.h"
+#include "core/table/table_units.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -35,6 +36,10 @@ struct JournalEntry {
     /// The axis's table is deleted: when the write is complete this slot is empty and the axis uses
     /// none; persistent then says that the parameters are saved. Empty: nothing is deleted.
     std::string deletedSlot{};
+    /// In which units the drive took the new table; empty: older programs did not note them.
+    TableUnits newUnits{};
+    /// The registers whose addresses the new sources are, dimension by dimension; empty: not known.
+    std::vector<std::string> newSourcePaths{};
 
     friend bool operator==(const JournalEntry&, const JournalEntry&) = default;
 };

@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 4> members{"format", "version", "axes", "
 constexpr std::array<std::string_view, 1> extras{"drive"};
 constexpr std::array<std::string_view, 6> axisMembers{
     "drive", "axis", "axisName", "time", "registers", "files"};
-constexpr std::array<std::string_view, 4> axisExtras{"unit", "sourceUnits", "profile", "layout"};
+constexpr std::array<std::string_view, 5> axisExtras{
+    "unit", "sourceUnits", "sourcePaths", "profile", "layout"};
 constexpr JsonLimits backupLimits{.size = maximumBackupSize, .depth = 8, .values = 100'000};
 
 OrderedJson toJson(const DriveIdentity& drive)
@@ -49,6 +50,8 @@ OrderedJson toJson(const AxisBackup& backup)
         document["unit"] = backup.unit;
     if (!backup.sourceUnits.empty())
         document["sourceUnits"] = backup.sourceUnits;
+    if (!backup.sourcePaths.empty())
+        document["sourcePaths"] = backup.sourcePaths;
     if (!backup.profile.empty())
         document["profile"] = backup.profile;
     if (!backup.layout.empty())
@@ -103,6 +106,9 @@ AxisBackup axisFromJson(const JsonNode& node)
     if (node.has("sourceUnits"))
         for (const JsonNode& unit : node["sourceUnits"].items())
             backup.sourceUnits.push_back(unit.text());
+    if (node.has("sourcePaths"))
+        for (const JsonNode& path : node["sourcePaths"].items())
+            backup.sourcePaths.push_back(path.text());
     if (node.has("profile"))
         backup.profile = node["profile"].text();
     if (node.has("layout"))

@@ -40,6 +40,8 @@ struct AxisBackup {
     /// (layoutText); empty: not known.
     std::string profile{};
     std::string layout{};
+    /// The registers whose addresses the sources are, dimension by dimension, as far as known.
+    std::vector<std::string> sourcePaths{};
 
     friend bool operator==(const AxisBackup&, const AxisBackup&) = default;
 };

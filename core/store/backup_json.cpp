@@ -146,4 +146,17 @@ Grid spansFromJson(const JsonNode& node)
     return grid;
 }
 
+OrderedJson toJson(const TableUnits& units)
+{
+    return {{"values", units.values}, {"positions", units.positions}};
+}
+
+TableUnits unitsFromJson(const JsonNode& node)
+{
+    TableUnits units{node["values"].text(), {}};
+    for (const JsonNode& unit : node["positions"].items())
+        units.positions.push_back(unit.text());
+    return units;
+}
+
 } // namespace axiscomp

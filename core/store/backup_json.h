@@ -5,6 +5,7 @@
 #include "core/drive/register_value.h"
 #include "core/io/strict_json.h"
 #include "core/table/grid.h"
+#include "core/table/table_units.h"
 #include "core/text/crc_text.h"
 
 #include <cstdint>
@@ -27,5 +28,9 @@ namespace axiscomp {
 /// [{"start": ..., "distance": ..., "size": ...}, ...]: where a grid lies, without its names.
 [[nodiscard]] OrderedJson spansToJson(const Grid& grid);
 [[nodiscard]] Grid spansFromJson(const JsonNode& node);
+
+/// {"values": ..., "positions": [...]}
+[[nodiscard]] OrderedJson toJson(const TableUnits& units);
+[[nodiscard]] TableUnits unitsFromJson(const JsonNode& node);
 
 } // namespace axiscomp

@@ -17,12 +17,19 @@ std::vector<std::pair<std::string, double>> figuresAfter(const MeasuredFigures& 
     return figures;
 }
 
+/// The same numbers in another unit are another table.
+bool areOfOneTable(const MeasuredFigures& a, const MeasuredFigures& b)
+{
+    return isSameTable(a.table(), b.table())
+        && !(a.units && b.units && changedUnit(*a.units, *b.units));
+}
+
 } // namespace
 
 bool takesPlaceOf(const MeasuredFigures& next, const MeasuredFigures& kept, Measuring measuring)
 {
     const auto known = figuresAfter(kept);
-    if (known.empty() || !isSameTable(next.table(), kept.table()))
+    if (known.empty() || !areOfOneTable(next, kept))
         return true;
     const auto found = figuresAfter(next);
     if (found.empty() || isEarlier(next.date, kept.date))

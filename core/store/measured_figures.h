@@ -5,6 +5,7 @@
 #include "core/metrology/measurement.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/table_identity.h"
+#include "core/table/table_units.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,6 +53,9 @@ struct MeasuredFigures {
     /// not note it.
     std::optional<TwoRanges> lesserRange = {};
     MadeForLookup madeFor = {}; ///< older programs did not note it
+    /// Of the table on the drive (RecordedWrite); nothing: older programs did not note them.
+    std::optional<TableUnits> units = {};
+    std::string axisName = {}; ///< on the drive; older programs did not note it
 
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;

@@ -59,6 +59,34 @@ std::optional<Grid> gridOf(const std::string& text)
     return document.problem() ? std::nullopt : std::optional(std::move(grid));
 }
 
+std::string unitsText(const TableUnits& units)
+{
+    return units == TableUnits{} ? std::string() : jsonText(toJson(units));
+}
+
+/// What cannot be read is not known.
+TableUnits unitsOf(const std::string& text)
+{
+    StrictJson document{text, registerLimits};
+    TableUnits units = unitsFromJson(document.root());
+    return document.problem() ? TableUnits{} : units;
+}
+
+std::string pathsText(const std::vector<std::string>& paths)
+{
+    return paths.empty() ? std::string() : jsonText(paths);
+}
+
+/// What cannot be read is not known.
+std::vector<std::string> pathsOf(const std::string& text)
+{
+    StrictJson document{text, registerLimits};
+    std::vector<std::string> paths;
+    for (const JsonNode& path : document.root().items())
+        paths.push_back(path.text());
+    return document.problem() ? std::vector<std::string>{} : paths;
+}
+
 std::string targetsText(const std::vector<std::string>& targets)
 {
     std::string text;
@@ -81,14 +109,15 @@ void putJournal(
     using Table = JournalEntry::KeptTable;
     Statement(database,
         "INSERT OR REPLACE INTO journal (serial, axis, time, step, backup, registers, slot, crc, "
-        "persistent, table_file, table_size, table_crc, deleted_slot) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)",
+        "persistent, table_file, table_size, table_crc, deleted_slot, units, source_paths) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15)",
         entry.serialNumber, entry.axis, stored(entry.time), entry.step,
         (isInside ? relative : entry.backup).string(), jsonText(toJson(entry.newRegisters)),
         entry.newSlot, entry.newCrc, entry.persistent,
         table ? table->file.filename().string() : std::string(),
         ofTable([](const Table& kept) { return kept.size; }),
-        ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot)
+        ofTable([](const Table& kept) { return kept.crc; }), entry.deletedSlot,
+        unitsText(entry.newUnits), pathsText(entry.newSourcePaths))
         .run();
 }
 
@@ -97,7 +126,7 @@ std::optional<JournalEntry> journal(
 {
     Statement row(database,
         "SELECT time, step, backup, registers, slot, crc, persistent, table_file, table_size, "
-        "table_crc, deleted_slot FROM journal WHERE serial = ?1 AND axis = ?2",
+        "table_crc, deleted_slot, units, source_paths FROM journal WHERE serial = ?1 AND axis = ?2",
         serialNumber, axis);
     if (!row.next())
         return std::nullopt;
@@ -110,6 +139,8 @@ std::optional<JournalEntry> journal(
         entry.newTable = JournalEntry::KeptTable{
             folder / pathFromText(row.text(7)), row.as<std::uint64_t>(8), row.as<std::uint32_t>(9)};
     entry.deletedSlot = row.text(10);
+    entry.newUnits = unitsOf(row.text(11));
+    entry.newSourcePaths = pathsOf(row.text(12));
     return entry;
 }
 
@@ -323,13 +354,15 @@ void putMeasured(Connection& database, std::int32_t serialNumber, int axis,
         ends = {ranges->before.first, ranges->before.last, ranges->after.first, ranges->after.last};
     Statement(database,
         "INSERT INTO measured (serial, axis, crc, time, date, angular, grid, left_out, "
-        "before_first, before_last, after_first, after_last, lookup_at, targets) "
-        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)",
+        "before_first, before_last, after_first, after_last, lookup_at, targets, units, "
+        "axis_name) "
+        "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)",
         serialNumber, axis, measured.crc, stored(measured.time), measured.date, measured.isAngular,
         measured.grid ? jsonText(spansToJson(*measured.grid)) : std::string(),
         static_cast<std::int64_t>(measured.excluded), ends[0], ends[1], ends[2], ends[3],
         measured.madeFor.at ? std::string(lookupAtName(*measured.madeFor.at)) : std::string(),
-        targetsText(measured.madeFor.targets))
+        targetsText(measured.madeFor.targets), unitsText(measured.units.value_or(TableUnits{})),
+        measured.axisName)
         .run();
     for (const MeasuredFigures::Figure& figure : measured.figures)
         Statement(database,
@@ -355,7 +388,7 @@ std::optional<MeasuredFigures> measured(
 {
     Statement table(database,
         "SELECT time, date, angular, grid, left_out, before_first, before_last, after_first, "
-        "after_last, lookup_at, targets FROM measured "
+        "after_last, lookup_at, targets, units, axis_name FROM measured "
         "WHERE serial = ?1 AND axis = ?2 AND crc = ?3",
         serialNumber, axis, crc);
     if (!table.next())
@@ -369,6 +402,9 @@ std::optional<MeasuredFigures> measured(
     measured.madeFor.at = lookupAtNamed(table.text(9));
     if (const std::string targets = table.text(10); !targets.empty())
         measured.madeFor.targets = targetList(targets);
+    if (const TableUnits units = unitsOf(table.text(11)); !(units == TableUnits{}))
+        measured.units = units;
+    measured.axisName = table.text(12);
     for (Statement row(database,
              "SELECT name, before, predicted, after, tolerance, result FROM measured_figure "
              "WHERE serial = ?1 AND axis = ?2 AND crc = ?3 ORDER BY id",

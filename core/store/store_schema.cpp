@@ -83,6 +83,15 @@ ALTER TABLE measured ADD COLUMN after_last REAL;
 ALTER TABLE measured ADD COLUMN lookup_at TEXT NOT NULL DEFAULT '';
 ALTER TABLE measured ADD COLUMN targets TEXT NOT NULL DEFAULT '';
 )",
+    // Of the new table, as JSON (toJson of TableUnits); empty: not known.
+    "ALTER TABLE journal ADD COLUMN units TEXT NOT NULL DEFAULT ''",
+    // Of the table on the drive, likewise, and the name of its axis; empty: not known.
+    R"(
+ALTER TABLE measured ADD COLUMN units TEXT NOT NULL DEFAULT '';
+ALTER TABLE measured ADD COLUMN axis_name TEXT NOT NULL DEFAULT '';
+)",
+    // The registers of the new sources, as a JSON list; empty: not known.
+    "ALTER TABLE journal ADD COLUMN source_paths TEXT NOT NULL DEFAULT ''",
 };
 
 } // namespace

@@ -162,6 +162,12 @@ std::string unitSymbol(std::string_view positionUnit)
     return std::string(unit == positionUnits.end() ? positionUnit : unit->symbol);
 }
 
+std::string symbolOrWord(std::string_view positionUnit)
+{
+    std::string symbol = unitSymbol(positionUnit);
+    return symbol.empty() ? std::string(positionUnit) : symbol;
+}
+
 std::optional<double> unitFactor(std::string_view from, std::string_view to)
 {
     const Unit* const a = unitNamed(from);

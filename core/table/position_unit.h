@@ -12,6 +12,9 @@ namespace axiscomp {
 /// they are.
 [[nodiscard]] std::string unitSymbol(std::string_view positionUnit);
 
+/// The same, or the drive's own word where it has no symbol: "None".
+[[nodiscard]] std::string symbolOrWord(std::string_view positionUnit);
+
 /// How many `to` one `from` is: 0.001 for "um" and "mm". Units are symbols as files write them
 /// ("µm", "um", "deg", "°") or a drive's PositionUnit, in capital or small letters. Nothing when
 /// one of them is not known, or when one is a length and the other an angle.

@@ -11,12 +11,6 @@ namespace axiscomp {
 
 namespace {
 
-std::string symbolOf(const std::string& unit)
-{
-    const std::string symbol = unitSymbol(unit);
-    return symbol.empty() ? unit : symbol;
-}
-
 std::vector<std::string> unitsOfPositions(const Grid& grid)
 {
     std::vector<std::string> units;
@@ -38,7 +32,8 @@ Result<double> driveFactor(const std::string& from, const std::string& to, const
         return 1.0;
     if (const auto factor = unitFactor(from, to))
         return *factor;
-    return fail(ErrorCode::UnitMismatch, {{"what", what}, {"unit", from}, {"other", symbolOf(to)}});
+    return fail(
+        ErrorCode::UnitMismatch, {{"what", what}, {"unit", from}, {"other", symbolOrWord(to)}});
 }
 
 /// "0.0021 mm"
@@ -105,7 +100,7 @@ std::optional<Text> valueRemark(const std::string& before, bool isStated, const 
         return std::nullopt;
     return valuePattern(before, isStated, drive)
         .with("before", before)
-        .with("after", symbolOf(drive))
+        .with("after", symbolOrWord(drive))
         .with("largest", largestCorrection(converted));
 }
 
@@ -121,7 +116,7 @@ bool statesUnits(const CompensationTable& table)
 /// For positions without a unit beside others that have one: it may have been forgotten.
 Text positionAssumption(const GridAxis& axis, std::size_t number, const std::string& drive)
 {
-    const std::string after = symbolOf(drive);
+    const std::string after = symbolOrWord(drive);
     return AXISCOMP_TEXT("Error",
         "The table states no unit for the positions of dimension {number}; they are taken to be in "
         "{after}: {first} to {last}.")
@@ -141,7 +136,7 @@ Result<std::optional<Text>> convertPositions(
             AXISCOMP_TEXT("Error", "positions of dimension {number}").with("number", number)));
     if (factor == 1.0)
         return std::nullopt;
-    const std::string after = symbolOf(drive);
+    const std::string after = symbolOrWord(drive);
     scaleAxis(axis, factor, after);
     return AXISCOMP_TEXT("Error",
         "The positions of dimension {number} are converted from {before} to {after}: {first} to "
@@ -158,6 +153,30 @@ Result<std::optional<Text>> convertPositions(
 UnstatedUnit unstatedUnit(std::string_view statedForValues)
 {
     return statedForValues == unitOfDrive ? UnstatedUnit::OfDrive : UnstatedUnit::OfPositions;
+}
+
+std::optional<UnitChange> changedUnit(const TableUnits& before, const TableUnits& now)
+{
+    const auto change = [](std::optional<std::size_t> dimension, const std::string& was,
+                            const std::string& is) -> std::optional<UnitChange> {
+        UnitChange found{dimension, symbolOrWord(was), symbolOrWord(is)};
+        if (was.empty() || isSameUnit(found.before, found.now))
+            return std::nullopt;
+        return found;
+    };
+    if (auto found = change(std::nullopt, before.values, now.values))
+        return found;
+    for (std::size_t n = 0; n < before.positions.size(); ++n)
+        if (auto found = change(n, before.positions[n],
+                n < now.positions.size() ? now.positions[n] : std::string()))
+            return found;
+    return std::nullopt;
+}
+
+Text unitNow(const UnitChange& change)
+{
+    return change.now.empty() ? AXISCOMP_TEXT("Error", "an unknown unit")
+                              : Text(Verbatim{change.now});
 }
 
 void takeStatedUnit(std::string& unit, const std::string& stated)

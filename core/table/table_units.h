@@ -21,6 +21,21 @@ struct TableUnits {
     friend bool operator==(const TableUnits&, const TableUnits&) = default;
 };
 
+/// Numbers of a table that mean something else than before.
+struct UnitChange {
+    std::optional<std::size_t> dimension; ///< of positions, from 0; nothing: of the values
+    std::string before; ///< a symbol, or the drive's own word: "None"
+    std::string now; ///< likewise; empty: the drive does not say
+
+    friend bool operator==(const UnitChange&, const UnitChange&) = default;
+};
+/// Its unit of now, for a sentence.
+[[nodiscard]] Text unitNow(const UnitChange& change);
+/// The first unit that is another one now, or is not known any more. Nothing is said of one that
+/// was not known before.
+[[nodiscard]] std::optional<UnitChange> changedUnit(
+    const TableUnits& before, const TableUnits& now);
+
 struct TableInUnits {
     CompensationTable table; ///< with these units
     /// What was converted and what is assumed, each with the largest correction that follows.

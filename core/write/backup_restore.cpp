@@ -14,8 +14,6 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int mostDimensions = 3;
-
 std::string hexAddress(std::uint32_t address)
 {
     char digits[8];
@@ -101,9 +99,16 @@ bool isUsedBy(const DriveBackup& backup, const std::string& slot)
     });
 }
 
-Result<bool> holdsRegisters(const RegisterAccess& access, const std::vector<RegisterWrite>& wanted)
+/// Not where a source is not there any more.
+Result<bool> holdsRegisters(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& wanted)
 {
-    auto same = compareRegisters(access, wanted);
+    const auto registers = keptRegisters(access, sources, wanted);
+    if (!registers && registers.error().code == ErrorCode::SourceNotFound)
+        return false;
+    if (!registers)
+        return fail(registers.error());
+    auto same = compareRegisters(access, *registers);
     if (!same && same.error().code != ErrorCode::VerifyMismatch)
         return fail(same.error());
     return same.has_value();
@@ -219,10 +224,10 @@ Result<WriteRequest> restoreRequest(
     } else {
         // The slot that the axis named held nothing, and may hold somebody else's table by now.
         request.withoutTable = true;
-        request.dimensionality = mostDimensions;
-        AXISCOMP_TRY(request.leavesEmptySlot, holdsRegisters(access, backup.registers));
+        request.dimensionality = dimensionsOfBackup;
+        AXISCOMP_TRY(request.leavesEmptySlot, holdsRegisters(access, sources, backup));
     }
-    request.sources = sourceTexts(access, backup.registers, backup.axis, request.dimensionality);
+    request.sources = sourceTexts(access, backup, request.dimensionality);
     const auto missing = std::ranges::find(request.sources, std::string());
     if (file && missing != request.sources.end())
         return fail(
@@ -239,13 +244,20 @@ std::uint32_t sourceAddress(
     return address >= 1.0 && address <= 4294967295.0 ? static_cast<std::uint32_t>(address) : 0;
 }
 
+std::string sourcePath(const AxisBackup& backup, int n)
+{
+    const auto dimension = static_cast<std::size_t>(n) - 1;
+    return dimension < backup.sourcePaths.size() ? backup.sourcePaths[dimension] : std::string();
+}
+
 std::vector<std::string> sourceTexts(
-    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count)
+    const RegisterAccess& access, const AxisBackup& backup, int count)
 {
     std::vector<std::string> texts;
     for (int n = 1; n <= count; ++n) {
-        const std::uint32_t address = sourceAddress(access, registers, axis, n);
-        texts.push_back(address == 0 ? "" : hexAddress(address));
+        const std::uint32_t address = sourceAddress(access, backup.registers, backup.axis, n);
+        const std::string path = sourcePath(backup, n);
+        texts.push_back(address == 0 ? "" : path.empty() ? hexAddress(address) : path);
     }
     return texts;
 }
@@ -258,7 +270,9 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     const bool deletes = !entry.deletedSlot.empty();
     bool hasNewTable = status.setup.slot == entry.newSlot && status.setup.tableCrc == entry.newCrc
         && (deletes || (status.setup.persistency == Persistency::Persistent) == entry.persistent);
-    AXISCOMP_TRY(auto hasNewRegisters, holdsRegisters(access, entry.newRegisters));
+    AxisBackup wanted{drive, entry.axis, {}, {}, entry.newRegisters, {}};
+    wanted.sourcePaths = entry.newSourcePaths;
+    AXISCOMP_TRY(auto hasNewRegisters, holdsRegisters(access, sources, wanted));
     if (hasNewTable && hasNewRegisters) {
         AXISCOMP_TRY(hasNewTable, holdsNewTable(access, store, entry));
     }
@@ -273,7 +287,7 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     const auto write = UnfinishedWrite::load(access, entry);
     if (!write)
         return Outcome::Unknown;
-    AXISCOMP_TRY(auto hasOldRegisters, holdsRegisters(access, write->before().registers));
+    AXISCOMP_TRY(auto hasOldRegisters, holdsRegisters(access, sources, write->before()));
     if (!hasOldRegisters)
         return Outcome::Neither;
     const AxisBackup::File* old = usedFile(access, write->before());

@@ -8,6 +8,9 @@
 
 namespace axiscomp {
 
+/// As many sources as a backup may have.
+inline constexpr int dimensionsOfBackup = 3;
+
 /// Table, sources and table file of every axis with compensation registers.
 [[nodiscard]] Result<DriveBackup> readBackupOf(const RegisterAccess& access,
     const DriveIdentity& drive, SourceDirectory& sources, WallTime now);
@@ -25,10 +28,13 @@ namespace axiscomp {
 [[nodiscard]] std::uint32_t sourceAddress(
     const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int n);
 
-/// The sources of dimensions 1 .. count in a list of registers, as hex addresses; "" where none is
-/// set.
+/// The register of that source; empty: not known, as of a backup of an older version.
+[[nodiscard]] std::string sourcePath(const AxisBackup& backup, int n);
+
+/// The sources of dimensions 1 .. count of a backup, as paths where it has them, otherwise as hex
+/// addresses; "" where none is set.
 [[nodiscard]] std::vector<std::string> sourceTexts(
-    const RegisterAccess& access, const std::vector<RegisterWrite>& registers, int axis, int count);
+    const RegisterAccess& access, const AxisBackup& backup, int count);
 
 /// Which state an axis has after a write that did not end.
 [[nodiscard]] Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access,

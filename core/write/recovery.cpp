@@ -58,6 +58,7 @@ Result<int> WriteProcedure::costOfRecovery(const UnfinishedWrite& unfinished)
 Result<WriteReport> WriteProcedure::recoverOldState(const UnfinishedWrite& unfinished)
 {
     AXISCOMP_CHECK(takeUp(unfinished));
+    AXISCOMP_TRY(m_backup.registers, keptRegisters(m_access, m_sources, m_backup));
     // What reached flash has to leave it again: better not to begin than to stop half-way, with the
     // axis switched off.
     AXISCOMP_TRY(const int operations, costOfUndo());

@@ -5,6 +5,7 @@
 #include "core/drive/drive_units.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
+#include "core/table/table_units.h"
 #include "core/table/target_axis.h"
 #include "core/write/backup_restore.h"
 
@@ -14,20 +15,37 @@ namespace axiscomp {
 
 namespace {
 
-constexpr int dimensionsOfBackup = 3;
-
 bool isKnownUnit(const std::string& unit)
 {
     return !unitSymbol(unit).empty();
 }
 
-Result<void> checkUnit(Text what, const std::string& kept, const std::string& now)
+/// The argument of the sentence that is about a backup, or about a write that did not end.
+NamedArgument broughtBack(BroughtBackBy by)
 {
-    if (!isKnownUnit(kept) || !isKnownUnit(now) || isSameUnit(kept, now))
-        return {};
-    return fail(ErrorCode::UnitMismatch,
-        {{"what", std::move(what)}, {"unit", unitSymbol(kept)}, {"other", unitSymbol(now)},
-            {"restored", Verbatim{"backup"}}});
+    return {by == BroughtBackBy::Restore ? "restored" : "recovered", Verbatim{"backup"}};
+}
+
+std::vector<std::string> withoutLastGaps(std::vector<std::string> texts)
+{
+    while (!texts.empty() && texts.back().empty())
+        texts.pop_back();
+    return texts;
+}
+
+/// Of whatever type: the axis had it. kept: the address of then, which counts where the drive does
+/// not say that of now.
+Result<DimSource> sourceOfPath(const RegisterAccess& access, SourceDirectory& sources,
+    const std::string& path, std::uint32_t kept)
+{
+    const auto readings = access.read({path});
+    if (readings) {
+        const std::uint32_t address = readings->begin()->second.address;
+        return DimSource{address != 0 ? address : kept, path};
+    }
+    if (readings.error().code != ErrorCode::UnknownRegister)
+        return fail(readings.error());
+    return sources.resolve(access, path); // which says what there is instead
 }
 
 bool holdsTable(const AxisBackup& backup)
@@ -60,21 +78,64 @@ Result<void> checkFileLayout(const RegisterAccess& access, const AxisBackup& bac
     return {};
 }
 
-Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now)
+/// What the backup knows of its numbers: those of an axis without a unit may be in any.
+TableUnits unitsIn(const AxisBackup& backup)
 {
-    AXISCOMP_CHECK(
-        checkUnit(AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis),
-            kept.unit, now.unit));
-    for (std::size_t n = 0; n < std::min(kept.sourceUnits.size(), now.sourceUnits.size()); ++n)
-        AXISCOMP_CHECK(
-            checkUnit(AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
-                          .with("number", n + 1)
-                          .with("axis", kept.axis),
-                kept.sourceUnits[n], now.sourceUnits[n]));
-    return {};
+    TableUnits units{unitSymbol(backup.unit), {}};
+    for (const std::string& unit : backup.sourceUnits)
+        units.positions.push_back(unitSymbol(unit));
+    return units;
+}
+
+Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now, BroughtBackBy by)
+{
+    const auto change = changedUnit(unitsIn(kept), {now.unit, now.sourceUnits});
+    if (!change)
+        return {};
+    Text what = change->dimension
+        ? AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
+              .with("number", *change->dimension + 1)
+              .with("axis", kept.axis)
+        : AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis);
+    return fail(ErrorCode::UnitMismatch,
+        {{"what", std::move(what)}, {"unit", change->before}, {"other", unitNow(*change)},
+            broughtBack(by)});
 }
 
 } // namespace
+
+Result<std::vector<DimSource>> keptSources(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+{
+    std::vector<DimSource> used(dimensionsOfBackup);
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        const int number = static_cast<int>(n) + 1;
+        const auto address = sourceAddress(access, backup.registers, backup.axis, number);
+        const std::string path = sourcePath(backup, number);
+        if (address == 0)
+            continue;
+        AXISCOMP_TRY(used[n],
+            path.empty() ? sources.sourceAt(access, address)
+                         : sourceOfPath(access, sources, path, address));
+    }
+    return used;
+}
+
+Result<std::vector<RegisterWrite>> keptRegisters(
+    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+{
+    AXISCOMP_TRY(const auto used, keptSources(access, sources, backup));
+    std::vector<RegisterWrite> registers = backup.registers;
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        const int number = static_cast<int>(n) + 1;
+        const auto source = std::ranges::find(registers,
+            access.axisPath(access.registers().source, backup.axis, number), &RegisterWrite::path);
+        if (source != registers.end()
+            && used[n].address != sourceAddress(access, registers, backup.axis, number))
+            source->value = used[n].address;
+    }
+    return registers;
+}
 
 Result<void> checkLayout(
     const AxisBackup& backup, const DriveProfile& profile, std::int32_t serialNumber)
@@ -101,11 +162,7 @@ Result<void> describeAxis(
     backup.axisName = std::move(facts.name);
     backup.profile = access.profile().name;
     backup.layout = layoutText(access.profile().layout);
-    std::vector<DimSource> used(dimensionsOfBackup);
-    for (int n = 1; n <= dimensionsOfBackup; ++n)
-        if (const auto address = sourceAddress(access, backup.registers, backup.axis, n)) {
-            AXISCOMP_TRY(used[static_cast<std::size_t>(n) - 1], sources.sourceAt(access, address));
-        }
+    AXISCOMP_TRY(const auto used, keptSources(access, sources, backup));
     const auto unitOf = [&](int axis) -> Result<std::string> {
         if (axis == backup.axis)
             return facts.unit;
@@ -114,21 +171,24 @@ Result<void> describeAxis(
     };
     AXISCOMP_TRY(auto units, driveUnits(access.profile(), used, backup.axis, unitOf));
     backup.unit = std::move(units.values);
-    backup.sourceUnits = std::move(units.positions);
-    while (!backup.sourceUnits.empty() && backup.sourceUnits.back().empty())
-        backup.sourceUnits.pop_back();
+    backup.sourceUnits = withoutLastGaps(std::move(units.positions));
+    std::vector<std::string> paths;
+    for (const DimSource& source : used)
+        paths.push_back(source.path);
+    backup.sourcePaths = withoutLastGaps(std::move(paths));
     return {};
 }
 
-Result<RestoredAxis> checkSameAxis(
-    const RegisterAccess& access, SourceDirectory& sources, const AxisBackup& backup)
+Result<RestoredAxis> checkSameAxis(const RegisterAccess& access, SourceDirectory& sources,
+    const AxisBackup& backup, BroughtBackBy by)
 {
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
+    now.sourcePaths = backup.sourcePaths;
     AXISCOMP_CHECK(describeAxis(access, sources, now));
     if (areDifferentAxes(backup.axisName, now.axisName))
         return fail(ErrorCode::TargetMismatch,
             {{"axis", backup.axis}, {"target", Verbatim{backup.axisName}},
-                {"name", Verbatim{now.axisName}}, {"restored", Verbatim{"backup"}}});
+                {"name", Verbatim{now.axisName}}, broughtBack(by)});
     RestoredAxis axis{backup.axisName == now.axisName, {}};
     if (!backup.axisName.empty() && !now.axisName.empty() && !axis.hasSameName)
         axis.doubts.push_back(AXISCOMP_TEXT("Error",
@@ -140,7 +200,7 @@ Result<RestoredAxis> checkSameAxis(
     if (!holdsTable(backup))
         return axis;
     AXISCOMP_CHECK(checkFileLayout(access, backup, now, axis.doubts));
-    AXISCOMP_CHECK(checkUnits(backup, now));
+    AXISCOMP_CHECK(checkUnits(backup, now, by));
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
         axis.doubts.push_back(AXISCOMP_TEXT("Error",
             "The backup does not say in which unit axis {axis} was; its table is taken to be in "

@@ -101,6 +101,40 @@ Result<Bytes> UnfinishedWrite::newFile(const DriveStore& store) const
     return fail(ErrorCode::TableNotKept, {{"axis", m_entry.axis}});
 }
 
+/// Of the new sources, as far as they are those that the axis had: older programs noted no others.
+std::vector<std::string> UnfinishedWrite::unitsOfBackup() const
+{
+    std::vector<std::string> units;
+    for (int n = 1; n <= dimensionsOfBackup; ++n) {
+        const auto address = sourceAddress(m_access, m_entry.newRegisters, m_entry.axis, n);
+        std::string& unit = units.emplace_back();
+        for (std::size_t old = 0; old < m_before.sourceUnits.size(); ++old)
+            if (address != 0
+                && address
+                    == sourceAddress(
+                        m_access, m_before.registers, m_entry.axis, static_cast<int>(old) + 1))
+                unit = m_before.sourceUnits[old];
+    }
+    return units;
+}
+
+Result<AxisBackup> UnfinishedWrite::after(const DriveStore& store) const
+{
+    AxisBackup after = m_before;
+    after.registers = m_entry.newRegisters;
+    after.files.clear();
+    if (!m_entry.newSlot.empty()) {
+        AXISCOMP_TRY(auto bytes, newFile(store));
+        after.files.push_back({m_entry.newSlot, {}, std::move(bytes), m_entry.persistent});
+    }
+    const bool isNoted = !(m_entry.newUnits == TableUnits{});
+    if (isNoted)
+        after.unit = m_entry.newUnits.values;
+    after.sourceUnits = isNoted ? m_entry.newUnits.positions : unitsOfBackup();
+    after.sourcePaths = m_entry.newSourcePaths;
+    return after;
+}
+
 /// The slot that the write had chosen, unless somebody else has come to use it.
 Result<std::optional<std::string>> UnfinishedWrite::slotFor(
     DriveStore& store, const DriveIdentity& drive) const
@@ -135,23 +169,23 @@ Result<WriteRequest> UnfinishedWrite::request(DriveStore& store, const DriveIden
     WriteRequest request;
     request.origin = TableOrigin::Axis;
     request.withoutTable = m_entry.newSlot.empty();
-    request.dimensionality = 3;
+    request.dimensionality = dimensionsOfBackup;
     if (!m_entry.deletedSlot.empty()) {
         AXISCOMP_CHECK(checkDeletable(drive));
         request.deletesTable = true;
         request.slot = m_entry.deletedSlot;
     }
+    AXISCOMP_TRY(const auto wanted, after(store));
     if (!request.withoutTable) {
-        AXISCOMP_TRY(auto file, newFile(store));
-        AXISCOMP_TRY(auto decoded, decodeTamTable(file, m_access.profile().layout));
+        AXISCOMP_TRY(
+            auto decoded, decodeTamTable(wanted.files.front().bytes, m_access.profile().layout));
         request.dimensionality = decoded.table.grid.dimensions();
         request.table = std::move(decoded.table);
         request.persistency = m_entry.persistent ? Persistency::Persistent : Persistency::Volatile;
         AXISCOMP_TRY(auto slot, slotFor(store, drive));
         request.slot = std::move(slot);
     }
-    auto sources =
-        sourceTexts(m_access, m_entry.newRegisters, m_entry.axis, request.dimensionality);
+    auto sources = sourceTexts(m_access, wanted, request.dimensionality);
     if (!request.withoutTable) {
         const auto missing = std::ranges::find(sources, std::string());
         if (missing != sources.end())

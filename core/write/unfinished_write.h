@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace axiscomp {
 
@@ -36,6 +37,7 @@ struct Recovery {
     std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
     int finishFlashOperations = 0; ///< that finishing costs
     int undoFlashOperations = 0; ///< that undoing costs at most
+    std::vector<Text> doubts; ///< what cannot be told of the axis for sure (RestoredAxis)
 };
 
 /// A write that did not end, with what was kept before its first change.
@@ -47,6 +49,9 @@ public:
 
     [[nodiscard]] const JournalEntry& entry() const { return m_entry; }
     [[nodiscard]] const AxisBackup& before() const { return m_before; }
+    /// What the axis has when the write is complete, as a backup would keep it. Errors:
+    /// TableNotKept, FileNotReadable.
+    [[nodiscard]] Result<AxisBackup> after(const DriveStore& store) const;
     [[nodiscard]] std::string oldSlot() const; ///< empty: the axis had no table
     /// The old table; null: the axis had none.
     [[nodiscard]] const AxisBackup::File* oldFile() const { return fileOf(oldSlot()); }
@@ -75,6 +80,7 @@ private:
     }
     [[nodiscard]] const AxisBackup::File* fileOf(const std::string& slot) const;
     [[nodiscard]] Result<Bytes> newFile(const DriveStore& store) const;
+    [[nodiscard]] std::vector<std::string> unitsOfBackup() const;
     [[nodiscard]] Result<void> checkDeletable(const DriveIdentity& drive) const;
     [[nodiscard]] Result<std::optional<std::string>> slotFor(
         DriveStore& store, const DriveIdentity& drive) const;

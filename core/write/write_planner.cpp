@@ -178,6 +178,9 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     } else if (request.withoutTable) {
         decided = decideNoTable(request);
     } else {
+        AXISCOMP_TRY(m_write.units,
+            unitsOf(std::span(plan.after.sources)
+                        .first(static_cast<std::size_t>(plan.after.dimensionality))));
         AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
         decided = decideTable(converted);
     }
@@ -271,11 +274,9 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
 {
     if (!request.table)
         return request;
-    const CompensationSetup& after = m_write.plan.after;
-    AXISCOMP_TRY(const auto units,
-        unitsOf(std::span(after.sources).first(static_cast<std::size_t>(after.dimensionality))));
     AXISCOMP_TRY(auto converted,
-        inUnitsOfAxis(*request.table, units, m_write.plan.ownDimension, request.unstatedUnit));
+        inUnitsOfAxis(
+            *request.table, m_write.units, m_write.plan.ownDimension, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
     // Once, so that the drive has what the plan says, and has it already the next time.

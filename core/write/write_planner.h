@@ -24,6 +24,7 @@ struct PreparedWrite {
     SlotState slotBefore; ///< what that slot held when it was chosen
     Grid gridBefore; ///< of the table that the axis had when it was planned; empty: none
     std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
+    TableUnits units; ///< in which that table is; empty: there is none
     int uncovered = 0; ///< of the plan's flash operations: tables that saving deletes
     /// Saved parameters name the slot that is to be committed, with another table: they are saved
     /// without it first.

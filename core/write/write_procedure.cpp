@@ -123,6 +123,10 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.newCrc = m_write.elementCrc;
     m_journal.persistent = deletes() ? m_write.saves : wantsPersistent();
     m_journal.deletedSlot = plan.deletedSlot;
+    m_journal.newUnits = m_write.units;
+    m_journal.newSourcePaths.clear();
+    for (const DimSource& source : plan.after.sources)
+        m_journal.newSourcePaths.push_back(source.path);
     if (m_finishesEarlier) { // what that one has done already has to be undone too
         m_journal.time = m_earlier->time;
         m_journal.step = m_earlier->step;

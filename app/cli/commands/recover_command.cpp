@@ -67,6 +67,8 @@ ExitCode explain(Environment& environment, const SettledWrite& settled)
     std::string text = outcomeSentence(settled.entry, settled.outcome);
     text.front() = 'A';
     environment.print(text + ".\n");
+    for (const Text& doubt : settled.recovery.doubts)
+        environment.warn(doubt.english());
     if (settled.outcome != Outcome::New) {
         json["finishObstacle"] = errorOrNull(settled.recovery.finishObstacle);
         json["undoObstacle"] = errorOrNull(settled.recovery.undoObstacle);

@@ -45,6 +45,9 @@ Result<ExitCode> runStatus(
     environment.print(statusText(settled.status, session.profile()));
     if (measured)
         environment.print("\nWith this table: " + measuredFiguresText(*measured).english() + "\n");
+    if (measured && !measured->units)
+        environment.console().note("note: an older program kept what was measured without the unit "
+                                   "of the axis; it holds as long as that is the same");
     environment.print("\n" + (flash ? flashText(*flash) : "Flash: not known\n"));
     return ExitCode::Done;
 }

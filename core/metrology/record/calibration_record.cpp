@@ -181,6 +181,8 @@ OrderedJson toJson(const RecordedWrite& write)
         {"persistent", write.isPersistent}, {"crc32", crcText(write.crc)}};
     if (write.grid)
         object["axes"] = spansToJson(*write.grid);
+    if (write.units)
+        object["units"] = axiscomp::toJson(*write.units);
     if (write.proof)
         object["proof"] = {{"proved", write.proof->isProved}, {"samples", write.proof->samples},
             {"largestDifference", write.proof->largestDifference},
@@ -195,6 +197,8 @@ RecordedWrite writeFromJson(const JsonNode& node)
         node["persistent"].boolean(), crcFromJson(node["crc32"])};
     if (isThere(node, "axes"))
         write.grid = spansFromJson(node["axes"]);
+    if (isThere(node, "units"))
+        write.units = unitsFromJson(node["units"]);
     if (isThere(node, "proof")) {
         const JsonNode proof = node["proof"];
         write.proof = RecordedWrite::Proof{proof["proved"].boolean(),

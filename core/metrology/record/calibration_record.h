@@ -10,6 +10,7 @@
 #include "core/metrology/run_selection.h"
 #include "core/table/compensation_table.h"
 #include "core/table/table_identity.h"
+#include "core/table/table_units.h"
 
 #include <array>
 #include <cstdint>
@@ -138,6 +139,9 @@ struct RecordedWrite {
     /// Where the values lie, as the drive shows it; nothing: it does not show all of it, or an
     /// older program wrote it.
     std::optional<Grid> grid = {};
+    /// In which units the drive takes the table, as symbols; nothing: it does not say, or an older
+    /// program wrote it.
+    std::optional<TableUnits> units = {};
     OtherMembers others = {};
 
     /// The table that is on the drive.

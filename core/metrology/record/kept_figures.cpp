@@ -176,6 +176,8 @@ std::optional<MeasuredFigures> figuresToKeep(const CalibrationRecord& record, Wa
     MeasuredFigures kept;
     kept.crc = record.write->crc;
     kept.grid = record.write->grid;
+    kept.units = record.write->units;
+    kept.axisName = record.drive->axisName;
     kept.madeFor = madeForLookup(record);
     kept.time = time;
     if (last && !last->files.empty()) {

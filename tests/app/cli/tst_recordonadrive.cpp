@@ -92,6 +92,32 @@ private Q_SLOTS:
         QVERIFY(record.write->proof->provedShare > 0.0);
     }
 
+    /// As it would be by a thousand times what the record has.
+    void aTableInAnotherUnitIsNotActivatedByItsRecord()
+    {
+        const Fixture bench;
+        VERIFY_CODE(bench.write(), 0);
+        QVERIFY(bench.record().write->units == (TableUnits{"mm", {"mm"}}));
+        const QByteArray before = bench.text();
+        const std::string unit = "Axes[0]/Parameters/PositionController/PositionUnit";
+        QVERIFY(bench.drive.writeRegister(unit, std::string("Meter")));
+        const ProgramRun run = bench.run({"activate", "--record", "job.axcal"});
+        VERIFY_CODE(run, 2);
+        QVERIFY2(run.err.contains("error: UnitMismatch: the values of the record's table were in "
+                                  "mm when it was written, and the drive has them in m now"),
+            run.err.constData());
+        QVERIFY2(!run.out.contains("Proof"), run.out.constData());
+        QCOMPARE(bench.text(), before);
+        QCOMPARE(bench.run({"status", "--json"}).json().value("state").toString(), "Disabled");
+        // Both ways out that the sentence names.
+        QVERIFY(bench.drive.writeRegister(unit, std::string("Millimeter")));
+        VERIFY_CODE(bench.run({"activate", "--record", "job.axcal"}), 0);
+        VERIFY_CODE(bench.run({"deactivate"}), 0);
+        QVERIFY(bench.drive.writeRegister(unit, std::string("Meter")));
+        VERIFY_CODE(bench.write(), 0);
+        QVERIFY(bench.record().write->units == (TableUnits{"m", {"m"}}));
+    }
+
     /// So that who looks at the axis sees how good it is.
     void statusSaysWhatTheRecordsOfThisComputerHave()
     {

@@ -36,6 +36,14 @@ bool isOf(const CalibrationRecord& record, const CompensationTable& table)
     return hasTable(record, {tableCrc(table), table.grid}, profile().layout);
 }
 
+AxisStatus axisIn(const std::string& unit)
+{
+    AxisStatus status = axisWithTable();
+    status.axis.unit = unit;
+    status.sourceUnits[0] = unit;
+    return status;
+}
+
 CalibrationRecord writtenRecord()
 {
     CalibrationRecord record;
@@ -202,6 +210,99 @@ private Q_SLOTS:
         QVERIFY(isOf(record, other));
         other.grid.axes.push_back({"X", "mm", 0.0, 20.0, 2});
         QVERIFY(!isOf(record, other));
+    }
+
+    void theSameNumbersInAnotherUnitAreAnotherTable()
+    {
+        CalibrationRecord record;
+        const AxisStatus millimetres = axisIn("Millimeter");
+        VERIFY_RESULT(recordWrite(record, millimetres, "generic", WallTime{}));
+        QVERIFY(record.write->units == (TableUnits{"mm", {"mm"}}));
+        const auto opened = recordFromText(recordText(record), "y.axcal");
+        VERIFY_RESULT(opened);
+        QVERIFY(opened->write == record.write);
+        VERIFY_RESULT(checkRecordTable(record, millimetres, profile()));
+        for (const char* const unit : {"Meter", "Degree", "None", ""}) {
+            const AxisStatus now = axisIn(unit);
+            VERIFY_ERROR(checkRecordTable(record, now, profile()), ErrorCode::UnitMismatch);
+            VERIFY_ERROR(recordProof(record, now, Proof{}, profile()), ErrorCode::UnitMismatch);
+            QVERIFY(!record.write->proof);
+        }
+        QCOMPARE(sentence(checkRecordTable(record, axisIn("Meter"), profile()).error()),
+            std::string("the values of the record's table were in mm when it was written, and the "
+                        "drive has them in m now, so that the same numbers mean something else; "
+                        "set the unit on the drive to mm again, or write the record's table again "
+                        "(`axiscomp write --record`)"));
+        AxisStatus turned = millimetres;
+        turned.sourceUnits[0] = "Degree"; // of the axis whose position the source is
+        const auto refused = checkRecordTable(record, turned, profile());
+        VERIFY_ERROR(refused, ErrorCode::UnitMismatch);
+        QVERIFY2(
+            sentence(refused.error()).starts_with("the positions of dimension 1 of the record's"),
+            sentence(refused.error()).c_str());
+    }
+
+    /// Which noted no units: the table says what it would be in those of now.
+    void theUnitOfARecordOfAnOlderProgramIsToldByItsTables_data()
+    {
+        QTest::addColumn<std::string>("written");
+        QTest::addColumn<std::string>("other");
+        QTest::addColumn<std::string>("ofTable");
+        QTest::newRow("mm") << std::string("Millimeter") << std::string("Meter")
+                            << std::string("mm");
+        QTest::newRow("m") << std::string("Meter") << std::string("Millimeter")
+                           << std::string("mm");
+        QTest::newRow("values in um")
+            << std::string("Millimeter") << std::string("Meter") << std::string("um");
+        QTest::newRow("no unit") << std::string("Millimeter") << std::string("None")
+                                 << std::string("mm");
+    }
+
+    void theUnitOfARecordOfAnOlderProgramIsToldByItsTables()
+    {
+        QFETCH(const std::string, written);
+        QFETCH(const std::string, other);
+        QFETCH(const std::string, ofTable);
+        const CompensationTable table{
+            {}, ofTable, {{{"Y", "mm", 0.0, 20.0, 3}}}, {0.0F, 2.0F, 1.0F}};
+        const auto held = inDriveUnits(table, {written, {written}});
+        VERIFY_RESULT(held);
+        AxisStatus status = axisIn(written);
+        status.table = TableHeader{held->table.grid, 3, tableCrc(held->table), false};
+        CalibrationRecord record;
+        VERIFY_RESULT(recordWrite(record, status, "generic", WallTime{}));
+        record.write->units.reset();
+        record.tables = {{table, tableCrc(table)}};
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
+        status.axis.unit = status.sourceUnits[0] = other;
+        const auto refused = checkRecordTable(record, status, profile());
+        VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+        QVERIFY2(sentence(refused.error()).find("does not say in which unit") != std::string::npos,
+            sentence(refused.error()).c_str());
+        // Nothing is left that could tell.
+        status = axisIn(written);
+        status.table = TableHeader{held->table.grid, 3, tableCrc(held->table), false};
+        record.tables.clear();
+        VERIFY_ERROR(checkRecordTable(record, status, profile()), ErrorCode::InvalidArgument);
+    }
+
+    /// As after a change of the order of the axes.
+    void anAxisThatHasTheNameOfAnotherOneIsNotThatOfTheRecord()
+    {
+        CalibrationRecord record = writtenRecord();
+        AxisStatus status = axisWithTable();
+        status.axis.name = "Z";
+        for (const auto& refused : {checkRecordTable(record, status, profile()),
+                 recordWrite(record, status, "generic", WallTime{})}) {
+            VERIFY_ERROR(refused, ErrorCode::InvalidArgument);
+            QVERIFY2(
+                sentence(refused.error())
+                    .starts_with("the record is of axis 1 (Y) of Stage-8 (serial number 1560), "
+                                 "and this is axis 1 (Z)"),
+                sentence(refused.error()).c_str());
+        }
+        status.axis.name = "Gantry"; // may be the same axis
+        VERIFY_RESULT(checkRecordTable(record, status, profile()));
     }
 
     /// A source can be changed without the table.

@@ -76,6 +76,35 @@ private Q_SLOTS:
         QVERIFY(!measuredWith(other, profile, root(fixture)));
     }
 
+    void aTableInAnotherUnitIsNotSaidToBeWorthWhatWasMeasured()
+    {
+        CompensatorFixture fixture;
+        VERIFY_RESULT(fixture.compensator.write(0, exampleRequest()));
+        const auto status = fixture.compensator.status(0);
+        VERIFY_RESULT(status);
+        QVERIFY(unitsOfTable(*status) == (TableUnits{"Millimeter", {"Millimeter", "Millimeter"}}));
+        MeasuredFigures figures{status->table->crc, {}, "", false, {{"A", 0.013, {}, 0.003}}};
+        figures.units = unitsOfTable(*status);
+        figures.axisName = "X";
+        VERIFY_RESULT(fixture.store.recordMeasured(4711, 0, figures));
+        const auto measured = [&fixture] {
+            const auto summary = summarizeDrive(fixture.compensator, root(fixture), {});
+            return summary ? summary->axes[0].measured : std::nullopt;
+        };
+        QVERIFY(measured() == figures);
+        const std::string unit = "]/Parameters/PositionController/PositionUnit";
+        fixture.set("Axes[0" + unit, std::string("Meter"));
+        QVERIFY(!measured());
+        fixture.set("Axes[0" + unit, std::string("Millimeter"));
+        fixture.set("Axes[1" + unit, std::string("Degree")); // of a source
+        QVERIFY(!measured());
+        fixture.set("Axes[1" + unit, std::string("Millimeter"));
+        QVERIFY(measured() == figures);
+        figures.axisName = "Z";
+        VERIFY_RESULT(fixture.store.recordMeasured(4711, 0, figures));
+        QVERIFY(!measured());
+    }
+
     void aDriveThatDoesNotAnswerHasNoSummary()
     {
         CompensatorFixture fixture;

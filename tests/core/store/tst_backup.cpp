@@ -123,7 +123,7 @@ private Q_SLOTS:
 
     void formIsStable();
     void exampleComesBack();
-    void unitsComeBackAndMayBeMissing();
+    void unitsAndPathsComeBackAndMayBeMissing();
     void everyBackupComesBack();
     void numbersWithoutAJsonForm_data();
     void numbersWithoutAJsonForm();
@@ -217,11 +217,12 @@ void TestAxisBackup::exampleComesBack()
     VERIFY_RESULT(readBackup(writeBackup({}), "b.json"));
 }
 
-void TestAxisBackup::unitsComeBackAndMayBeMissing()
+void TestAxisBackup::unitsAndPathsComeBackAndMayBeMissing()
 {
     AxisBackup axis = example();
     axis.unit = "Millimeter";
     axis.sourceUnits = {"", "Degree"};
+    axis.sourcePaths = {"Axes[0]/Signals/Sensor", "Axes[1]/Signals/Position"};
     axis.profile = "generic";
     axis.layout = layoutText(genericTableLayout());
     const auto backup = readBackup(textOf(axis), "b.json");
@@ -234,6 +235,7 @@ void TestAxisBackup::unitsComeBackAndMayBeMissing()
     QCOMPARE(
         axis.layout, "little 128 first dimensions=u32@16 size=u32@20 start=f64@32 distance=f64@56");
     QVERIFY(exampleText().find("nit") == std::string::npos
+        && exampleText().find("sourcePaths") == std::string::npos
         && exampleText().find("layout") == std::string::npos); // as older versions wrote it
 }
 

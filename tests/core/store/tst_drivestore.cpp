@@ -53,6 +53,8 @@ JournalEntry entryFor(int axis)
     entry.newCrc = 0x00c0ffee;
     entry.persistent = true;
     entry.deletedSlot = "Small4";
+    entry.newUnits = {"Millimeter", {"Millimeter", "", "Degree"}};
+    entry.newSourcePaths = {"Axes[0]/Signals/Position", "", "Axes[1]/Signals/Position"};
     return entry;
 }
 
@@ -516,6 +518,8 @@ void TestDriveStore::figuresAreThoseOfOneTableOfOneAxis()
     second.lesserRange = TwoRanges{{-0.1, 500.0}, {0.0, 1.0 / 3.0}};
     second.grid = Grid{{{"", "", -0.1, 1.0 / 3.0, 5}, {"", "", 7.0, 2.0, 2}}};
     second.madeFor = {LookupAt::Set, {"#2", "other"}};
+    second.units = TableUnits{"mm", {"mm", ""}};
+    second.axisName = "X";
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, first));
     VERIFY_RESULT(m_store->recordMeasured(serial, 0, second));
     m_store = std::make_unique<DriveStore>(m_root);

@@ -163,13 +163,15 @@ void TestStoreDamage::anOlderVersionIsTakenOver_data()
     QTest::newRow("damaged") << true;
 }
 
-/// Its journal does not know deletions, and it has no figures of measurements.
+/// Its journal does not know deletions, units and paths of sources, and it has no figures of
+/// measurements.
 void TestStoreDamage::anOlderVersionIsTakenOver()
 {
     QFETCH(bool, isDamaged);
     sqlite::Connection(m_file, 0ms)
-        .run("ALTER TABLE journal DROP COLUMN deleted_slot; DROP TABLE measured; "
-             "DROP TABLE measured_figure; PRAGMA user_version = 1");
+        .run("ALTER TABLE journal DROP COLUMN deleted_slot; ALTER TABLE journal DROP COLUMN units; "
+             "ALTER TABLE journal DROP COLUMN source_paths; "
+             "DROP TABLE measured; DROP TABLE measured_figure; PRAGMA user_version = 1");
     if (isDamaged)
         damageFlashOperations(m_file);
     DriveStore store(m_root);

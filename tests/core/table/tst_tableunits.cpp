@@ -265,6 +265,22 @@ private Q_SLOTS:
                                        "written in um. The largest correction is 123.456 um.")));
     }
 
+    void aUnitThatIsAnotherOneNowIsFound()
+    {
+        const TableUnits before{"Millimeter", {"mm", "Degree"}};
+        QVERIFY(!changedUnit(before, {"mm", {"Millimeter", "deg"}}));
+        QVERIFY(changedUnit(before, {"Meter", {"m", "deg"}}) == (UnitChange{{}, "mm", "m"}));
+        QVERIFY(changedUnit(before, {"mm", {"mm", "Radian"}}) == (UnitChange{1, "deg", "rad"}));
+        // What the drive does not say any more may be anything.
+        QVERIFY(changedUnit(before, {"None", {"mm", "deg"}}) == (UnitChange{{}, "mm", "None"}));
+        QVERIFY(changedUnit(before, {"mm", {"mm"}}) == (UnitChange{1, "deg", ""}));
+        QCOMPARE(unitNow({1, "deg", ""}).english(), std::string("an unknown unit"));
+        QVERIFY(changedUnit({"None", {}}, {"mm", {}}) == (UnitChange{{}, "None", "mm"}));
+        // What was not known before tells nothing.
+        QVERIFY(!changedUnit({"", {""}}, before));
+        QVERIFY(!changedUnit({}, before));
+    }
+
     void theSameUnitNeedsNoWord()
     {
         const auto result = inDriveUnits(tableIn("MM", "mm"), {"Millimeter", {"Millimeter"}});

@@ -354,6 +354,124 @@ private Q_SLOTS:
         QCOMPARE(refused, 1);
     }
 
+    void anAxisInAnotherUnitIsNeitherFinishedNorUndone_data()
+    {
+        QTest::addColumn<int>("axis");
+        QTest::addColumn<std::string>("unit");
+        QTest::addColumn<std::string>("said");
+        QTest::newRow("values a thousand times as large")
+            << 0 << std::string("Meter")
+            << std::string("the values of axis 0 were in mm when the write began, and the drive "
+                           "has them in m now, ");
+        QTest::newRow("values that are angles")
+            << 0 << std::string("Degree")
+            << std::string("the values of axis 0 were in mm when the write began, and the drive "
+                           "has them in deg now, ");
+        QTest::newRow("positions of a source")
+            << 1 << std::string("Degree")
+            << std::string("the positions of dimension 2 of axis 0 were in mm when the write "
+                           "began, and the drive has them in deg now, ");
+    }
+
+    /// The same numbers would mean something else, and both ways say that they are complete.
+    void anAxisInAnotherUnitIsNeitherFinishedNorUndone()
+    {
+        QFETCH(const int, axis);
+        QFETCH(const std::string, unit);
+        QFETCH(const std::string, said);
+        Interrupted c;
+        c.set(unitOf(axis), unit);
+        const auto recovery = c.compensator.recovery(c.entry);
+        VERIFY_RESULT(recovery);
+        for (const auto& obstacle : {recovery->finishObstacle, recovery->undoObstacle}) {
+            QVERIFY(obstacle && obstacle->code == ErrorCode::UnitMismatch);
+            QVERIFY2(sentence(*obstacle).starts_with(said), sentence(*obstacle).c_str());
+        }
+        c.link.forgetChange();
+        for (const Recover way : ways)
+            VERIFY_ERROR((c.compensator.*way)(c.entry, {}), ErrorCode::UnitMismatch);
+        QCOMPARE(c.link.firstChange(), 0);
+        QVERIFY(c.isUnfinished());
+        // The way out that the sentence names.
+        c.set(unitOf(axis), std::string("Millimeter"));
+        VERIFY_RESULT(c.compensator.finishUnfinished(c.entry));
+        QVERIFY(c.state() == c.wanted);
+    }
+
+    /// The state before it did not have that source: the way back is open.
+    void aWriteIsNotFinishedOverANewSourceInAnotherUnit()
+    {
+        WriteRequest alone = exampleRequest(1, Persistency::Persistent);
+        alone.dimensionality = 1;
+        alone.sources.pop_back();
+        alone.table = exampleTable(1);
+        CompensatorFixture whole;
+        VERIFY_RESULT(whole.compensator.write(0, alone));
+        const int begin = whole.link.exchanges();
+        whole.link.forgetChange();
+        VERIFY_RESULT(whole.compensator.write(0, exampleRequest(2)));
+        CompensatorFixture c;
+        VERIFY_RESULT(c.compensator.write(0, alone));
+        const CompensatorFixture::State old = c.state();
+        c.link.failAt(whole.link.firstChange() - begin + 2, LinkFault::DriveGone);
+        QVERIFY(!c.compensator.write(0, exampleRequest(2)).has_value());
+        c.link.heal();
+        const auto entry = c.store.journal(4711, 0).value();
+        QVERIFY(entry.has_value());
+        c.set(unitOf(1), std::string("Degree"));
+        const auto recovery = c.compensator.recovery(*entry);
+        VERIFY_RESULT(recovery);
+        QVERIFY(
+            recovery->finishObstacle && recovery->finishObstacle->code == ErrorCode::UnitMismatch);
+        QVERIFY(!recovery->undoObstacle);
+        VERIFY_ERROR(c.compensator.finishUnfinished(*entry), ErrorCode::UnitMismatch);
+        VERIFY_RESULT(c.compensator.undoUnfinished(*entry));
+        QVERIFY(c.state() == old);
+    }
+
+    /// Older programs noted no units of the new table: those of the backup count.
+    void aJournalWithoutUnitsIsComparedWithItsBackup()
+    {
+        Interrupted c;
+        c.entry.newUnits = {};
+        VERIFY_RESULT(c.store.openJournal(c.entry));
+        for (const int axis : {0, 1}) {
+            c.set(unitOf(axis), std::string("Radian"));
+            VERIFY_ERROR(c.compensator.finishUnfinished(c.entry), ErrorCode::UnitMismatch);
+            c.set(unitOf(axis), std::string("Millimeter"));
+        }
+        VERIFY_RESULT(c.compensator.finishUnfinished(c.entry));
+        QVERIFY(c.state() == c.wanted);
+    }
+
+    /// As after a change of the order of the axes: the table of Z is not for X.
+    void anAxisOfAnotherNameIsNeitherFinishedNorUndone()
+    {
+        Interrupted c;
+        nameInBackup(c.entry.backup, "Z");
+        const auto recovery = c.compensator.recovery(c.entry);
+        VERIFY_RESULT(recovery);
+        for (const auto& obstacle : {recovery->finishObstacle, recovery->undoObstacle}) {
+            QVERIFY(obstacle && obstacle->code == ErrorCode::TargetMismatch);
+            QVERIFY2(sentence(*obstacle).starts_with("axis 0 was Z when the write began, and is X"),
+                sentence(*obstacle).c_str());
+        }
+        c.link.forgetChange();
+        for (const Recover way : ways)
+            VERIFY_ERROR((c.compensator.*way)(c.entry, {}), ErrorCode::TargetMismatch);
+        QCOMPARE(c.link.firstChange(), 0);
+
+        nameInBackup(c.entry.backup, "Gantry"); // may be the same axis
+        const auto doubted = c.compensator.recovery(c.entry);
+        VERIFY_RESULT(doubted);
+        QVERIFY(!doubted->finishObstacle && !doubted->undoObstacle);
+        QCOMPARE(doubted->doubts.size(), std::size_t{1});
+        const auto undone = c.compensator.undoUnfinished(c.entry);
+        VERIFY_RESULT(undone);
+        QVERIFY(undone->plan.warnings == doubted->doubts);
+        QVERIFY(c.state() == c.old);
+    }
+
     void anActiveCompensationIsLeftAlone()
     {
         Interrupted c;
@@ -821,6 +939,19 @@ private Q_SLOTS:
     }
 
 private:
+    static std::string unitOf(int axis)
+    {
+        return "Axes[" + std::to_string(axis) + "]/Parameters/PositionController/PositionUnit";
+    }
+    static void nameInBackup(const std::filesystem::path& file, const std::string& name)
+    {
+        const auto text = loadFile(file, maximumBackupSize);
+        VERIFY_RESULT(text);
+        auto backup = readBackup(asText(*text), file.string());
+        VERIFY_RESULT(backup);
+        backup->axes.front().axisName = name;
+        VERIFY_RESULT(saveFile(file, asBytes(writeBackup(*backup))));
+    }
     static Result<DriveSnapshot> snapshotOf(CompensatorFixture& c)
     {
         return snapshotDrive(

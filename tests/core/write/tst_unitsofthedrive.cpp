@@ -223,9 +223,13 @@ private Q_SLOTS:
         QTest::addColumn<QString>("what");
         QTest::newRow("values") << 0 << QStringLiteral("Meter")
                                 << QStringLiteral("values of axis 0");
+        QTest::newRow("values of an axis without a unit")
+            << 0 << QStringLiteral("None") << QStringLiteral("values of axis 0");
         QTest::newRow("positions of a source")
             << 1 << QStringLiteral("Radian")
             << QStringLiteral("positions of dimension 2 of axis 0");
+        QTest::newRow("positions of a source without a unit")
+            << 1 << QStringLiteral("None") << QStringLiteral("positions of dimension 2 of axis 0");
     }
 
     void aBackupIsNotRestoredWhereItsNumbersMeanSomethingElse()

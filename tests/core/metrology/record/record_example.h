@@ -93,7 +93,8 @@ inline CalibrationRecord fullRecord()
     record.drive = RecordedDrive{
         "Triamec-616", 1559, "generic", 1, "X", {MeasuredState::Kind::Off, std::nullopt}};
     record.write = RecordedWrite{*utcFromText("2026-11-21T09:00:00Z"), "Small1", true, 0x00a1b2c3,
-        RecordedWrite::Proof{true, 100, 1e-9, 2e-9, 0.75}, Grid{{{"", "", 0.1, 20.0, 3}}}};
+        RecordedWrite::Proof{true, 100, 1e-9, 2e-9, 0.75}, Grid{{{"", "", 0.1, 20.0, 3}}},
+        TableUnits{"mm", {"mm"}}};
     RecordedAfter after{{{before.files.front()}}, prediction.predicted, true};
     record.after = {after, after};
     record.after[1].isAsPredicted.reset();

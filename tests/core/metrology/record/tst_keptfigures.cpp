@@ -140,6 +140,15 @@ private Q_SLOTS:
         QVERIFY(figuresToKeep(record, {})->madeFor == (MadeForLookup{LookupAt::Set, {}}));
     }
 
+    void theUnitsOfTheTableAndTheNameOfItsAxisAreKept()
+    {
+        CalibrationRecord record = writtenRecord();
+        QCOMPARE(figuresToKeep(record, {})->axisName, std::string("X"));
+        QVERIFY(!figuresToKeep(record, {})->units); // a record of an older program
+        record.write->units = TableUnits{"mm", {"mm"}};
+        QVERIFY(figuresToKeep(record, {})->units == record.write->units);
+    }
+
     void aToleranceThatIsMissedByLittleReadsSo()
     {
         CalibrationRecord record = writtenRecord();
@@ -231,6 +240,23 @@ private Q_SLOTS:
                 VERIFY_RESULT(keepFigures(store, promised, {}, measuring));
                 QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(record, {}));
             }
+    }
+
+    void theSameNumbersInAnotherUnitAreAnotherTable()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord millimetres = writtenRecord();
+        millimetres.write->units = TableUnits{"mm", {"mm"}};
+        addAfter(millimetres, 0.0032, writtenCrc);
+        VERIFY_RESULT(keepFigures(store, millimetres, {}, Measuring::New));
+        CalibrationRecord promised = writtenRecord();
+        promised.write->units = TableUnits{"Millimeter", {"Millimeter"}}; // the same ones
+        VERIFY_RESULT(keepFigures(store, promised, {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(millimetres, {}));
+        promised.write->units = TableUnits{"m", {"m"}};
+        VERIFY_RESULT(keepFigures(store, promised, {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(promised, {}));
     }
 
     void theSameMeasurementMayBeJudgedAnew()
