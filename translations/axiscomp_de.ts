@@ -8745,6 +8745,26 @@
         <source>it states no term of the uncertainty</source>
         <translation>es nennt keinen Beitrag zur Messunsicherheit</translation>
     </message>
+    <message>
+        <source>the {what} were in {unit} when the write began, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>die {what} waren zu Beginn des Schreibens in {unit}, und der Antrieb hat sie jetzt in {other}, sodass dieselben Zahlen etwas anderes bedeuten würden; stellen Sie die Einheit im Antrieb wieder auf {unit} oder schreiben Sie die Tabelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the write began, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>Achse {axis} hieß zu Beginn des Schreibens {target} und heißt im Antrieb jetzt {name}; geben Sie den Achsen die Reihenfolge oder die Namen von damals oder schreiben Sie die Tabelle aus ihrer Datei</translation>
+    </message>
+    <message>
+        <source>the {what} of the record&apos;s table were in {unit} when it was written, and the drive has them in {other} now, so that the same numbers mean something else; set the unit on the drive to {unit} again, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>die {what} der Tabelle des Protokolls waren in {unit}, als sie geschrieben wurde, und der Antrieb hat sie jetzt in {other}, sodass dieselben Zahlen etwas anderes bedeuten; die Einheit im Antrieb wieder auf {unit} stellen oder die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“)</translation>
+    </message>
+    <message>
+        <source>an unknown unit</source>
+        <translation>einer unbekannten Einheit</translation>
+    </message>
+    <message>
+        <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>das Protokoll sagt nicht, in welcher Einheit die Achse war, als seine Tabelle geschrieben wurde, und in {unit}, der Einheit der Achse jetzt, ist keine seiner Tabellen die im Antrieb: die Einheit einstellen, die die Achse hatte, oder die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8745,6 +8745,26 @@
         <source>it states no term of the uncertainty</source>
         <translation>il n&apos;indique aucune composante de l&apos;incertitude</translation>
     </message>
+    <message>
+        <source>the {what} were in {unit} when the write began, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>les {what} étaient en {unit} au début de l&apos;écriture, et le variateur les a maintenant en {other}&#xa0;: les mêmes nombres auraient un autre sens&#xa0;; remettre l&apos;unité du variateur à {unit} ou écrire la table depuis son fichier</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the write began, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>l&apos;axe {axis} était {target} au début de l&apos;écriture, et c&apos;est maintenant {name} sur le variateur&#xa0;; redonner aux axes l&apos;ordre ou les noms qu&apos;ils avaient, ou écrire la table depuis son fichier</translation>
+    </message>
+    <message>
+        <source>the {what} of the record&apos;s table were in {unit} when it was written, and the drive has them in {other} now, so that the same numbers mean something else; set the unit on the drive to {unit} again, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>les {what} de la table de la fiche étaient en {unit} lors de son écriture, et le variateur les a maintenant en {other}&#xa0;: les mêmes nombres ont un autre sens&#xa0;; remettre l&apos;unité du variateur à {unit} ou écrire de nouveau la table de la fiche («&#xa0;axiscomp write --record&#xa0;»)</translation>
+    </message>
+    <message>
+        <source>an unknown unit</source>
+        <translation>une unité inconnue</translation>
+    </message>
+    <message>
+        <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>la fiche n&apos;indique pas dans quelle unité était l&apos;axe lors de l&apos;écriture de sa table, et en {unit}, l&apos;unité actuelle de l&apos;axe, aucune de ses tables n&apos;est celle du variateur&#xa0;: remettre l&apos;unité que l&apos;axe avait, ou écrire de nouveau la table de la fiche («&#xa0;axiscomp write --record&#xa0;»)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8703,6 +8703,26 @@
         <source>it states no term of the uncertainty</source>
         <translation>不確かさの成分が 1 つも記載されていません</translation>
     </message>
+    <message>
+        <source>the {what} were in {unit} when the write began, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>{what}の単位は書き込みの開始時には {unit} でしたが、ドライブでは現在 {other} なので、同じ数値が別の意味になります。ドライブの単位を {unit} に戻すか、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the write began, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>書き込みの開始時に軸 {axis} は {target} でしたが、ドライブでは現在 {name} です。軸の順序または名前を元に戻すか、ファイルからテーブルを書き込んでください</translation>
+    </message>
+    <message>
+        <source>the {what} of the record&apos;s table were in {unit} when it was written, and the drive has them in {other} now, so that the same numbers mean something else; set the unit on the drive to {unit} again, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>記録のテーブルの{what}の単位は書き込み時には {unit} でしたが、ドライブでは現在 {other} なので、同じ数値が別の意味になります。ドライブの単位を {unit} に戻すか、記録のテーブルを書き込み直してください (`axiscomp write --record`)</translation>
+    </message>
+    <message>
+        <source>an unknown unit</source>
+        <translation>不明な単位</translation>
+    </message>
+    <message>
+        <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>テーブルを書き込んだときの軸の単位が記録にありません。軸の現在の単位 {unit} では、記録のどのテーブルもドライブのテーブルと一致しません。軸の元の単位に戻すか、記録のテーブルを書き込み直してください (`axiscomp write --record`)</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8703,6 +8703,26 @@
         <source>it states no term of the uncertainty</source>
         <translation>其中没有给出任何不确定度分量</translation>
     </message>
+    <message>
+        <source>the {what} were in {unit} when the write began, and the drive has them in {other} now, so that the same numbers would mean something else; set the unit on the drive to {unit} again, or write the table from its file</source>
+        <translation>{what}在写入开始时以 {unit} 为单位，而驱动器现在以 {other} 为单位，同样的数值含义会不同；请将驱动器的单位改回 {unit}，或从文件写入该表</translation>
+    </message>
+    <message>
+        <source>axis {axis} was {target} when the write began, and is {name} on the drive now; give the axes the order or the names that they had, or write the table from its file</source>
+        <translation>写入开始时轴 {axis} 是 {target}，而驱动器上现在是 {name}；请恢复各轴原来的顺序或名称，或从文件写入该表</translation>
+    </message>
+    <message>
+        <source>the {what} of the record&apos;s table were in {unit} when it was written, and the drive has them in {other} now, so that the same numbers mean something else; set the unit on the drive to {unit} again, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>档案的表的{what}在写入时以 {unit} 为单位，而驱动器现在以 {other} 为单位，同样的数值含义不同；请将驱动器的单位改回 {unit}，或重新写入档案的表（`axiscomp write --record`）</translation>
+    </message>
+    <message>
+        <source>an unknown unit</source>
+        <translation>未知单位</translation>
+    </message>
+    <message>
+        <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
+        <translation>档案没有注明写入其表时轴的单位，而按轴现在的单位 {unit}，档案中没有一个表与驱动器上的表一致：请设回轴原来的单位，或重新写入档案的表（`axiscomp write --record`）</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
