@@ -364,8 +364,7 @@ Result<NeutralTable> Converter::signConverted(
     const SignConvention to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
     if (table.sign == to) {
         const bool isForSet = sides.source && sides.target;
-        conversion.example =
-            examplePoint(isForSet ? withTurnedSigns(table, SignConvention::Command) : table);
+        conversion.example = isForSet ? examplePointAtSet(table) : examplePoint(table);
     } else {
         const ConvertedKnots knots = knotsFor(table);
         if (knots == ConvertedKnots::Same)

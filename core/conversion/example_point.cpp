@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
@@ -209,6 +210,17 @@ Text examplePoint(const NeutralTable& table)
             ? AXISCOMP_TEXT("Error", "{example}: the feedback file says {value}")
             : AXISCOMP_TEXT("Error", "{example}: the command file says {value}"))
         .with("example", Sentence(table, *point).text())
+        .with("value", valueOf(table, *point));
+}
+
+Text examplePointAtSet(const NeutralTable& table)
+{
+    const auto point = largestPoint(table);
+    if (!point)
+        return allZero;
+    const NeutralTable moving = withTurnedSigns(table, SignConvention::Command);
+    return AXISCOMP_TEXT("Error", "{example}: the file says {value}")
+        .with("example", Sentence(moving, *point).text())
         .with("value", valueOf(table, *point));
 }
 

@@ -57,6 +57,10 @@ enum class ConvertedKnots {
 /// The same for a table in both conventions, with the number of each file at the same knot.
 [[nodiscard]] Text examplePoint(const NeutralTable& feedback, const NeutralTable& command);
 
+/// The same for a table that the drive looks up at the set position, with the number of its file:
+/// the encoder moves by the opposite of that.
+[[nodiscard]] Text examplePointAtSet(const NeutralTable& table);
+
 /// How two columns differ in what their controllers make of them, as an error of position in the
 /// unit of a's column. Positions are in the units of a's axes.
 struct ColumnDifference {

@@ -446,6 +446,9 @@ private Q_SLOTS:
         const auto same = convertTables(std::span(&table, 1), request);
         VERIFY_RESULT(same);
         QCOMPARE(same->written.held.front().columns[0].values, table.columns[0].values);
+        QVERIFY(contains(conversionReport(*same, request),
+            "commanded to 10 mm, the controller moves the encoder to 9.5 mm, where the reference "
+            "says 10 mm: the file says +0.5 mm"));
     }
 
     /// Then the numbers are not those that the drive adds, wherever it looks them up.
