@@ -4,6 +4,7 @@
 #include "core/conversion/columns_beside.h"
 #include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/formats/formats.h"
 #include "core/formats/units.h"
 #include "core/formats/wrap_range.h"
@@ -591,6 +592,11 @@ Result<Conversion> convertTables(
     AXISCOMP_CHECK(checkHolds(request.to->facts, prepared));
     AXISCOMP_TRY(auto written, request.to->write(prepared, request.writing));
     conversion.written = std::move(written);
+    for (const NeutralTable& table : prepared) {
+        AXISCOMP_TRY(auto unheld, unheldNotes(request.to->facts, table.notes));
+        for (Text& remark : unheld)
+            remarkOnce(conversion.written.remarks, std::move(remark));
+    }
     const std::size_t count = std::min(prepared.size(), conversion.written.held.size());
     for (std::size_t n = 0; n < count; ++n)
         AXISCOMP_CHECK(converter.finish(

@@ -6,10 +6,10 @@
 #include "app/cli/output/output_file.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/io/local_file.h"
-#include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/large_correction.h"
 #include "core/table/position_unit.h"
@@ -120,24 +120,16 @@ Result<Bytes> encodeTable(Environment& environment, const ConvertOptions& option
 }
 
 /// A .TAMtbl has room for the numbers alone: what would be checked of a calibration file is not.
-void noteWhatIsNotHeld(Environment& environment, const CalibrationData& data)
+Result<void> noteWhatIsNotHeld(Environment& environment, const CalibrationData& data)
 {
-    const auto lookupAt = lookupInNotes(data.notes);
-    if (lookupAt && *lookupAt)
-        environment.console().note("note: the .TAMtbl does not say that the drive has to look it "
-                                   "up at the "
-            + std::string(**lookupAt == LookupAt::Set ? "set" : "encoder")
-            + " position, as the file does: write it with such sources only");
-    const auto measured = measuredDriveInNotes(data.notes);
-    if (measured && *measured)
-        environment.console().note("note: the .TAMtbl does not say that the drive with the serial "
-                                   "number "
-            + std::to_string(**measured)
-            + " was measured, as the file does: write it to that drive only");
+    AXISCOMP_TRY(const auto unheld, unheldNotes(tam_table::format().facts, data.notes));
+    for (const Text& remark : unheld)
+        environment.console().note("note: " + remark.english());
     const std::string& target = data.tables.front().target;
     if (!target.empty())
         environment.console().note(
             "note: the .TAMtbl does not say what it corrects (" + target + "), as the file does");
+    return {};
 }
 
 /// Returns the number of bytes written.
@@ -146,7 +138,7 @@ Result<std::size_t> writeAs(Environment& environment, const ConvertOptions& opti
 {
     const Output output{options.output, options.input.command};
     if (&format == &tam_table::format()) {
-        noteWhatIsNotHeld(environment, data);
+        AXISCOMP_CHECK(noteWhatIsNotHeld(environment, data));
         AXISCOMP_TRY(
             const auto bytes, encodeTable(environment, options, data.tables.front(), persistent));
         AXISCOMP_CHECK(writeOutput(environment, output, bytes));

@@ -2,6 +2,7 @@
 #include "app/cli/commands/fitted_file.h"
 
 #include "app/common/arguments.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/formats/formats.h"
 #include "core/formats/triamec/triamec_tables.h"
@@ -99,13 +100,17 @@ Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& 
 }
 
 Result<Bytes> tableBytes(Environment& environment, const FittedFileOptions& options,
-    const CompensationTable& table, const DriveProfile& profile)
+    const CalibrationData& data, const DriveProfile& profile)
 {
+    const CompensationTable& table = data.tables.front();
     for (const Text& large : largeCorrections(table)) {
         if (!options.acceptsLarge)
             return fail(ErrorCode::LargeCorrection, {{"reason", large}});
         environment.warn(large.english());
     }
+    AXISCOMP_TRY(const auto unheld, unheldNotes(tam_table::format().facts, data.notes));
+    for (const Text& remark : unheld)
+        environment.console().note(options.output.file + ": " + remark.english());
     return encodeTamTable(table, false, profile.layout);
 }
 
@@ -154,8 +159,7 @@ Result<void> writeFitted(Environment& environment, const FittedFileOptions& opti
         return writeOutput(environment, options.output, bytes);
     }
     if (&format == &tam_table::format()) {
-        AXISCOMP_TRY(
-            const auto bytes, tableBytes(environment, options, data.tables.front(), profile));
+        AXISCOMP_TRY(const auto bytes, tableBytes(environment, options, data, profile));
         return writeOutput(environment, options.output, bytes);
     }
     return writeOutput(environment, options.output, asBytes(writeCalibrationCsv(data)));

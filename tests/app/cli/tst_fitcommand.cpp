@@ -222,10 +222,14 @@ private Q_SLOTS:
             box.run({"convert", "table.csv", "denser.csv", "--dims", "1", "--points", "21"}), 0);
         box.file("table.csv", box.content("denser.csv"));
         VERIFY_CODE(write({}), 4);
-        const ProgramRun bare = box.run({"convert", "table.csv", "t.TAMtbl", "--dims", "1"});
-        VERIFY_CODE(bare, 0);
-        QVERIFY2(bare.err.contains("the drive with the serial number 850618 was measured"),
-            bare.err.constData());
+        for (const QStringList& bare :
+            {QStringList{"convert", "table.csv", "t.TAMtbl", "--dims", "1"},
+                QStringList{"fit", "x.csv", "-o", "t.TAMtbl"} + offAtEncoder}) {
+            const ProgramRun run = box.run(bare);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.err.contains("the drive with the serial number 850618 was measured"),
+                run.err.constData());
+        }
 
         box.file("table.csv", box.content("table.csv").replace("850618", "100001"));
         VERIFY_CODE(write({}), 0);

@@ -4,6 +4,7 @@
 #include "core/conversion/table_import.h"
 #include "core/formats/triamec/triamec_tables.h"
 #include "core/neutral/controller_lookup.h"
+#include "core/neutral/drive_note.h"
 #include "core/neutral/sign_note.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
@@ -637,6 +638,25 @@ private Q_SLOTS:
         VERIFY_RESULT(made);
         QCOMPARE(made->written.held.front().columns[0].values, table.columns[0].values);
         QVERIFY(made->written.bytes.find("// lookup: set") != std::string::npos);
+    }
+
+    void theDriveThatWasMeasuredIsInTheFileOrSaid_data() { addFormats(); }
+    void theDriveThatWasMeasuredIsInTheFileOrSaid()
+    {
+        QFETCH(const int, index);
+        const TableFormat& to = *tableFormats()[static_cast<std::size_t>(index)];
+        NeutralTable table = exampleTable(to.facts.fewestDimensions, SignConvention::Feedback);
+        nameAxes(table, to);
+        table.notes = {driveNote(driveText("Mill", 850618))};
+        const ConversionRequest request = requestFor(calibration_csv::format(), to);
+        const auto conversion = convertTables(std::span(&table, 1), request);
+        VERIFY_RESULT(conversion);
+        QCOMPARE(test::mentions(conversion->written.bytes, "850618"), to.facts.holdsNotes);
+        QCOMPARE(contains(conversion->remarks, "the serial number 850618"), !to.facts.holdsNotes);
+        if (to.facts.holdsNotes)
+            return;
+        table.notes.push_back(driveNote(driveText("Twin", 850619)));
+        VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
     }
 
     void aPlaceOfTheLookupThatContradictsTheFileIsRefused()
