@@ -178,6 +178,15 @@ private Q_SLOTS:
         VERIFY_CODE(refused, 2);
         QVERIFY2(refused.err.contains("made for a position after the compensation"),
             refused.err.constData());
+        // A .TAMtbl has no room for it, whichever command makes one.
+        const QStringList fit{
+            "fit", "x.csv", "--measured-with", "off", "--lookup-at", "set", "-o", "t.TAMtbl"};
+        const QStringList convert{"convert", "table.csv", "t.TAMtbl", "--dims", "1"};
+        for (const QStringList& bare : {fit, convert, convert + QStringList{"--target", "#1"}}) {
+            const ProgramRun run = box.run(bare);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.text().contains("look it up at the set position"), run.text().constData());
+        }
         box.file("table.csv", box.content("table.csv").replace("lookup: set", "lookup: sett"));
         const ProgramRun misspelt = write(test::positionSource(0));
         VERIFY_CODE(misspelt, 2);

@@ -659,6 +659,30 @@ private Q_SLOTS:
         VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
     }
 
+    /// One for the set position is written for the encoder's as it is, once its file does not say.
+    void whereATableIsLookedUpIsInTheFileOrSaid()
+    {
+        const std::string_view said =
+            "does not say that the drive has to look it up at the set position";
+        const NeutralTable table =
+            neutralTable({steepTable().grid, {steepTable()}, {lookupNote(LookupAt::Set)}});
+        for (const TableFormat* to : {&calibration_csv::format(), &tam_table::format()}) {
+            const bool isLost = to == &tam_table::format();
+            ConversionRequest request = requestFor(calibration_csv::format(), *to);
+            request.targets = {"#1"};
+            const auto converted = convertTables(std::span(&table, 1), request);
+            VERIFY_RESULT(converted);
+            QCOMPARE(contains(conversionReport(*converted, request), said), isLost);
+            ImportChoices choices;
+            choices.format = to;
+            choices.target = "#1";
+            choices.place.lookupAt = LookupAt::Set;
+            const auto exported = exportTable(steepTable(), choices, "x", layout());
+            VERIFY_RESULT(exported);
+            QCOMPARE(contains(exported->report, said), isLost);
+        }
+    }
+
     void aPlaceOfTheLookupThatContradictsTheFileIsRefused()
     {
         NeutralTable table =
