@@ -196,6 +196,21 @@ private Q_SLOTS:
         VERIFY_CODE(write(test::positionSource(0)), 0);
     }
 
+    /// A zero was taken out of the one, and the other is as it was measured.
+    void theFileOfAnotherControllerNamesAReferenceOnlyWhereItWasRead()
+    {
+        const Sandbox box;
+        box.file("x.csv", runs("// axis: X\n", [](double x) { return 0.02 * x - 3.0; }));
+        for (const auto& [zero, isRead] : {std::pair("first", false), std::pair("keep", true)}) {
+            const ProgramRun run = box.run(QStringList{"fit", "x.csv", "-o", "x.txt", "--to",
+                                               "softmc", "--zero", zero, "--target", "#1"}
+                + offAtEncoder);
+            VERIFY_CODE(run, 0);
+            QCOMPARE(run.err.contains("the reference says"), isRead);
+            QCOMPARE(run.err.contains("the controller takes the axis to be at"), !isRead);
+        }
+    }
+
     /// The file says which drive was measured: the axis X of a twin machine has another error.
     void aTableIsNotWrittenToAnotherDriveThanTheOneThatWasMeasured()
     {

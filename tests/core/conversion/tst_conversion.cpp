@@ -356,6 +356,24 @@ private Q_SLOTS:
         QVERIFY(!contains(encoder->report, "(lookup: set)"));
     }
 
+    /// As of one that was fitted, and of which a zero was taken out.
+    void ofATableThatWasComputedNoReferenceIsTold()
+    {
+        for (const TableFormat* to :
+            {&softmc::format(), &calibration_csv::format(), &tam_table::format()})
+            for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set})
+                for (const bool isComputed : {false, true}) {
+                    ImportChoices choices;
+                    choices.format = to;
+                    choices.target = "#1";
+                    choices.place.lookupAt = lookupAt;
+                    const auto exported =
+                        exportTable(steepTable(), choices, "x.txt", layout(), isComputed);
+                    VERIFY_RESULT(exported);
+                    QCOMPARE(contains(exported->report, "the reference says"), !isComputed);
+                }
+    }
+
     void aFileOfCommandValuesIsMadeForThePlaceWhereTheDriveLooksItUp()
     {
         ImportChoices choices;
