@@ -3,7 +3,6 @@
 
 #include "core/compensator/file_kind.h"
 #include "core/drive/drive_profile.h"
-#include "core/metrology/record/reference_reading.h"
 #include "core/write/lookup_side.h"
 #include "ui/async/background_job.h"
 #include "ui/controller/machine_controller.h"
@@ -360,30 +359,21 @@ void CompensationWizard::Private::tellDrive()
 void CompensationWizard::Private::useTable(
     const std::shared_ptr<const FitOutcome>& outcome, std::size_t table)
 {
-    struct Begun {
-        std::shared_ptr<const CalibrationRecord> calibration;
-        bool isComputed = false;
-    };
-    const auto begun = inBackground<Begun>([outcome] {
-        auto calibration = calibrationOf(*outcome);
-        const bool isComputed = calibration && !isReferenceReadAtLargest(*calibration);
-        return Begun{std::move(calibration), isComputed};
-    });
-    whenDone(begun, &q, [this, outcome, table](const Begun& made) {
+    using Calibration = std::shared_ptr<const CalibrationRecord>;
+    const auto begun = inBackground<Calibration>([outcome] { return calibrationOf(*outcome); });
+    whenDone(begun, &q, [this, outcome, table](const Calibration& calibration) {
         // Another record may be there by now: the table is of none of its files.
         if (outcome->request.record.files != record.record().files)
             return;
-        MadeTables tables = madeTables(*outcome, table);
-        tables.isComputed = made.isComputed;
-        if (!made.calibration || !controller.useTables(tables))
+        if (!calibration || !controller.useTables(madeTables(*outcome, table)))
             return;
         // Of the tables that are there already stays what was written and measured.
         const auto& now = record.record().calibration;
         const auto isSame = [](const RecordedTable& one, const RecordedTable& other) {
             return isSameTable(one, other);
         };
-        if (!now || !std::ranges::equal(now->tables, made.calibration->tables, isSame))
-            record.setCalibration(made.calibration);
+        if (!now || !std::ranges::equal(now->tables, calibration->tables, isSame))
+            record.setCalibration(calibration);
         page->tabs->setCurrentIndex(PageTabs::Write);
     });
 }

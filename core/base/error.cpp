@@ -470,8 +470,9 @@ constexpr std::array variants{
             "{file} is not a valid machine file: one problem")},
     Variant{ErrorCode::NoTable, "configured",
         AXISCOMP_TEXT("Error",
-            "the configuration names the table in {slot} for axis {axis}, but the drive has "
-            "none there; write it into that slot first")},
+            "the configuration names the table in {slot} for axis {axis}, but the drive has none "
+            "there: write the table to the axis from its file and name the slot that it gets in "
+            "the configuration, or write it into {slot} with 'axiscomp write --slot {slot}'")},
     Variant{ErrorCode::NoTable, "slot",
         AXISCOMP_TEXT("Error", "{slot} is empty: there is nothing to delete")},
     Variant{ErrorCode::NoTable, "deleting",

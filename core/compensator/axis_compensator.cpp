@@ -202,6 +202,16 @@ Result<Proof> AxisCompensator::prove(int axis, int samples, const OperationOptio
     return proveAxis(d->access(options), now, table, samples);
 }
 
+std::optional<Text> Activation::notProved() const
+{
+    if (!proof || !*proof || (*proof)->extent == Proof::Extent::Proved)
+        return std::nullopt;
+    const bool isEvaluating = status.axis.state == CompensationState::Evaluating;
+    if (isEvaluating && (*proof)->extent == Proof::Extent::IndicesOnly)
+        return std::nullopt;
+    return notProvedText((*proof)->extent);
+}
+
 Result<Activation> AxisCompensator::switchTo(
     int axis, Switch wanted, int samples, const OperationOptions& options)
 {

@@ -38,6 +38,11 @@ struct Activation {
     AxisStatus status; ///< in the end
     std::optional<Result<Proof>> proof; ///< none when the compensation was switched off
     bool isPutBack = false; ///< the proof failed, and status is again what it was before
+
+    /// Why nothing is proved although nothing differs, and what to do about it, as a sentence to
+    /// warn with; none: it is proved, or the indices are, which is all while it evaluates, or there
+    /// is no proof.
+    [[nodiscard]] std::optional<Text> notProved() const;
 };
 
 /// A table that no axis used when the backup was made, and what bringing it back costs.

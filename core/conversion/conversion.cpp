@@ -393,10 +393,11 @@ Result<NeutralTable> Converter::signConverted(
     NeutralTable table, SetSides sides, TableConversion& conversion)
 {
     const SignConvention to = sides.isTargetConverted() ? SignConvention::Command : targetSign();
+    const bool isComputed = m_request.isComputed;
     if (table.sign == to) {
         const bool isForSet = sides.source && sides.target;
         conversion.example =
-            examplePoint(isForSet ? withTurnedSigns(table, SignConvention::Command) : table);
+            isForSet ? examplePointAtSet(table, isComputed) : examplePoint(table, isComputed);
     } else {
         const ConvertedKnots knots = knotsFor(table);
         if (knots == ConvertedKnots::Same)
@@ -417,10 +418,11 @@ Result<NeutralTable> Converter::signConverted(
                     "at the ends of the table the sign was converted with the end values held, "
                     "where the controller of the source applies nothing"));
         // What the drive looks up at the set position is of neither of the two conventions.
-        conversion.example = sides.isTargetConverted() ? examplePoint(table)
-            : sides.isSourceConverted()                ? examplePoint(converted.table)
-            : to == SignConvention::Command            ? examplePoint(table, converted.table)
-                                                       : examplePoint(converted.table, table);
+        const NeutralTable& made = converted.table;
+        conversion.example = sides.isTargetConverted() ? examplePoint(table, isComputed)
+            : sides.isSourceConverted()                ? examplePoint(made, isComputed)
+            : to == SignConvention::Command            ? examplePoint(table, made, isComputed)
+                                                       : examplePoint(made, table, isComputed);
         table = std::move(converted.table);
     }
     if (sides.isTargetConverted())

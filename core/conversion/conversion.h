@@ -44,6 +44,8 @@ struct ConversionRequest {
     /// Where the drive looks its table up, the one that is read or the one that is written.
     /// Nothing: as the notes of a table of the drive say, and else at the encoder's position.
     std::optional<LookupAt> lookupAt;
+    /// It is known that no reference said what the largest value says, as in WriteRequest.
+    bool isComputed = false;
     /// Of the axis, in positions per second, for the steps of its velocity that are told.
     std::optional<double> speed;
     TableWriteOptions writing;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/conversion/lookup_sides.h"
 #include "core/conversion/sign_conversion.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/position_unit.h"
@@ -77,12 +78,13 @@ std::optional<double> factorToPlace(const std::string& unit, const std::string& 
 
 class Sentence {
 public:
-    Sentence(const NeutralTable& table, const Point& point)
+    Sentence(const NeutralTable& table, const Point& point, bool isComputed)
         : m_table(table)
         , m_column(table.columns[point.column])
         , m_own(ownAxis(table, m_column))
         , m_value(m_column.values[point.index])
         , m_position(knotPosition(table, point.index))
+        , m_isComputed(isComputed)
     {
         if (m_own)
             m_factor = factorToPlace(m_column.unit, m_table.axes[*m_own].unit);
@@ -91,7 +93,10 @@ public:
     /// Without the numbers of files.
     [[nodiscard]] Text text() const
     {
-        Text text = m_table.sign == SignConvention::Feedback ? encoderText() : commandText();
+        const bool isFeedback = m_table.sign == SignConvention::Feedback;
+        Text text = m_isComputed ? (isFeedback ? correctedText() : movedText())
+            : isFeedback         ? encoderText()
+                                 : commandText();
         if (m_column.direction == Direction::Both)
             return text;
         return (m_column.direction == Direction::Positive
@@ -120,6 +125,9 @@ private:
     }
     [[nodiscard]] Text encoderText() const;
     [[nodiscard]] Text commandText() const;
+    // The same without the reference.
+    [[nodiscard]] Text correctedText() const;
+    [[nodiscard]] Text movedText() const;
 
     const NeutralTable& m_table;
     const CompensationColumn& m_column;
@@ -127,6 +135,7 @@ private:
     std::optional<double> m_factor; ///< from the value to the positions of its own axis
     double m_value;
     Position m_position;
+    bool m_isComputed;
 };
 
 /// With what the sentences say of the place and of the axis.
@@ -190,6 +199,40 @@ Text Sentence::commandText() const
         .with("value", signedQuantity(m_value, m_column.unit));
 }
 
+Text Sentence::correctedText() const
+{
+    const bool isOne = m_table.axes.size() == 1;
+    if (hasMovedPlace())
+        return about(isOne ? AXISCOMP_TEXT("Error",
+                         "where the encoder reads {place} the controller takes the axis to be at "
+                         "{moved}")
+                           : AXISCOMP_TEXT("Error",
+                               "where the encoders read {place} the controller takes {axis} to be "
+                               "at {moved}"));
+    return about(isOne ? AXISCOMP_TEXT("Error",
+                     "where the encoder reads {place} the controller adds {value} to the position "
+                     "of {axis}")
+                       : AXISCOMP_TEXT("Error",
+                           "where the encoders read {place} the controller adds {value} to the "
+                           "position of {axis}"))
+        .with("value", signedQuantity(m_value, m_column.unit));
+}
+
+Text Sentence::movedText() const
+{
+    if (hasMovedPlace())
+        return about(m_table.axes.size() == 1
+                ? AXISCOMP_TEXT(
+                    "Error", "commanded to {place}, the controller moves the encoder to {moved}")
+                : AXISCOMP_TEXT("Error",
+                    "commanded to {place}, the controller moves the encoder of {axis} to "
+                    "{moved}"));
+    return about(
+        AXISCOMP_TEXT("Error", "commanded to {place}, the controller moves {target} by {value}"))
+        .with("target", target())
+        .with("value", signedQuantity(m_value, m_column.unit));
+}
+
 Quantity valueOf(const NeutralTable& table, const Point& point)
 {
     const CompensationColumn& column = table.columns[point.column];
@@ -200,7 +243,7 @@ constexpr TextPattern allZero = AXISCOMP_TEXT("Error", "all values are 0, in eit
 
 } // namespace
 
-Text examplePoint(const NeutralTable& table)
+Text examplePoint(const NeutralTable& table, bool isComputed)
 {
     const auto point = largestPoint(table);
     if (!point)
@@ -208,18 +251,29 @@ Text examplePoint(const NeutralTable& table)
     return (table.sign == SignConvention::Feedback
             ? AXISCOMP_TEXT("Error", "{example}: the feedback file says {value}")
             : AXISCOMP_TEXT("Error", "{example}: the command file says {value}"))
-        .with("example", Sentence(table, *point).text())
+        .with("example", Sentence(table, *point, isComputed).text())
         .with("value", valueOf(table, *point));
 }
 
-Text examplePoint(const NeutralTable& feedback, const NeutralTable& command)
+Text examplePointAtSet(const NeutralTable& table, bool isComputed)
+{
+    const auto point = largestPoint(table);
+    if (!point)
+        return allZero;
+    const NeutralTable moving = withTurnedSigns(table, SignConvention::Command);
+    return AXISCOMP_TEXT("Error", "{example}: the file says {value}")
+        .with("example", Sentence(moving, *point, isComputed).text())
+        .with("value", valueOf(table, *point));
+}
+
+Text examplePoint(const NeutralTable& feedback, const NeutralTable& command, bool isComputed)
 {
     const auto point = largestPoint(feedback);
     if (!point)
         return allZero;
     return AXISCOMP_TEXT(
         "Error", "{example}: the feedback file says {value}, the command file {other}")
-        .with("example", Sentence(feedback, *point).text())
+        .with("example", Sentence(feedback, *point, isComputed).text())
         .with("value", valueOf(feedback, *point))
         .with("other", valueOf(command, *point));
 }

@@ -52,10 +52,16 @@ enum class ConvertedKnots {
 /// The point of the largest value in words, so that a person can tell the sign: "where the encoder
 /// reads 40 mm the reference says 40.0021 mm: the feedback file says +0.0021 mm". Looks at the
 /// columns that act on an axis of the table, or at all where there is none. table: consistent.
-[[nodiscard]] Text examplePoint(const NeutralTable& table);
+/// isComputed: no reference said so, which it is not told to have.
+[[nodiscard]] Text examplePoint(const NeutralTable& table, bool isComputed = false);
 
 /// The same for a table in both conventions, with the number of each file at the same knot.
-[[nodiscard]] Text examplePoint(const NeutralTable& feedback, const NeutralTable& command);
+[[nodiscard]] Text examplePoint(
+    const NeutralTable& feedback, const NeutralTable& command, bool isComputed = false);
+
+/// The same for a table that the drive looks up at the set position, with the number of its file:
+/// the encoder moves by the opposite of that.
+[[nodiscard]] Text examplePointAtSet(const NeutralTable& table, bool isComputed = false);
 
 /// How two columns differ in what their controllers make of them, as an error of position in the
 /// unit of a's column. Positions are in the units of a's axes.

@@ -7,7 +7,7 @@
 namespace axiscomp {
 
 Result<TableExport> exportTable(const CompensationTable& table, const ImportChoices& choices,
-    const std::string& fileName, const TableLayout& layout)
+    const std::string& fileName, const TableLayout& layout, bool isComputed)
 {
     NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
     if (choices.place.lookupAt)
@@ -17,6 +17,7 @@ Result<TableExport> exportTable(const CompensationTable& table, const ImportChoi
     request.to = choices.format;
     request.targetSign = choices.sign;
     request.targets = choices.targetsFor(source);
+    request.isComputed = isComputed;
     request.writing.layout = &layout;
     request.writing.settings = choices.settings;
     request.writing.fileName = fileName;

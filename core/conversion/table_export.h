@@ -14,9 +14,10 @@ struct TableExport {
 };
 
 /// choices: of the new file, its format is one that can be written. fileName: without folder, for
-/// texts that name their own file. Takes long; to be called off the window's thread. Errors: those
-/// of convertTables.
+/// texts that name their own file. isComputed: as in ConversionRequest. Takes long; to be called
+/// off the window's thread. Errors: those of convertTables.
 [[nodiscard]] Result<TableExport> exportTable(const CompensationTable& table,
-    const ImportChoices& choices, const std::string& fileName, const TableLayout& layout);
+    const ImportChoices& choices, const std::string& fileName, const TableLayout& layout,
+    bool isComputed = false);
 
 } // namespace axiscomp

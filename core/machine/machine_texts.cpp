@@ -7,6 +7,20 @@
 
 namespace axiscomp {
 
+namespace {
+
+/// What was switched on is proved then, or it is said that it is not.
+Text withProof(const TextPattern& done, const Activation& activation)
+{
+    if (!activation.proof || !*activation.proof)
+        return done;
+    return (activation.notProved() ? AXISCOMP_TEXT("Machine", "{outcome}, not proved")
+                                   : AXISCOMP_TEXT("Machine", "{outcome}, proved"))
+        .with("outcome", done);
+}
+
+} // namespace
+
 Text fieldText(const std::string& field)
 {
     if (field == "Table")
@@ -48,10 +62,11 @@ Text outcomeText(const AxisOutcome& outcome)
         return outcome.report ? AXISCOMP_TEXT("Machine", "written, not switched")
                               : AXISCOMP_TEXT("Machine", "not switched");
     if (outcome.report)
-        return outcome.activation ? AXISCOMP_TEXT("Machine", "written and switched")
-                                  : AXISCOMP_TEXT("Machine", "written");
+        return outcome.activation
+            ? withProof(AXISCOMP_TEXT("Machine", "written and switched"), *outcome.activation)
+            : AXISCOMP_TEXT("Machine", "written");
     if (outcome.activation)
-        return AXISCOMP_TEXT("Machine", "switched");
+        return withProof(AXISCOMP_TEXT("Machine", "switched"), *outcome.activation);
     return AXISCOMP_TEXT("Machine", "nothing to do");
 }
 

@@ -14,7 +14,7 @@ namespace axiscomp {
 [[nodiscard]] Text fieldText(const std::string& field);
 /// "differs: Table, Dim1Source", "has all of this", "problem"
 [[nodiscard]] Text differenceText(const AxisPlan& axis);
-/// "written", "nothing to do", "failed", "not written", "not switched"
+/// "written", "switched, not proved", "nothing to do", "failed", "not written", "not switched"
 [[nodiscard]] Text outcomeText(const AxisOutcome& outcome);
 /// "Small1, volatile, CRC 1c291ca3"
 [[nodiscard]] Text heldText(const AxisStatus& status);

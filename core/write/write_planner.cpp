@@ -119,6 +119,7 @@ Result<PreparedWrite> WritePlanner::prepare(int axis, const WriteRequest& reques
     AXISCOMP_CHECK(readAxis(axis));
     if (m_status.isOn())
         return fail(compensationActive(m_status));
+    m_writesAnyway = true;
     return decide(request);
 }
 
@@ -135,6 +136,8 @@ Result<PreparedWrite> WritePlanner::prepareChanges(int axis, const WriteRequest&
 Result<WritePlan> WritePlanner::compare(int axis, const WriteRequest& request)
 {
     AXISCOMP_CHECK(readAxis(axis));
+    AXISCOMP_TRY(const auto unfinished, m_store.journal(m_drive.serialNumber, m_axis));
+    m_writesAnyway = unfinished.has_value();
     AXISCOMP_TRY(auto prepared, decide(request));
     return std::move(prepared.plan);
 }
@@ -190,13 +193,14 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
         decided = decideCoverage();
     if (decided)
         decided = checkColumns(request);
-    if (decided)
+    if (decided) {
+        listChanges();
         decided = decideSaving();
+    }
     if (decided)
         decided = decideFlash();
     if (!decided)
         return fail(decided.error());
-    listChanges();
     warn();
     return m_write;
 }
@@ -644,13 +648,14 @@ Result<void> WritePlanner::lookInto(std::vector<SlotFacts>& slots)
     return {};
 }
 
-/// What has to be done around saving the parameters.
+/// What has to be done around saving the parameters, where anything is written at all.
 Result<void> WritePlanner::decideSaving()
 {
     const WritePlan& plan = m_write.plan;
     m_others.clear();
     const bool isPersistent = plan.after.persistency == Persistency::Persistent;
-    if (!isPersistent && !m_write.saves)
+    const bool isWritten = m_writesAnyway || m_write.saves || !plan.changes.empty();
+    if (!isWritten || (!isPersistent && !m_write.saves))
         return {};
     if (auto read = readOthers(); !read)
         return read;

@@ -108,6 +108,7 @@ private:
     SavedState m_saved;
     PreparedWrite m_write;
     std::string m_returningSlot; ///< of an axis that uses no table, and shall use none
+    bool m_writesAnyway = false; ///< also where nothing differs: to save, or to end a write
     bool m_keepsTable = false; ///< the axis keeps the table that it uses, as the drive has it
     bool m_isSlotNamed = false; ///< by the request: others may be free
     bool m_isSlotEmpty = false; ///< nothing is overwritten

@@ -144,6 +144,10 @@ class Drives(unittest.TestCase):
         self.assertTrue(commands.apply(machine()).ok)
         self.assertTrue(commands.plan(machine()).ok)
 
+        applied = commands.apply(machine("active = true\n"), activate=True)
+        proof = applied["drives"][0]["axes"][0]["outcome"]["proof"]
+        self.assertEqual(proof["proved"], not any("nothing is proved: " in note for note in applied.notes))
+
     def test_a_drive_that_does_not_answer_among_others_is_an_error_with_the_document(self):
         with self.assertRaises(axiscomp.NotConnectedError) as raised:
             commands.axes(drive=[self.drive.endpoint, "http://127.0.0.1:9"])

@@ -20,6 +20,7 @@ namespace {
 struct Totals {
     QStringList written;
     QStringList switched;
+    QStringList notProved; ///< of those
     QStringList failed;
     QStringList notWritten;
     QStringList notSwitched;
@@ -40,10 +41,20 @@ void Totals::add(const QString& name, const AxisOutcome& outcome)
         written += name;
     if (outcome.activation)
         switched += name;
+    if (outcome.activation && outcome.activation->notProved())
+        notProved += name;
     if (outcome.awaitsWrite)
         notWritten += name;
     if (outcome.awaitsSwitch)
         notSwitched += name;
+}
+
+LogLine::Kind kindOf(const AxisOutcome& outcome)
+{
+    if (outcome.problem)
+        return LogLine::Kind::Error;
+    const bool isProofMissing = outcome.activation && outcome.activation->notProved();
+    return isProofMissing ? LogLine::Kind::Warning : LogLine::Kind::Information;
 }
 
 Totals totalsOf(const std::vector<MachineApplication::Written>& drives)
@@ -74,7 +85,8 @@ public:
             return {tr("All drives already had what %1 says; nothing was written.").arg(file),
                 false, {}};
         if (!totals.first)
-            return {(QStringList{tr("%1 is applied.").arg(file)} + done).join(u' '), false, {}};
+            return {(QStringList{tr("%1 is applied.").arg(file)} + done).join(u' '), false, {},
+                !totals.notProved.isEmpty()};
         QStringList sentences{
             tr("%1 is not applied as a whole: %2").arg(file, errorText(*totals.first)),
             tr("Failed: %1.").arg(listText(totals.failed))};
@@ -96,7 +108,10 @@ public:
                   .arg(name, what, translated(heldText(*outcome.now)))
             : tr("%1: %2; what it holds is not known.", "axis, and what became of it")
                   .arg(name, what);
-        return outcome.problem ? said + u' ' + errorText(*outcome.problem) : said;
+        const QString more = outcome.problem ? errorText(*outcome.problem)
+            : outcome.activation             ? proofText(*outcome.activation)
+                                             : QString();
+        return more.isEmpty() ? said : said + u' ' + more;
     }
 
 private:
@@ -107,6 +122,8 @@ private:
             sentences += tr("Written and verified: %1.").arg(listText(totals.written));
         if (!totals.switched.isEmpty())
             sentences += tr("Switched: %1.").arg(listText(totals.switched));
+        if (!totals.notProved.isEmpty())
+            sentences += tr("Not proved: %1.").arg(listText(totals.notProved));
         return sentences;
     }
 };
@@ -253,11 +270,9 @@ void MachineApplication::note(const Written& written)
             return tr("%1: %2", "drive and problem").arg(name, errorText(error));
         });
     for (std::size_t n = 0; n < written.outcomes.size(); ++n)
-        m_log.add(written.outcomes[n].problem ? LogLine::Kind::Error : LogLine::Kind::Information,
-            [planned, n, outcome = written.outcomes[n]] {
-                return ApplicationOutcome::ofAxis(
-                    planned.name, planned.look->plan->axes[n], outcome);
-            });
+        m_log.add(kindOf(written.outcomes[n]), [planned, n, outcome = written.outcomes[n]] {
+            return ApplicationOutcome::ofAxis(planned.name, planned.look->plan->axes[n], outcome);
+        });
 }
 
 void MachineApplication::tellColumns(const Written& written)

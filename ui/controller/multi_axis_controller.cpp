@@ -157,9 +157,6 @@ void MultiAxisController::write(bool acceptsLarge)
     for (AxisTable& asked : m_asked)
         asked.request.acceptsLarge = acceptsLarge;
     const std::vector<AxisEntry> axes = axesOfTables();
-    std::vector<Persistency> persistencies;
-    for (const WritePlan& plan : **m_plans)
-        persistencies.push_back(plan.after.persistency);
     const auto turn = std::make_shared<std::atomic<std::size_t>>(0);
     m_runner.run<MultiAxisReport>(
         m_task,
@@ -168,9 +165,7 @@ void MultiAxisController::write(bool acceptsLarge)
             return writeTables(compensator, store, shown, tables, *turn, options, files);
         },
         [this, tables = m_asked](const OperationEnd<MultiAxisReport>& end) { take(tables, end); },
-        [axes, persistencies](const Result<MultiAxisReport>& report) {
-            return multiAxisOutcome(axes, persistencies, report);
-        },
+        [axes](const Result<MultiAxisReport>& report) { return multiAxisOutcome(axes, report); },
         [axes, turn] { return axisNameOnDrive(axes.at(std::min(turn->load(), axes.size() - 1))); });
 }
 

@@ -529,6 +529,11 @@ std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
     return m_parts->tables.selected().table;
 }
 
+bool WizardController::isSelectedComputed() const
+{
+    return setup().edited().table.fileTable && dataFile().isComputed;
+}
+
 std::shared_ptr<const CompensationTable> WizardController::driveTable() const
 {
     return m_parts->tables.driveTable().table().table;
@@ -553,8 +558,7 @@ QString WizardController::signSentence() const
     // Until a source is chosen, a curve is shown as one over the axis's own position.
     if (!sources[0].isSet() && table.table && table.table->grid.dimensions() == 1)
         own = 0;
-    const bool isComputed = setup().edited().table.fileTable && dataFile().isComputed;
-    return signSentenceFor(table, axis, {own, selectedPlace().lookupAt, isComputed});
+    return signSentenceFor(table, axis, {own, selectedPlace().lookupAt, isSelectedComputed()});
 }
 
 ActionState WizardController::action(Action action) const

@@ -67,9 +67,10 @@ ImportChoices ExportDialog::choices()
 
 void ExportDialog::compute()
 {
-    m_job.start(
-        [table = m_options.table, choices = choices(), layout = m_options.layout](
-            const std::stop_token&) { return exportTable(*table, choices, "table", layout); });
+    m_job.start([table = m_options.table, choices = choices(), layout = m_options.layout,
+                    isComputed = m_options.isComputed](const std::stop_token&) {
+        return exportTable(*table, choices, "table", layout, isComputed);
+    });
 }
 
 } // namespace axiscomp::ui

@@ -70,7 +70,7 @@ QString concern(const Judgement& judgement, bool isAngular)
         return sentenceText(warning.text);
     for (const ComplianceLine& line : judgement.compliance)
         if (line.isMet == false)
-            return OutlookTexts::tr("A condition of the standard is not met: %1.")
+            return OutlookTexts::tr("The standard's condition “%1” is not met.")
                 .arg(translated(line.text));
     return {};
 }

@@ -19,23 +19,34 @@ class MultiAxisOutcomes {
     Q_DECLARE_TR_FUNCTIONS(axiscomp::ui::MultiAxisOutcome)
 
 public:
-    [[nodiscard]] static Outcome allWritten(
-        const QStringList& axes, std::span<const Persistency> persistencies)
+    /// Without those that had everything already. What has no table is neither stored nor volatile.
+    [[nodiscard]] static Outcome allWritten(const QStringList& axes, const MultiAxisReport& report)
     {
+        QStringList written;
         QStringList stored;
         QStringList notStored;
-        for (qsizetype n = 0; n < axes.size(); ++n) {
-            const bool isStored =
-                persistencies[static_cast<std::size_t>(n)] == Persistency::Persistent;
-            (isStored ? stored : notStored) += axes[n];
+        for (std::size_t n = 0; n < report.writes.size(); ++n) {
+            if (!report.writes[n])
+                continue;
+            const QString& axis = axes[static_cast<qsizetype>(n)];
+            const CompensationSetup& now = report.writes[n]->now.setup;
+            written += axis;
+            if (!now.slot.empty())
+                (now.persistency == Persistency::Persistent ? stored : notStored) += axis;
         }
-        const QString persistency = notStored.isEmpty() ? tr("They are stored in flash.")
-            : stored.isEmpty()
-            ? tr("They are volatile: a reboot of the drive restores the stored state.")
-            : tr("Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored "
-                 "state.")
-                  .arg(listed(stored), listed(notStored));
-        return {tr("Written and verified: %1. %2").arg(listed(axes), persistency), false, {}};
+        if (written.isEmpty())
+            return {tr("The axes already had all of this."), false, {}};
+        QStringList sentences{tr("Written and verified: %1.").arg(listed(written))};
+        if (stored == written)
+            sentences += tr("This is stored in flash.");
+        else if (!stored.isEmpty())
+            sentences += tr("Stored in flash: %1.").arg(listed(stored));
+        if (notStored == written)
+            sentences += tr("This is volatile: a reboot of the drive restores the stored state.");
+        else if (!notStored.isEmpty())
+            sentences += tr("Volatile: %1; a reboot of the drive restores the stored state.")
+                             .arg(listed(notStored));
+        return {sentences.join(u' '), false, {}};
     }
     [[nodiscard]] static Outcome withoutFiles(const Outcome& written, const Error& error)
     {
@@ -80,8 +91,7 @@ private:
 
 } // namespace
 
-Outcome multiAxisOutcome(std::span<const AxisEntry> axes,
-    std::span<const Persistency> persistencies, const Result<MultiAxisReport>& report)
+Outcome multiAxisOutcome(std::span<const AxisEntry> axes, const Result<MultiAxisReport>& report)
 {
     QStringList names;
     for (const AxisEntry& entry : axes)
@@ -94,7 +104,7 @@ Outcome multiAxisOutcome(std::span<const AxisEntry> axes,
         if (!holdsNewState(write))
             return MultiAxisOutcomes::stoppedAt(names, static_cast<qsizetype>(n), write.error());
     }
-    const Outcome written = MultiAxisOutcomes::allWritten(names, persistencies);
+    const Outcome written = MultiAxisOutcomes::allWritten(names, *report);
     return report->filesProblem ? MultiAxisOutcomes::withoutFiles(written, *report->filesProblem)
                                 : written;
 }

@@ -9,10 +9,10 @@
 
 namespace axiscomp::ui {
 
-/// What writing to several axes has come to: which of them hold the new state, and which the old
-/// one. axes, persistencies: in the order of the writes.
-[[nodiscard]] Outcome multiAxisOutcome(std::span<const AxisEntry> axes,
-    std::span<const Persistency> persistencies, const Result<MultiAxisReport>& report);
+/// What writing to several axes has come to: which of them were written, or, where one has failed,
+/// which hold the new state and which the old one. axes: in the order of the writes.
+[[nodiscard]] Outcome multiAxisOutcome(
+    std::span<const AxisEntry> axes, const Result<MultiAxisReport>& report);
 
 /// Why several writes cannot be planned or begun; begins with the name of the axis that it is
 /// about. axes: entries of the drive.

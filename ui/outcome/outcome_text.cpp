@@ -24,6 +24,7 @@ public:
     [[nodiscard]] static Outcome switched(Switch wanted, const Activation& activation);
     [[nodiscard]] static Outcome notSwitched(const Error& error);
     [[nodiscard]] static QString proved(const Proof& proof, const AxisInfo& axis);
+    [[nodiscard]] static QString shown(const Activation& activation, const Proof& proof);
     [[nodiscard]] static Outcome contradicted(const Error& error);
     [[nodiscard]] static Outcome restored(const Restoration& restoration);
     [[nodiscard]] static Outcome recovered(bool finishes, const Result<WriteReport>& report);
@@ -86,6 +87,14 @@ QString Outcomes::proved(const Proof& proof, const AxisInfo& axis)
         .arg(percentageText(proof.provedShare), difference);
 }
 
+QString Outcomes::shown(const Activation& activation, const Proof& proof)
+{
+    if (const auto why = activation.notProved())
+        return tr("Not proved.") + u' ' + sentenceText(*why);
+    return proof.extent == Proof::Extent::IndicesOnly ? tr("Its table indices are right.")
+                                                      : proved(proof, activation.status.axis);
+}
+
 Outcome Outcomes::switched(Switch wanted, const Activation& activation)
 {
     if (wanted == Switch::Deactivate)
@@ -96,14 +105,8 @@ Outcome Outcomes::switched(Switch wanted, const Activation& activation)
     if (!activation.proof)
         return {state, false, {}};
     const Result<Proof>& proof = *activation.proof;
-    if (proof && proof->extent == Proof::Extent::IndicesOnly)
-        return {state + u' ' + tr("Its table indices are right."), false, {}};
-    if (proof && proof->extent != Proof::Extent::Proved)
-        return {
-            state + u' ' + tr("Not proved.") + u' ' + sentenceText(notProvedText(proof->extent)),
-            true, {}};
     if (proof)
-        return {state + u' ' + proved(*proof, activation.status.axis), false, {}};
+        return {state + u' ' + shown(activation, *proof), activation.notProved().has_value(), {}};
     const QString reason = proof.error().code == ErrorCode::Cancelled ? tr("The proof was stopped.")
                                                                       : errorText(proof.error());
     if (activation.isPutBack && activation.status.isOn())
@@ -200,6 +203,12 @@ Outcome activationOutcome(Switch wanted, const Result<Activation>& activation)
 {
     return activation ? Outcomes::switched(wanted, *activation)
                       : Outcomes::notSwitched(activation.error());
+}
+
+QString proofText(const Activation& activation)
+{
+    return activation.proof && *activation.proof ? Outcomes::shown(activation, **activation.proof)
+                                                 : QString();
 }
 
 Outcome restorationOutcome(const Result<Restoration>& restoration)

@@ -17,6 +17,9 @@ struct Outcome {
 
 [[nodiscard]] Outcome writeOutcome(const Result<WriteReport>& report);
 [[nodiscard]] Outcome activationOutcome(Switch wanted, const Result<Activation>& activation);
+/// What the proof of an axis that was switched has shown, or that it has shown nothing, and why
+/// (Activation::notProved); empty: there is none, or it has failed.
+[[nodiscard]] QString proofText(const Activation& activation);
 [[nodiscard]] Outcome restorationOutcome(const Result<Restoration>& restoration);
 [[nodiscard]] Outcome settledOutcome(const SettledWrite& settled);
 /// Of finishing or undoing a write that did not end.

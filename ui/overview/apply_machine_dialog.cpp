@@ -7,6 +7,7 @@
 #include "ui/controller/wizard_controller.h"
 #include "ui/dialogs/row_list.h"
 #include "ui/dialogs/several_writes_dialog.h"
+#include "ui/outcome/outcome_text.h"
 #include "ui/overview/drift_text.h"
 #include "ui/style/busy_mark.h"
 #include "ui/style/tone_label.h"
@@ -136,7 +137,8 @@ void ApplyMachineDialog::retranslate()
                                 .arg(QFileInfo(m_machine.path()).fileName()));
     m_activates->setText(tr("Also &switch compensations on and off where the file says so"));
     m_activates->setToolTip(
-        tr("Axes that it switches on are proved; without it the file's “active” is only compared"));
+        tr("Tries to prove each axis that it switches on, and names those of which nothing is "
+           "proved; without it the file's “active” is only compared"));
     m_activates->setAccessibleDescription(m_activates->toolTip());
     m_allowsMissing->setText(tr("Leave &out drives that do not answer"));
     m_allowsMissing->setToolTip(tr("Otherwise nothing is written while one does not answer"));
@@ -256,6 +258,7 @@ void ApplyMachineDialog::fillOutcomes()
     m_rows->setAccessibleName(tr("What has become of each axis"));
     QList<QStringList> rows;
     QStringList failures;
+    QStringList proofs;
     for (const MachineApplication::Written& written : m_machine.application().drives()) {
         const QString& drive = written.planned.name;
         const auto& plans = written.planned.look->plan->axes;
@@ -273,6 +276,9 @@ void ApplyMachineDialog::fillOutcomes()
                 outcome.now ? translated(heldText(*outcome.now)) : tr("not known")};
             if (outcome.problem)
                 failures += tr("%1: %2", "axis and problem").arg(name, errorText(*outcome.problem));
+            else if (outcome.activation && outcome.activation->proof)
+                (outcome.activation->notProved() ? failures : proofs) +=
+                    tr("%1: %2", "axis and proof").arg(name, proofText(*outcome.activation));
         }
         if (written.problem)
             failures += tr("%1: %2", "drive and problem").arg(drive, errorText(*written.problem));
@@ -280,7 +286,8 @@ void ApplyMachineDialog::fillOutcomes()
     m_rows->setRows(rows);
     if (failures != m_warnings->warnings())
         m_warnings->setWarnings(failures);
-    m_remarks->hide();
+    m_remarks->setText(proofs.join(u'\n'));
+    m_remarks->setVisible(!proofs.isEmpty());
 }
 
 QString ApplyMachineDialog::costText() const
@@ -306,7 +313,9 @@ void ApplyMachineDialog::showReason()
     }
     if (m_state == State::Ended) {
         const Outcome outcome = application.outcome();
-        m_reason->setTone(outcome.isError ? Tone::Error : Tone::Success);
+        m_reason->setTone(outcome.isError ? Tone::Error
+                : outcome.isWarning       ? Tone::Warning
+                                          : Tone::Success);
         m_reason->setText(outcome.text);
         return;
     }

@@ -141,7 +141,7 @@ void FileActions::saveFitted(const std::shared_ptr<const FitOutcome>& outcome, s
 {
     const auto& chosen = outcome->tables[table].table;
     ExportDialog::Options options{chosen, QString::fromStdString(chosen->name), m_profile.layout,
-        {m_controller.chosenPlace().target, outcome->report->lookupAt}, true};
+        {m_controller.chosenPlace().target, outcome->report->lookupAt}, true, outcome->isComputed};
     auto* dialog = new ExportDialog(std::move(options), &m_window);
     connect(dialog, &ExportDialog::chosen, this,
         [this, outcome, table](const auto&, const ImportChoices& choices) {
@@ -253,8 +253,9 @@ void FileActions::exportTable()
     const auto table = m_controller.selectedTable();
     if (!table)
         return;
-    auto* dialog = new ExportDialog({table, QString::fromStdString(table->name), m_profile.layout,
-                                        m_controller.selectedPlace()},
+    auto* dialog = new ExportDialog(
+        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.selectedPlace(),
+            false, m_controller.isSelectedComputed()},
         &m_window);
     connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
     dialog->open();

@@ -4,6 +4,7 @@
 #include "core/conversion/table_import.h"
 #include "core/metrology/fit/fit_fields.h"
 #include "core/metrology/record/fit_record.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/neutral/drive_note.h"
 #include "core/table/tam_table.h"
 #include "core/write/lookup_side.h"
@@ -103,6 +104,8 @@ public:
             m_outcome.tables.push_back(
                 loaded(std::make_shared<const CompensationTable>(made.table)));
         }
+        m_outcome.isComputed = !isReferenceReadAtLargest(
+            m_measurement, m_request.record.corrections, m_outcome.settings, report);
         m_outcome.report = std::move(report);
         draw();
         return {};
@@ -326,6 +329,7 @@ MadeTables madeTables(const FitOutcome& outcome, std::size_t wanted)
     MadeTables made;
     made.data = data;
     made.lookupAt = outcome.report->lookupAt;
+    made.isComputed = outcome.isComputed;
     // One after the other shares the data, and knows its largest value already.
     made.tables.push_back({{data, &data->tables[0]}, outcome.tables[wanted].largestElement});
     for (std::size_t n = 0, next = 1; n < outcome.tables.size(); ++n)

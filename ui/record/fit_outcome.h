@@ -56,6 +56,8 @@ struct FitOutcome {
     std::optional<Error> refusal; ///< with no report
     std::vector<LoadedTable> tables; ///< those of the report
     std::vector<std::uint32_t> crcs; ///< of each, as the drive shows it
+    /// It is known that the largest value of a table is not what the reference said there.
+    bool isComputed = false;
     std::vector<Text> remarks; ///< what is assumed of the units of other tables
     FitDrawing drawing;
 };

@@ -3,11 +3,9 @@
 #include "app/cli/output/drive_json.h"
 #include "app/cli/output/status_text.h"
 #include "app/cli/session/command_session.h"
-#include "app/common/number_text.h"
 #include "core/compensator/axis_compensator.h"
 #include "core/compensator/drive_record.h"
 #include "core/io/local_file.h"
-#include "core/text/number_text.h"
 
 namespace axiscomp::app {
 
@@ -35,21 +33,13 @@ void noteUnknown(Environment& environment, const Error& error)
                      "it does, `axiscomp deactivate` switches it off");
 }
 
-void printProof(Environment& environment, const Proof& proof)
+void printProof(Environment& environment, const Activation& activation)
 {
-    const std::string share = percentText(proof.provedShare) + " % of the table";
-    switch (proof.extent) {
-    case Proof::Extent::Proved:
-        environment.print("\nProof: what the drive adds is what the table says, over " + share
-            + ". Only where the axis has been is proved.\n");
-        return;
-    case Proof::Extent::IndicesOnly:
-        environment.print("\nThe drive looks up where it should, over " + share
-            + "; it adds nothing while it evaluates.\n");
-        return;
-    default:
+    if (const auto why = activation.notProved()) {
         environment.print("\nNot proved.\n");
-        environment.warn("nothing is proved: " + notProvedText(proof.extent).english());
+        environment.warn("nothing is proved: " + why->english());
+    } else {
+        environment.print("\n" + proofSentence(**activation.proof) + "\n");
     }
 }
 
@@ -93,7 +83,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         // Output and indices of a moment in which the compensation works.
         const int dimensions = status.table ? status.table->grid.dimensions() : 0;
         json["proof"] = toJson(proof, dimensions);
-        printProof(environment, proof);
+        printProof(environment, activation);
         environment.print(proofText(proof, status));
         if (!recordFile.empty()) {
             AXISCOMP_CHECK(recordProof(record, status, proof, session.profile()));

@@ -14,6 +14,7 @@
 #include "app/common/number_text.h"
 #include "core/io/local_file.h"
 #include "core/metrology/record/fit_record.h"
+#include "core/metrology/record/reference_reading.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 
@@ -220,6 +221,19 @@ Result<StateSources> readStates(
     return sources;
 }
 
+Result<void> writeFittedTables(Environment& environment, const FitOptions& options,
+    const TableFormat& format, const DriveProfile& profile, const MeasurementInput& input,
+    const MadeCorrections& corrections, const FitSettings& settings, const FitReport& report)
+{
+    const Measurement& measurement = input.measurement;
+    FittedFileOptions file = options.file;
+    file.isComputed =
+        !isReferenceReadAtLargest(measurement, corrections.corrections, settings, report);
+    return writeFitted(environment, file, format, profile, report.tables,
+        notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement), measurement,
+            settings, report));
+}
+
 /// What a person reads. format: of the table that was written; null: none.
 void tell(Environment& environment, const FitOptions& options, const MeasurementInput& input,
     const MadeCorrections& corrections, const FitReport& report, const std::string& text,
@@ -283,9 +297,8 @@ Result<ExitCode> runFit(Environment& environment, const FitOptions& options)
         crcs.push_back(crc);
     }
     if (isWritten)
-        AXISCOMP_CHECK(writeFitted(environment, options.file, *format, profile, report.tables,
-            notesOfFit(sourcesText(input.sources) + ": " + measurementSummary(measurement),
-                measurement, settings, report)));
+        AXISCOMP_CHECK(writeFittedTables(
+            environment, options, *format, profile, input, corrections, settings, report));
     if (!options.record.empty()) {
         AXISCOMP_TRY(
             const auto record, recordOfFit(input, options.input, corrections, settings, report));

@@ -90,6 +90,7 @@ Result<Bytes> convertedBytes(Environment& environment, const FittedFileOptions& 
     AXISCOMP_TRY(auto request,
         conversionRequest(conversion, calibration_csv::format(), format, data.grid.axes.size()));
     request.beside = tablesBeside(data, fitted);
+    request.isComputed = options.isComputed;
     request.writing.layout = &profile.layout;
     request.writing.fileName = pathFromText(options.output.file).filename().string();
     AXISCOMP_TRY(const auto converted, convertTables(tables, request));

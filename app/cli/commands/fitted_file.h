@@ -15,6 +15,7 @@ struct FittedFileOptions {
     std::string table; ///< the one column that is written; empty: all
     bool acceptsLarge = false;
     ConversionOptions conversion; ///< target, sign and settings of the output
+    bool isComputed = false; ///< as in ConversionRequest
     std::optional<double> turn; ///< of a modulo axis, which other controllers' tables may be for
 };
 

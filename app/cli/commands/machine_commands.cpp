@@ -171,6 +171,22 @@ void printOutcomes(Environment& environment, const MachineRun& run)
     environment.print("\n" + table.text(""));
 }
 
+/// As `activate` says it of one axis.
+void tellProofs(Environment& environment, const MachineRun& run)
+{
+    for (const MachineDriveRun& drive : run.drives)
+        for (std::size_t n = 0; n < drive.outcomes.size(); ++n) {
+            const auto& activation = drive.outcomes[n].activation;
+            if (!activation || !activation->proof || !*activation->proof)
+                continue;
+            const std::string place = placeOf(drive) + ", axis " + drive.plan->axes[n].name + ": ";
+            if (const auto why = activation->notProved())
+                environment.warn(place + "nothing is proved: " + why->english());
+            else
+                environment.print(place + proofSentence(**activation->proof) + "\n");
+        }
+}
+
 void addFailures(const MachineRun& run, Problems& problems)
 {
     for (const MachineDriveRun& drive : run.drives) {
@@ -200,6 +216,7 @@ Result<ExitCode> runApply(Environment& environment, const MachineOptions& option
     static_cast<void>(environment.console().flush());
     applyMachine(environment, options, run);
     printOutcomes(environment, run);
+    tellProofs(environment, run);
     addFailures(run, problems);
     environment.document(runJson(options, run));
     if (problems.code() != ExitCode::Done)

@@ -8,6 +8,7 @@
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
 #include "core/compensator/table_of_axis.h"
+#include "core/conversion/unheld_notes.h"
 #include "core/csv/calibration_csv.h"
 #include "core/drive/axis_target.h"
 #include "core/formats/formats.h"
@@ -34,9 +35,14 @@ struct ReadTable {
 };
 
 /// A table file is handed out byte by byte as the drive has it.
-Result<ReadTable> readAsTamTable(CommandSession& session, const AxisStatus& status)
+Result<ReadTable> readAsTamTable(Environment& environment, CommandSession& session,
+    const AxisStatus& status, const std::string& output)
 {
     AXISCOMP_TRY(auto held, session.compensator().readHeldTable(status, session.operation()));
+    AXISCOMP_TRY(const auto unheld,
+        unheldNotes(tam_table::format().facts, lookupNotes(status, session.profile())));
+    for (const Text& remark : unheld)
+        environment.console().note(output + ": " + remark.english());
     return ReadTable{std::move(held.table), std::move(held.file)};
 }
 
@@ -97,8 +103,9 @@ Result<ExitCode> runRead(Environment& environment, const ReadOptions& options)
         const AxisStatus& status = watched.status;
         AXISCOMP_TRY(auto table,
             isOther ? readAsOther(same, session, status, options, **format)
-                : *format == &tam_table::format() ? readAsTamTable(session, status)
-                                                  : readAsCsv(session, status));
+                : *format == &tam_table::format()
+                ? readAsTamTable(same, session, status, options.output)
+                : readAsCsv(session, status));
         AXISCOMP_CHECK(writeOutput(environment, output, table.file));
         environment.document({{"output", options.output}, {"format", info.name},
             {"bytes", table.file.size()}, {"axes", toJson(table.table.grid)},

@@ -5,6 +5,7 @@
 #include "app/common/number_text.h"
 #include "app/common/text_table.h"
 #include "core/table/position_unit.h"
+#include "core/text/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -151,6 +152,16 @@ std::string flashText(const FlashUse& use)
     return text + use.mostUsedSlot + " is the most used slot: " + countText(use.mostCycles)
         + (usual.empty() ? " cycles" : usual) + " (all slots together " + countText(use.allCycles)
         + ", by this computer " + countText(use.operationsRecorded) + ")\n";
+}
+
+std::string proofSentence(const Proof& proof)
+{
+    const std::string share = percentText(proof.provedShare) + " % of the table";
+    return proof.extent == Proof::Extent::IndicesOnly
+        ? "The drive looks up where it should, over " + share
+            + "; it adds nothing while it evaluates."
+        : "Proof: what the drive adds is what the table says, over " + share
+            + ". Only where the axis has been is proved.";
 }
 
 std::string proofText(const Proof& proof, const AxisStatus& status)

@@ -18,6 +18,9 @@ namespace axiscomp::app {
 [[nodiscard]] std::string budgetWords(const FlashBudget& budget);
 /// What the flash of the drive has gone through, one line.
 [[nodiscard]] std::string flashText(const FlashUse& use);
+/// What a proof has shown, and over how much of the table; of one that something is proved by
+/// (Activation::notProved).
+[[nodiscard]] std::string proofSentence(const Proof& proof);
 /// The figures of a proof, one line per sample.
 [[nodiscard]] std::string proofText(const Proof& proof, const AxisStatus& status);
 

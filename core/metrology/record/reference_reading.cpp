@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/record/reference_reading.h"
 
+#include "core/metrology/record/fit_record.h"
 #include "core/table/target_axis.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace axiscomp {
 
@@ -34,6 +36,17 @@ bool isReadTarget(const Measurement& measurement, double position)
     });
 }
 
+bool isReadAtLargest(const CalibrationRecord& record, const Measurement& measurement)
+{
+    const CompensationTable& table = record.tables.front().table;
+    if (table.values.empty() || table.grid.axes.size() != 1)
+        return false;
+    const auto largest =
+        std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
+    const auto index = static_cast<std::size_t>(largest - table.values.begin());
+    return isReferenceRead(record, measurement, table.grid.axes.front().position(index));
+}
+
 } // namespace
 
 bool isReferenceRead(
@@ -50,16 +63,20 @@ bool isReferenceReadAtLargest(const CalibrationRecord& record)
 {
     if (!record.before || record.tables.empty())
         return false;
-    const CompensationTable& table = record.tables.front().table;
-    if (table.values.empty() || table.grid.axes.size() != 1)
-        return false;
     const auto measurement = usedMeasurement(*record.before);
-    if (!measurement)
-        return false;
-    const auto largest =
-        std::ranges::max_element(table.values, {}, [](float value) { return std::abs(value); });
-    const auto index = static_cast<std::size_t>(largest - table.values.begin());
-    return isReferenceRead(record, *measurement, table.grid.axes.front().position(index));
+    return measurement && isReadAtLargest(record, *measurement);
+}
+
+bool isReferenceReadAtLargest(const Measurement& measurement, const CorrectionsBefore& corrections,
+    const FitSettings& settings, const FitReport& report)
+{
+    RecordedMeasurement before;
+    before.corrections = {corrections.temperature, corrections.deadPath};
+    CalibrationRecord record = recordOfFit(std::move(before), settings, report, {}, {});
+    return std::ranges::all_of(report.tables, [&](const FittedTable& made) {
+        record.tables.front().table = made.table;
+        return isReadAtLargest(record, measurement);
+    });
 }
 
 } // namespace axiscomp

@@ -16,5 +16,9 @@ namespace axiscomp {
 /// The same at the largest value of that table; false for one of several dimensions, and for a
 /// record whose measurement cannot be used.
 [[nodiscard]] bool isReferenceReadAtLargest(const CalibrationRecord& record);
+/// The same of every table of a fit, of which no record has been begun. measurement: as it was
+/// fitted, after these corrections.
+[[nodiscard]] bool isReferenceReadAtLargest(const Measurement& measurement,
+    const CorrectionsBefore& corrections, const FitSettings& settings, const FitReport& report);
 
 } // namespace axiscomp

@@ -181,6 +181,15 @@ private Q_SLOTS:
         VERIFY_CODE(refused, 2);
         QVERIFY2(refused.err.contains("made for a position after the compensation"),
             refused.err.constData());
+        // A .TAMtbl has no room for it, whichever command makes one.
+        const QStringList fit{
+            "fit", "x.csv", "--measured-with", "off", "--lookup-at", "set", "-o", "t.TAMtbl"};
+        const QStringList convert{"convert", "table.csv", "t.TAMtbl", "--dims", "1"};
+        for (const QStringList& bare : {fit, convert, convert + QStringList{"--target", "#1"}}) {
+            const ProgramRun run = box.run(bare);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.text().contains("look it up at the set position"), run.text().constData());
+        }
         box.file("table.csv", box.content("table.csv").replace("lookup: set", "lookup: sett"));
         const ProgramRun misspelt = write(test::positionSource(0));
         VERIFY_CODE(misspelt, 2);
@@ -188,6 +197,21 @@ private Q_SLOTS:
             misspelt.err.contains("\"lookup: sett\", where one comment"), misspelt.err.constData());
         box.file("table.csv", box.content("table.csv").replace("lookup: sett", "lookup: set"));
         VERIFY_CODE(write(test::positionSource(0)), 0);
+    }
+
+    /// A zero was taken out of the one, and the other is as it was measured.
+    void theFileOfAnotherControllerNamesAReferenceOnlyWhereItWasRead()
+    {
+        const Sandbox box;
+        box.file("x.csv", runs("// axis: X\n", [](double x) { return 0.02 * x - 3.0; }));
+        for (const auto& [zero, isRead] : {std::pair("first", false), std::pair("keep", true)}) {
+            const ProgramRun run = box.run(QStringList{"fit", "x.csv", "-o", "x.txt", "--to",
+                                               "softmc", "--zero", zero, "--target", "#1"}
+                + offAtEncoder);
+            VERIFY_CODE(run, 0);
+            QCOMPARE(run.err.contains("the reference says"), isRead);
+            QCOMPARE(run.err.contains("the controller takes the axis to be at"), !isRead);
+        }
     }
 
     /// The file says which drive was measured: the axis X of a twin machine has another error.

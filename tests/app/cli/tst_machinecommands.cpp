@@ -356,6 +356,34 @@ private Q_SLOTS:
             machine.run({"plan", "--only", QString::number(machine.serialTwo) + "/0"}).code == 9);
     }
 
+    /// Outside of its table an axis shows nothing, and `activate` warns of it in these words.
+    void whatIsSwitchedOnIsProvedOrWarnedOf()
+    {
+        const Machine machine;
+        machine.box.file("around.csv", "X [mm],Error [mm]\n-10,0.002\n110,0.003\n");
+        machine.box.file("away.csv", "X [mm],Error [mm]\n-300,0.001\n-200,0.003\n");
+        machine.write(axisSection(0, "around.csv", "active = true\n"),
+            axisSection(0, "away.csv", "active = true\n"));
+        const ProgramRun apply = machine.run({"apply", "--activate"});
+        VERIFY_CODE(apply, 0);
+        const QByteArray serial = QByteArray::number(machine.serialTwo);
+        QVERIFY2(apply.out.contains("(serial number 100001), axis 0: Proof: what the drive adds is "
+                                    "what the table says, over 100 % of the table."),
+            apply.out.constData());
+        QVERIFY2(apply.out.contains("written and switched, not proved"), apply.out.constData());
+        QVERIFY2(apply.err.contains("(serial number " + serial
+                     + "), axis 0: nothing is proved: The axis is outside of the table"),
+            apply.err.constData());
+
+        VERIFY_CODE(
+            machine.box.run({"deactivate", "--axis", "0", "--drive", machine.two.url()}), 0);
+        const ProgramRun again = machine.run({"apply", "--activate", "--json"});
+        VERIFY_CODE(again, 0);
+        QVERIFY2(again.err.contains("nothing is proved: "), again.err.constData());
+        const auto proof = axisOf(again, 1, 0).value("outcome").toObject().value("proof");
+        QVERIFY(!proof.toObject().value("proved").toBool(true));
+    }
+
     void aFileThatIsWrongIsNamedBeforeAnyDriveIsAsked()
     {
         const Machine machine;

@@ -312,6 +312,20 @@ private Q_SLOTS:
         QVERIFY(evaluated->extent == Proof::Extent::IndicesOnly);
     }
 
+    /// They are all that can be seen while it evaluates, and too little of an active one.
+    void indicesAloneAreWarnedOfUnlessItEvaluates()
+    {
+        Proof proof;
+        proof.extent = Proof::Extent::IndicesOnly;
+        for (const auto state : {CompensationState::Evaluating, CompensationState::Active}) {
+            Activation activation;
+            activation.status.axis.state = state;
+            QVERIFY(!activation.notProved());
+            activation.proof = Result<Proof>(proof);
+            QCOMPARE(activation.notProved().has_value(), state == CompensationState::Active);
+        }
+    }
+
     /// At home a table is often 0 but for a rounding: the opposite of it is within what is allowed.
     void whatIsTooSmallToBeSeenProvesNothing_data()
     {

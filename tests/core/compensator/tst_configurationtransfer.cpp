@@ -134,7 +134,9 @@ private Q_SLOTS:
         VERIFY_ERROR(writes, ErrorCode::NoTable);
         QCOMPARE(sentence(writes.error()),
             std::string("the configuration names the table in Small7 for axis 1, but the drive has "
-                        "none there; write it into that slot first"));
+                        "none there: write the table to the axis from its file and name the slot "
+                        "that it gets in the configuration, or write it into Small7 with 'axiscomp "
+                        "write --slot Small7'"));
         QCOMPARE(c.link.firstChange(), 0);
     }
 

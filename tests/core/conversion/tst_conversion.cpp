@@ -356,6 +356,24 @@ private Q_SLOTS:
         QVERIFY(!contains(encoder->report, "(lookup: set)"));
     }
 
+    /// As of one that was fitted, and of which a zero was taken out.
+    void ofATableThatWasComputedNoReferenceIsTold()
+    {
+        for (const TableFormat* to :
+            {&softmc::format(), &calibration_csv::format(), &tam_table::format()})
+            for (const LookupAt lookupAt : {LookupAt::Encoder, LookupAt::Set})
+                for (const bool isComputed : {false, true}) {
+                    ImportChoices choices;
+                    choices.format = to;
+                    choices.target = "#1";
+                    choices.place.lookupAt = lookupAt;
+                    const auto exported =
+                        exportTable(steepTable(), choices, "x.txt", layout(), isComputed);
+                    VERIFY_RESULT(exported);
+                    QCOMPARE(contains(exported->report, "the reference says"), !isComputed);
+                }
+    }
+
     void aFileOfCommandValuesIsMadeForThePlaceWhereTheDriveLooksItUp()
     {
         ImportChoices choices;
@@ -447,6 +465,9 @@ private Q_SLOTS:
         const auto same = convertTables(std::span(&table, 1), request);
         VERIFY_RESULT(same);
         QCOMPARE(same->written.held.front().columns[0].values, table.columns[0].values);
+        QVERIFY(contains(conversionReport(*same, request),
+            "commanded to 10 mm, the controller moves the encoder to 9.5 mm, where the reference "
+            "says 10 mm: the file says +0.5 mm"));
     }
 
     /// Then the numbers are not those that the drive adds, wherever it looks them up.
@@ -654,6 +675,30 @@ private Q_SLOTS:
             return;
         table.notes.push_back(driveNote(driveText("Twin", 850619)));
         VERIFY_ERROR(convertTables(std::span(&table, 1), request), ErrorCode::InvalidArgument);
+    }
+
+    /// One for the set position is written for the encoder's as it is, once its file does not say.
+    void whereATableIsLookedUpIsInTheFileOrSaid()
+    {
+        const std::string_view said =
+            "does not say that the drive has to look it up at the set position";
+        const NeutralTable table =
+            neutralTable({steepTable().grid, {steepTable()}, {lookupNote(LookupAt::Set)}});
+        for (const TableFormat* to : {&calibration_csv::format(), &tam_table::format()}) {
+            const bool isLost = to == &tam_table::format();
+            ConversionRequest request = requestFor(calibration_csv::format(), *to);
+            request.targets = {"#1"};
+            const auto converted = convertTables(std::span(&table, 1), request);
+            VERIFY_RESULT(converted);
+            QCOMPARE(contains(conversionReport(*converted, request), said), isLost);
+            ImportChoices choices;
+            choices.format = to;
+            choices.target = "#1";
+            choices.place.lookupAt = LookupAt::Set;
+            const auto exported = exportTable(steepTable(), choices, "x", layout());
+            VERIFY_RESULT(exported);
+            QCOMPARE(contains(exported->report, said), isLost);
+        }
     }
 
     void aPlaceOfTheLookupThatContradictsTheFileIsRefused()

@@ -744,6 +744,54 @@ private Q_SLOTS:
         QCOMPARE(examplePoint(table).english(), text.toStdString());
     }
 
+    /// As of a table that was fitted, and of which a zero was taken out.
+    void ofAComputedTableTheExampleNamesNoReference_data()
+    {
+        QTest::addColumn<bool>("isPlane");
+        QTest::addColumn<bool>("isCross");
+        QTest::addColumn<QByteArray>("feedback");
+        QTest::addColumn<QByteArray>("command");
+        QTest::newRow("line") << false << false
+                              << QByteArray("where the encoder reads 40 mm the controller takes "
+                                            "the axis to be at 39.9979 mm")
+                              << QByteArray("commanded to 40 mm, the controller moves the encoder "
+                                            "to 39.9979 mm");
+        QTest::newRow("cross") << false << true
+                               << QByteArray("where the encoder reads 40 mm the controller adds "
+                                             "-0.0021 mm to the position of Z")
+                               << QByteArray(
+                                      "commanded to 40 mm, the controller moves Z by -0.0021 mm");
+        QTest::newRow("plane") << true << false
+                               << QByteArray("where the encoders read X = 40 mm, Y = 5 mm the "
+                                             "controller takes X to be at 39.9979 mm")
+                               << QByteArray("commanded to X = 40 mm, Y = 5 mm, the controller "
+                                             "moves the encoder of X to 39.9979 mm");
+        QTest::newRow("cross plane") << true << true
+                                     << QByteArray("where the encoders read X = 40 mm, Y = 5 mm "
+                                                   "the controller adds -0.0021 mm to the "
+                                                   "position of Z")
+                                     << QByteArray("commanded to X = 40 mm, Y = 5 mm, the "
+                                                   "controller moves Z by -0.0021 mm");
+    }
+    void ofAComputedTableTheExampleNamesNoReference()
+    {
+        QFETCH(const bool, isPlane);
+        QFETCH(const bool, isCross);
+        QFETCH(const QByteArray, feedback);
+        QFETCH(const QByteArray, command);
+        std::vector<SourceAxis> axes{axisX({0, 40, 60})};
+        if (isPlane)
+            axes.push_back(evenAxis("Y", "mm", 5, 5, 2));
+        NeutralTable table = tableOver(axes, isCross ? "Z" : "X", [](const Values& p) {
+            return p[0] == 40 && (p.size() == 1 || p[1] == 5) ? -0.0021 : 0.001;
+        });
+        QCOMPARE(examplePoint(table, true).english(),
+            feedback.toStdString() + ": the feedback file says -0.0021 mm");
+        table.sign = SignConvention::Command;
+        QCOMPARE(examplePoint(table, true).english(),
+            command.toStdString() + ": the command file says -0.0021 mm");
+    }
+
     void ofSeveralPlacesThatAreTooSteepTheFirstIsNamed_data()
     {
         QTest::addColumn<bool>("isJoint");

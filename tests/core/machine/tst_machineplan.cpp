@@ -697,6 +697,42 @@ private Q_SLOTS:
         QCOMPARE(said(false, false, false, false), std::string("nothing to do"));
     }
 
+    /// Outside of its table an axis shows nothing, whatever the drive does with it.
+    void whatIsSwitchedOnIsProvedOrSaidNotToBe_data()
+    {
+        QTest::addColumn<double>("start");
+        QTest::addColumn<bool>("isProved");
+        QTest::newRow("around the axes") << 0.0 << true;
+        QTest::newRow("elsewhere") << -2000.0 << false;
+    }
+    void whatIsSwitchedOnIsProvedOrSaidNotToBe()
+    {
+        QFETCH(const double, start);
+        QFETCH(const bool, isProved);
+        Machine machine;
+        Grid& grid = machine.tables[0].table->grid;
+        for (GridAxis& axis : grid.axes)
+            axis.distance *= 2.5;
+        grid.axes[0].start = start;
+        machine.drive.axes[0].isActive = true;
+        machine.context.activates = true;
+        const auto plan = machine.plan();
+        VERIFY_RESULT(plan);
+        const auto outcomes = machine.apply(*plan);
+        VERIFY_RESULT(outcomes);
+        const AxisOutcome& outcome = outcomes->at(0);
+        QVERIFY(!outcome.problem && outcome.activation);
+        QCOMPARE(outcome.activation->notProved().has_value(), !isProved);
+        QCOMPARE(outcomeText(outcome).english(),
+            std::string("written and switched, ") + (isProved ? "proved" : "not proved"));
+        machine.drive.axes[0].isActive = false;
+        const auto back = machine.plan();
+        VERIFY_RESULT(back);
+        const auto off = machine.apply(*back);
+        VERIFY_RESULT(off);
+        QCOMPARE(outcomeText(off->at(0)).english(), std::string("switched"));
+    }
+
     void anAxisThatNobodyHasChangedIsSwitchedOn()
     {
         Machine machine;

@@ -159,6 +159,34 @@ private Q_SLOTS:
         VERIFY_RESULT(f.compensator.write(0, exampleRequest(5, Persistency::Persistent)));
     }
 
+    /// As when a whole drive is restored, and this axis is as the backup has it.
+    void nothingIsSaidToBeSavedWhereNothingIsWritten()
+    {
+        CompensatorFixture f;
+        const WriteRequest request = exampleRequest(1, Persistency::Persistent);
+        VERIFY_RESULT(f.compensator.write(0, request));
+        VERIFY_RESULT(
+            f.compensator.write(1, into(exampleRequest(2, Persistency::Persistent), "Small3")));
+        VERIFY_RESULT(f.compensator.write(1, into(swapped(3, Persistency::Volatile), "Small3")));
+        const auto loses = [](const WritePlan& plan) {
+            return contains(plan.warnings, "after a reboot that axis has no table");
+        };
+        const auto same = f.compensator.plan(0, request);
+        VERIFY_RESULT(same);
+        QVERIFY(same->changes.empty());
+        QVERIFY(!loses(*same));
+        QCOMPARE(same->flashOperations, 0);
+        // Saved once more, since that may not have been seen to its end.
+        WriteRequest saving;
+        saving.dimensionality = request.dimensionality;
+        saving.persistency = Persistency::Persistent;
+        const auto saved = f.compensator.plan(0, saving);
+        VERIFY_RESULT(saved);
+        QVERIFY(saved->changes.empty());
+        QVERIFY(loses(*saved));
+        QCOMPARE(saved->flashOperations, 1);
+    }
+
     void aVolatileTableThatCoversAnotherIsAnnounced()
     {
         CompensatorFixture f;

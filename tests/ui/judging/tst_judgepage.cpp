@@ -124,6 +124,24 @@ private Q_SLOTS:
         QVERIFY(readout(bench).isEmpty());
     }
 
+    /// It says what should be: after "not met:" alone that read as what is.
+    void aConditionThatIsNotMetIsQuoted()
+    {
+        QByteArray runs = "// compensation: off\ntarget [mm],direction,run,deviation [um]\n";
+        constexpr int offsets[] = {1, -2, 2, -1, 0}; // each twice in every run
+        for (int run = 1; run <= 5; ++run)
+            for (const char* direction : {"up", "down"})
+                for (int i = 0; i < 10; ++i)
+                    runs += QByteArray::number(10 * i) + ',' + direction + ','
+                        + QByteArray::number(run) + ','
+                        + QByteArray::number(i * i % 7 + 0.1 * offsets[(run + 3 * i) % 5]) + '\n';
+        PageFixture bench;
+        QVERIFY(judgeFile(bench, bench.file(QStringLiteral("runs.csv"), runs)));
+        QTRY_COMPARE(hint(bench),
+            QStringLiteral(
+                "The standard's condition “the file states the temperature” is not met."));
+    }
+
     void toleranceAndVerdictStandBesideTheFigure()
     {
         PageFixture bench;

@@ -8,6 +8,7 @@
 #include "ui/overview/overview_model.h"
 #include "ui/page/setup_panel.h"
 #include "ui/style/contrast.h"
+#include "ui/style/warning_list.h"
 
 #include <QAction>
 #include <QApplication>
@@ -37,6 +38,10 @@ using State = AxisDrift::State;
 
 const QByteArray first1D = "Position [mm],Error [mm]\n0,0\n40,0.0021\n80,-0.001\n";
 const QByteArray second1D = "Position [mm],Error [mm]\n0,0\n40,0.0022\n80,-0.001\n";
+
+// Of an axis from 0 to 100 mm or less.
+const QByteArray aroundTheTravel = "Position [mm],Error [mm]\n-10,0.002\n110,0.003\n";
+const QByteArray awayFromTheTravel = "Position [mm],Error [mm]\n-300,0.001\n-200,0.003\n";
 
 QByteArray driveSection(const QString& endpoint, int serialNumber)
 {
@@ -449,6 +454,7 @@ private Q_SLOTS:
     void activationsAreSwitchedOnlyWhenThatIsSaid()
     {
         Machine all;
+        static_cast<void>(all.bench.file(QStringLiteral("first.csv"), aroundTheTravel));
         QVERIFY(all.bench.connect());
         QVERIFY(all.open(all.writeBoth("active = true\n")));
         QVERIFY(all.apply());
@@ -463,7 +469,36 @@ private Q_SLOTS:
         QVERIFY(all.bench->status()->isOn());
         QCOMPARE(
             all.bench->outcome(), QStringLiteral("mill.toml is applied. Switched: X · Test-1."));
+        QVERIFY(!all.bench->isOutcomeAWarning());
         QTRY_COMPARE(all.drift("http://x", 0).state, State::AsFile);
+    }
+
+    /// Outside of its table an axis shows nothing.
+    void whatIsSwitchedOnAndNotProvedIsWarnedOf()
+    {
+        Machine all;
+        static_cast<void>(all.bench.file(QStringLiteral("first.csv"), awayFromTheTravel));
+        QVERIFY(all.bench.connect());
+        all.machine().setActivates(true);
+        QVERIFY(all.open(all.write(
+            driveSection(QStringLiteral("http://x"), 4711) + axisSection("X", "active = true\n"))));
+        QTRY_COMPARE(all.machine().applyObstacle(false), QString());
+        QVERIFY(all.apply());
+        QCOMPARE(all.bench->outcome(),
+            QStringLiteral("mill.toml is applied. Written and verified: X · Test-1. Switched: X · "
+                           "Test-1. Not proved: X · Test-1."));
+        QVERIFY(all.bench->isOutcomeAWarning());
+        const auto isWhy = [](const LogLine& line) {
+            const QString text = line.text();
+            return line.kind == LogLine::Kind::Warning
+                && text.startsWith(
+                    QStringLiteral("X · Test-1: written and switched, not proved; it holds: "))
+                && text.endsWith(
+                    QStringLiteral(" Not proved. The axis is outside of the table, where the "
+                                   "values at its ends hold. Move the axis into the table and "
+                                   "activate again."));
+        };
+        QVERIFY(std::ranges::any_of(all.bench->log(), isWhy));
     }
 
     void whatWasToBeSwitchedAndWasNotIsSaid()
@@ -652,6 +687,45 @@ private Q_SLOTS:
         QVERIFY(!(bench.state() == before));
         user.the<QPushButton>("closeApplyButton").click();
         QTRY_VERIFY(!user.find("applyMachineDialog"));
+    }
+
+    void aPersonSeesWhetherWhatWasSwitchedOnIsProved_data()
+    {
+        QTest::addColumn<QByteArray>("table");
+        QTest::addColumn<bool>("isProved");
+        QTest::newRow("around the travel") << aroundTheTravel << true;
+        QTest::newRow("away from it") << awayFromTheTravel << false;
+    }
+    void aPersonSeesWhetherWhatWasSwitchedOnIsProved()
+    {
+        QFETCH(const QByteArray, table);
+        QFETCH(const bool, isProved);
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        static_cast<void>(bench.file(QStringLiteral("first.csv"), table));
+        bench.picked = bench.file(QStringLiteral("mill.toml"),
+            "version = 1\n" + driveSection(bench.served.url(), 1559)
+                + axisSection("X", "active = true\n"));
+        user.the<QAction>("openMachineAction").trigger();
+        QTRY_VERIFY(user.sees("overview"));
+        user.the<QAction>("applyMachineAction").trigger();
+        QTRY_VERIFY(user.sees("applyActivates"));
+        user.the<QCheckBox>("applyActivates").setChecked(true);
+        QTRY_VERIFY(bench.controller().machine().applyObstacle(false).isEmpty()
+            && user.the("applyButton").isEnabled());
+        user.the<QPushButton>("applyButton").click();
+        QTRY_VERIFY(!user.sees("applyButton")); // it has ended
+        QCOMPARE(user.the<QTableWidget>("applyRows").item(0, 1)->text(),
+            isProved ? QStringLiteral("written and switched, proved")
+                     : QStringLiteral("written and switched, not proved"));
+        const QString proved = user.the<QLabel>("applyRemarks").text();
+        const QStringList warned = user.the<WarningList>("applyWarnings").warnings();
+        QCOMPARE(proved.startsWith(QStringLiteral("X · Stage-7: Proved over ")), isProved);
+        QCOMPARE(warned.size(), isProved ? qsizetype(0) : qsizetype(1));
+        QVERIFY(isProved
+            || warned.front().startsWith(
+                QStringLiteral("X · Stage-7: Not proved. The axis is outside of the table")));
     }
 
     /// A second one would switch off what is chosen in the first.

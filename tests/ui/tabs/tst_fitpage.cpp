@@ -12,6 +12,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QListWidget>
+#include <QPlainTextEdit>
 #include <QTableWidget>
 #include <QTest>
 
@@ -347,6 +348,33 @@ private Q_SLOTS:
         const QString sign = bench.controller().signSentence();
         QVERIFY2(sign.startsWith(QStringLiteral("where the encoder reads")), qPrintable(sign));
         QVERIFY2(!sign.contains(QStringLiteral("reference")), qPrintable(sign));
+    }
+
+    void aSavedTableNamesAReferenceOnlyWhereItWasRead_data()
+    {
+        QTest::addColumn<QString>("zero");
+        QTest::addColumn<bool>("isRead");
+        QTest::newRow("kept") << QStringLiteral("as measured") << true;
+        QTest::newRow("taken out") << QStringLiteral("at the first target") << false;
+    }
+    void aSavedTableNamesAReferenceOnlyWhereItWasRead()
+    {
+        QFETCH(const QString, zero);
+        QFETCH(const bool, isRead);
+        PageFixture bench;
+        QVERIFY(fit(bench, publicMeasurement("b02_x")));
+        QVERIFY(bench.user.choose("fitMeasuredWith", QStringLiteral("off")));
+        QVERIFY(bench.user.choose("fitLookup", QStringLiteral("encoder")));
+        QVERIFY(bench.user.choose("fitZero", zero) && hasTable(bench));
+        QVERIFY(bench.user.click("saveFittedTable"));
+        const auto says = [&](const QString& part) {
+            return bench.user.sees("exportDialog")
+                && bench.user.the<QPlainTextEdit>("conversionReport").toPlainText().contains(part);
+        };
+        QTRY_VERIFY(says(QStringLiteral("the feedback file says")));
+        QCOMPARE(says(QStringLiteral("the reference ")), isRead);
+        bench.user.press(Qt::Key_Escape);
+        QTRY_VERIFY(!bench.user.sees("exportDialog"));
     }
 
     /// A table that was put there is one without a file: there is nothing to read again.

@@ -78,6 +78,34 @@ private Q_SLOTS:
         change(record);
         QCOMPARE(isReferenceReadAtLargest(record), isRead);
     }
+
+    void itIsKnownOfTheTablesOfAFitBeforeThereIsARecord()
+    {
+        const CalibrationRecord record = plainRecord();
+        FitSettings settings = record.fit->settings;
+        CorrectionsBefore corrections;
+        FitReport report;
+        report.tables.emplace_back().table = record.tables[0].table;
+        const auto isRead = [&] {
+            return isReferenceReadAtLargest(
+                record.before->files[0].measurement, corrections, settings, report);
+        };
+        QVERIFY(isRead());
+        corrections.temperature.emplace();
+        QVERIFY(!isRead());
+        corrections = {};
+        settings.zero = FitZero::First;
+        QVERIFY(!isRead());
+        settings.zero = FitZero::Keep;
+        settings.drift = DriftRemoval::Offset;
+        QVERIFY(!isRead());
+        settings.drift.reset();
+        // One of several is enough.
+        report.tables.push_back(report.tables.front());
+        QVERIFY(isRead());
+        report.tables.back().table.grid.axes = {{"X", "mm", 0.0, 5.0, 3}};
+        QVERIFY(!isRead());
+    }
 };
 
 AXISCOMP_TEST(TestReferenceReading)
