@@ -4942,10 +4942,6 @@
         <translation>Nach einem Neustart verwendet {axis} wieder die Tabelle in {slot}, wie es in den gespeicherten Parametern steht.</translation>
     </message>
     <message>
-        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine; schreiben Sie sie zuerst in diesen Tabellenplatz</translation>
-    </message>
-    <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
         <translation>die Konfiguration hat für Achse {axis} die Einheit {unit}, die Achse des Antriebs aber {other}</translation>
     </message>
@@ -8765,6 +8761,42 @@
         <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
         <translation>das Protokoll sagt nicht, in welcher Einheit die Achse war, als seine Tabelle geschrieben wurde, und in {unit}, der Einheit der Achse jetzt, ist keine seiner Tabellen die im Antrieb: die Einheit einstellen, die die Achse hatte, oder die Tabelle des Protokolls noch einmal schreiben („axiscomp write --record“)</translation>
     </message>
+    <message>
+        <source>{example}: the file says {value}</source>
+        <translation>{example}: in der Datei steht {value}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller takes the axis to be at {moved}</source>
+        <translation>wo der Geber {place} meldet, steht die Achse für die Steuerung bei {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller takes {axis} to be at {moved}</source>
+        <translation>wo die Geber {place} melden, steht {axis} für die Steuerung bei {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller adds {value} to the position of {axis}</source>
+        <translation>wo der Geber {place} meldet, addiert die Steuerung {value} zur Position von {axis}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller adds {value} to the position of {axis}</source>
+        <translation>wo die Geber {place} melden, addiert die Steuerung {value} zur Position von {axis}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder to {moved}</source>
+        <translation>bei der Sollposition {place} fährt die Steuerung den Geber auf {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder of {axis} to {moved}</source>
+        <translation>bei der Sollposition {place} fährt die Steuerung den Geber von {axis} auf {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves {target} by {value}</source>
+        <translation>bei der Sollposition {place} verschiebt die Steuerung {target} um {value}</translation>
+    </message>
+    <message>
+        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
+        <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine: die Tabelle aus ihrer Datei auf die Achse schreiben und den Tabellenplatz, den sie erhält, in der Konfiguration angeben, oder sie mit &apos;axiscomp write --slot {slot}&apos; in {slot} schreiben</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9895,10 +9927,6 @@
         <translation>%1: %2, über der Toleranz %3. Keine Tabelle verkleinert sie: sehen Sie nach der Mechanik.</translation>
     </message>
     <message>
-        <source>A condition of the standard is not met: %1.</source>
-        <translation>Eine Bedingung der Norm ist nicht erfüllt: %1.</translation>
-    </message>
-    <message>
         <source>Add the files of a measurement on the tab Measure.</source>
         <translation>Fügen Sie auf der Seite Messen die Dateien einer Messung hinzu.</translation>
     </message>
@@ -9921,6 +9949,10 @@
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
         <translation>Jede Toleranz ist eingehalten. Eine Tabelle kann die Achse noch verbessern: weiter mit Anpassen.</translation>
+    </message>
+    <message>
+        <source>The standard&apos;s condition “%1” is not met.</source>
+        <translation>Die Bedingung „%1“ der Norm ist nicht erfüllt.</translation>
     </message>
 </context>
 <context>
@@ -10012,6 +10044,14 @@
     <message>
         <source>not switched</source>
         <translation>nicht geschaltet</translation>
+    </message>
+    <message>
+        <source>{outcome}, proved</source>
+        <translation>{outcome}, nachgewiesen</translation>
+    </message>
+    <message>
+        <source>{outcome}, not proved</source>
+        <translation>{outcome}, nicht nachgewiesen</translation>
     </message>
 </context>
 <context>
@@ -12416,10 +12456,6 @@
         <translation>Kompensationen auch ein- und ausschalten, wo die Datei es &amp;sagt</translation>
     </message>
     <message>
-        <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
-        <translation>Eingeschaltete Achsen werden nachgewiesen; ohne dies wird „active“ der Datei nur verglichen</translation>
-    </message>
-    <message>
         <source>Leave &amp;out drives that do not answer</source>
         <translation>Antriebe auslassen, die &amp;nicht antworten</translation>
     </message>
@@ -12523,6 +12559,15 @@
     <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
         <translation>Hält das Schreiben an; was gerade läuft, wird rückgängig gemacht (Esc)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and proof</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tries to prove each axis that it switches on, and names those of which nothing is proved; without it the file&apos;s “active” is only compared</source>
+        <translation>Versucht, jede eingeschaltete Achse nachzuweisen, und nennt die, bei denen nichts nachgewiesen ist; ohne dies wird „active“ der Datei nur verglichen</translation>
     </message>
 </context>
 <context>
@@ -16028,6 +16073,10 @@
         <source>Not switched: %1.</source>
         <translation>Nicht geschaltet: %1.</translation>
     </message>
+    <message>
+        <source>Not proved: %1.</source>
+        <translation>Nicht nachgewiesen: %1.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MachineController</name>
@@ -16462,18 +16511,6 @@
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
     <message>
-        <source>They are stored in flash.</source>
-        <translation>Sie sind im Flash gespeichert.</translation>
-    </message>
-    <message>
-        <source>They are volatile: a reboot of the drive restores the stored state.</source>
-        <translation>Sie sind flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
-    </message>
-    <message>
-        <source>Written and verified: %1. %2</source>
-        <translation>Geschrieben und verifiziert: %1. %2</translation>
-    </message>
-    <message>
         <source>The writes were stopped.</source>
         <translation>Die Schreibvorgänge wurden angehalten.</translation>
     </message>
@@ -16499,12 +16536,32 @@
         <translation>Alter Zustand, vollständig: %1.</translation>
     </message>
     <message>
-        <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
-        <translation>Im Flash gespeichert: %1. Flüchtig: %2; ein Neustart des Antriebs stellt deren gespeicherten Zustand wieder her.</translation>
-    </message>
-    <message>
         <source>%1 The tables that no axis uses are not all restored: %2</source>
         <translation>%1 Die Tabellen, die keine Achse verwendet, sind nicht alle wiederhergestellt: %2</translation>
+    </message>
+    <message>
+        <source>Written and verified: %1.</source>
+        <translation>Geschrieben und verifiziert: %1.</translation>
+    </message>
+    <message>
+        <source>This is stored in flash.</source>
+        <translation>Das ist im Flash-Speicher abgelegt.</translation>
+    </message>
+    <message>
+        <source>This is volatile: a reboot of the drive restores the stored state.</source>
+        <translation>Das ist flüchtig: ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
+    </message>
+    <message>
+        <source>Stored in flash: %1.</source>
+        <translation>Im Flash-Speicher abgelegt: %1.</translation>
+    </message>
+    <message>
+        <source>Volatile: %1; a reboot of the drive restores the stored state.</source>
+        <translation>Flüchtig: %1; ein Neustart des Antriebs stellt den gespeicherten Zustand wieder her.</translation>
+    </message>
+    <message>
+        <source>The axes already had all of this.</source>
+        <translation>Die Achsen hatten das alles bereits.</translation>
     </message>
 </context>
 <context>

@@ -4942,10 +4942,6 @@
         <translation>Après un redémarrage, {axis} utilise de nouveau la table dans {slot}, selon les paramètres enregistrés.</translation>
     </message>
     <message>
-        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>la configuration indique la table dans {slot} pour l&apos;axe {axis}, mais le variateur n&apos;y en a pas&#xa0;; l&apos;écrire d&apos;abord dans cet emplacement</translation>
-    </message>
-    <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
         <translation>la configuration a l&apos;unité {unit} pour l&apos;axe {axis}, mais l&apos;axe du variateur a {other}</translation>
     </message>
@@ -8765,6 +8761,42 @@
         <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
         <translation>la fiche n&apos;indique pas dans quelle unité était l&apos;axe lors de l&apos;écriture de sa table, et en {unit}, l&apos;unité actuelle de l&apos;axe, aucune de ses tables n&apos;est celle du variateur&#xa0;: remettre l&apos;unité que l&apos;axe avait, ou écrire de nouveau la table de la fiche («&#xa0;axiscomp write --record&#xa0;»)</translation>
     </message>
+    <message>
+        <source>{example}: the file says {value}</source>
+        <translation>{example}&#xa0;: le fichier indique {value}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller takes the axis to be at {moved}</source>
+        <translation>là où le codeur indique {place}, l&apos;axe est à {moved} pour la commande</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller takes {axis} to be at {moved}</source>
+        <translation>là où les codeurs indiquent {place}, {axis} est à {moved} pour la commande</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller adds {value} to the position of {axis}</source>
+        <translation>là où le codeur indique {place}, la commande ajoute {value} à la position de {axis}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller adds {value} to the position of {axis}</source>
+        <translation>là où les codeurs indiquent {place}, la commande ajoute {value} à la position de {axis}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder to {moved}</source>
+        <translation>pour la consigne {place}, la commande amène le codeur à {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder of {axis} to {moved}</source>
+        <translation>pour la consigne {place}, la commande amène le codeur de {axis} à {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves {target} by {value}</source>
+        <translation>pour la consigne {place}, la commande déplace {target} de {value}</translation>
+    </message>
+    <message>
+        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
+        <translation>la configuration indique la table dans {slot} pour l&apos;axe {axis}, mais le variateur n&apos;y en a pas&#xa0;: écrire la table depuis son fichier sur l&apos;axe et indiquer dans la configuration l&apos;emplacement qu&apos;elle reçoit, ou l&apos;écrire dans {slot} avec &apos;axiscomp write --slot {slot}&apos;</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9895,10 +9927,6 @@
         <translation>%1&#xa0;: %2, au-dessus de la tolérance %3. Aucune table n&apos;améliore cette valeur&#xa0;: examiner la mécanique.</translation>
     </message>
     <message>
-        <source>A condition of the standard is not met: %1.</source>
-        <translation>Une condition de la norme n&apos;est pas remplie&#xa0;: %1.</translation>
-    </message>
-    <message>
         <source>Add the files of a measurement on the tab Measure.</source>
         <translation>Ajouter les fichiers d&apos;une mesure dans l&apos;onglet Mesurer.</translation>
     </message>
@@ -9921,6 +9949,10 @@
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
         <translation>Toutes les tolérances sont respectées. Une table peut encore améliorer l&apos;axe&#xa0;: passer à Ajuster.</translation>
+    </message>
+    <message>
+        <source>The standard&apos;s condition “%1” is not met.</source>
+        <translation>La condition «&#xa0;%1&#xa0;» de la norme n&apos;est pas remplie.</translation>
     </message>
 </context>
 <context>
@@ -10012,6 +10044,14 @@
     <message>
         <source>not switched</source>
         <translation>non commuté</translation>
+    </message>
+    <message>
+        <source>{outcome}, proved</source>
+        <translation>{outcome}, validé</translation>
+    </message>
+    <message>
+        <source>{outcome}, not proved</source>
+        <translation>{outcome}, non validé</translation>
     </message>
 </context>
 <context>
@@ -12416,10 +12456,6 @@
         <translation>Activer et désactiver aussi les &amp;compensations si le fichier l&apos;indique</translation>
     </message>
     <message>
-        <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
-        <translation>Les axes activés sont validés&#xa0;; sans cette option, «&#xa0;active&#xa0;» du fichier est seulement comparé</translation>
-    </message>
-    <message>
         <source>Leave &amp;out drives that do not answer</source>
         <translation>&amp;Omettre les variateurs qui ne répondent pas</translation>
     </message>
@@ -12523,6 +12559,15 @@
     <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
         <translation>Arrête les écritures&#xa0;; l&apos;ancien état est restauré pour celles en cours (Échap)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and proof</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Tries to prove each axis that it switches on, and names those of which nothing is proved; without it the file&apos;s “active” is only compared</source>
+        <translation>Tente de valider chaque axe activé et nomme ceux pour lesquels rien n&apos;est validé&#xa0;; sans cette option, «&#xa0;active&#xa0;» du fichier est seulement comparé</translation>
     </message>
 </context>
 <context>
@@ -16028,6 +16073,10 @@
         <source>Not switched: %1.</source>
         <translation>Non commuté&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>Not proved: %1.</source>
+        <translation>Non validé&#xa0;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MachineController</name>
@@ -16462,18 +16511,6 @@
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
     <message>
-        <source>They are stored in flash.</source>
-        <translation>Elles sont enregistrées en mémoire flash.</translation>
-    </message>
-    <message>
-        <source>They are volatile: a reboot of the drive restores the stored state.</source>
-        <translation>Elles sont volatiles&#xa0;: un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
-    </message>
-    <message>
-        <source>Written and verified: %1. %2</source>
-        <translation>Écrit et vérifié&#xa0;: %1. %2</translation>
-    </message>
-    <message>
         <source>The writes were stopped.</source>
         <translation>Les écritures ont été arrêtées.</translation>
     </message>
@@ -16499,12 +16536,32 @@
         <translation>Ancien état, complet&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
-        <translation>Enregistrées en mémoire flash&#xa0;: %1. Volatiles&#xa0;: %2&#xa0;; un redémarrage du variateur rétablit leur état enregistré.</translation>
-    </message>
-    <message>
         <source>%1 The tables that no axis uses are not all restored: %2</source>
         <translation>%1 Les tables qu&apos;aucun axe n&apos;utilise ne sont pas toutes restaurées&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Written and verified: %1.</source>
+        <translation>Écrit et vérifié&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>This is stored in flash.</source>
+        <translation>Cela est enregistré en mémoire flash.</translation>
+    </message>
+    <message>
+        <source>This is volatile: a reboot of the drive restores the stored state.</source>
+        <translation>Cela est volatil&#xa0;: un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+    </message>
+    <message>
+        <source>Stored in flash: %1.</source>
+        <translation>Enregistré en mémoire flash&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Volatile: %1; a reboot of the drive restores the stored state.</source>
+        <translation>Volatil&#xa0;: %1&#xa0;; un redémarrage du variateur rétablit l&apos;état enregistré.</translation>
+    </message>
+    <message>
+        <source>The axes already had all of this.</source>
+        <translation>Les axes avaient déjà tout cela.</translation>
     </message>
 </context>
 <context>

@@ -4918,10 +4918,6 @@
         <translation>再起動すると、保存されたパラメータに従って {axis} は再び {slot} のテーブルを使用します。</translation>
     </message>
     <message>
-        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>構成では軸 {axis} に {slot} のテーブルが指定されていますが、ドライブのそのスロットにテーブルがありません。先にそのスロットに書き込んでください</translation>
-    </message>
-    <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
         <translation>構成では軸 {axis} の単位が {unit} ですが、ドライブの軸の単位は {other} です</translation>
     </message>
@@ -8723,6 +8719,42 @@
         <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
         <translation>テーブルを書き込んだときの軸の単位が記録にありません。軸の現在の単位 {unit} では、記録のどのテーブルもドライブのテーブルと一致しません。軸の元の単位に戻すか、記録のテーブルを書き込み直してください (`axiscomp write --record`)</translation>
     </message>
+    <message>
+        <source>{example}: the file says {value}</source>
+        <translation>{example}: ファイルの値は {value}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller takes the axis to be at {moved}</source>
+        <translation>エンコーダが {place} のとき、コントローラは軸の位置を {moved} とみなす</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller takes {axis} to be at {moved}</source>
+        <translation>各エンコーダが {place} のとき、コントローラは {axis} の位置を {moved} とみなす</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller adds {value} to the position of {axis}</source>
+        <translation>エンコーダが {place} のとき、コントローラは {axis} の位置に {value} を加える</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller adds {value} to the position of {axis}</source>
+        <translation>各エンコーダが {place} のとき、コントローラは {axis} の位置に {value} を加える</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder to {moved}</source>
+        <translation>指令位置 {place} では、コントローラはエンコーダを {moved} へ動かす</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder of {axis} to {moved}</source>
+        <translation>指令位置 {place} では、コントローラは {axis} のエンコーダを {moved} へ動かす</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves {target} by {value}</source>
+        <translation>指令位置 {place} では、コントローラは {target} を {value} 動かす</translation>
+    </message>
+    <message>
+        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
+        <translation>構成では軸 {axis} に {slot} のテーブルが指定されていますが、ドライブのそのスロットにテーブルがありません。ファイルからテーブルを軸に書き込み、割り当てられたスロットを構成に指定するか、&apos;axiscomp write --slot {slot}&apos; で {slot} に書き込んでください</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9853,10 +9885,6 @@
         <translation>%1: %2。許容値 %3 を超えています。テーブルでは小さくできません。機械の機構部を点検してください。</translation>
     </message>
     <message>
-        <source>A condition of the standard is not met: %1.</source>
-        <translation>規格の条件を満たしていません: %1。</translation>
-    </message>
-    <message>
         <source>Add the files of a measurement on the tab Measure.</source>
         <translation>[測定] タブで測定ファイルを追加してください。</translation>
     </message>
@@ -9879,6 +9907,10 @@
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
         <translation>すべての許容値を満たしています。テーブルで軸をさらに改善できます。[フィッティング] に進んでください。</translation>
+    </message>
+    <message>
+        <source>The standard&apos;s condition “%1” is not met.</source>
+        <translation>規格の条件「%1」を満たしていません。</translation>
     </message>
 </context>
 <context>
@@ -9970,6 +10002,14 @@
     <message>
         <source>not switched</source>
         <translation>切り替えなし</translation>
+    </message>
+    <message>
+        <source>{outcome}, proved</source>
+        <translation>{outcome}、検証済み</translation>
+    </message>
+    <message>
+        <source>{outcome}, not proved</source>
+        <translation>{outcome}、未検証</translation>
     </message>
 </context>
 <context>
@@ -12362,10 +12402,6 @@
         <translation>ファイルの指定に従い、補正のオン/オフも切り替える(&amp;S)</translation>
     </message>
     <message>
-        <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
-        <translation>オンにした軸は検証します。選択しない場合、ファイルの「active」は比較するだけです</translation>
-    </message>
-    <message>
         <source>Leave &amp;out drives that do not answer</source>
         <translation>応答しないドライブを除く(&amp;O)</translation>
     </message>
@@ -12469,6 +12505,15 @@
     <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
         <translation>書き込みを中止します。実行中のものはロールバックします (Esc)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and proof</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Tries to prove each axis that it switches on, and names those of which nothing is proved; without it the file&apos;s “active” is only compared</source>
+        <translation>オンにした各軸の検証を試み、検証できなかった軸を示します。選択しない場合、ファイルの「active」は比較するだけです</translation>
     </message>
 </context>
 <context>
@@ -15974,6 +16019,10 @@
         <source>Not switched: %1.</source>
         <translation>切り替えなし: %1。</translation>
     </message>
+    <message>
+        <source>Not proved: %1.</source>
+        <translation>未検証: %1。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MachineController</name>
@@ -16408,18 +16457,6 @@
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
     <message>
-        <source>They are stored in flash.</source>
-        <translation>フラッシュに保存されています。</translation>
-    </message>
-    <message>
-        <source>They are volatile: a reboot of the drive restores the stored state.</source>
-        <translation>揮発です。ドライブを再起動すると、保存されている状態に戻ります。</translation>
-    </message>
-    <message>
-        <source>Written and verified: %1. %2</source>
-        <translation>書き込み・照合済み: %1。%2</translation>
-    </message>
-    <message>
         <source>The writes were stopped.</source>
         <translation>書き込みを中止しました。</translation>
     </message>
@@ -16445,12 +16482,32 @@
         <translation>完全な旧状態: %1。</translation>
     </message>
     <message>
-        <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
-        <translation>フラッシュに保存: %1。揮発: %2。ドライブを再起動すると、揮発のものは保存されている状態に戻ります。</translation>
-    </message>
-    <message>
         <source>%1 The tables that no axis uses are not all restored: %2</source>
         <translation>%1 どの軸も使用していないテーブルの一部が復元されていません: %2</translation>
+    </message>
+    <message>
+        <source>Written and verified: %1.</source>
+        <translation>書き込み・照合済み: %1。</translation>
+    </message>
+    <message>
+        <source>This is stored in flash.</source>
+        <translation>フラッシュに保存されています。</translation>
+    </message>
+    <message>
+        <source>This is volatile: a reboot of the drive restores the stored state.</source>
+        <translation>揮発です。ドライブを再起動すると、保存されている状態に戻ります。</translation>
+    </message>
+    <message>
+        <source>Stored in flash: %1.</source>
+        <translation>フラッシュに保存: %1。</translation>
+    </message>
+    <message>
+        <source>Volatile: %1; a reboot of the drive restores the stored state.</source>
+        <translation>揮発: %1。ドライブを再起動すると、保存されている状態に戻ります。</translation>
+    </message>
+    <message>
+        <source>The axes already had all of this.</source>
+        <translation>各軸の内容はすでに同じでした。</translation>
     </message>
 </context>
 <context>

@@ -4918,10 +4918,6 @@
         <translation>重启后 {axis} 按其已保存的参数重新使用 {slot} 中的表。</translation>
     </message>
     <message>
-        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there; write it into that slot first</source>
-        <translation>配置为轴 {axis} 指定了 {slot} 中的表，但驱动器的该表槽中没有表；请先写入该表槽</translation>
-    </message>
-    <message>
         <source>the configuration has {unit} for axis {axis}, but the axis of the drive has {other}</source>
         <translation>配置中轴 {axis} 的单位为 {unit}，而驱动器的该轴为 {other}</translation>
     </message>
@@ -8723,6 +8719,42 @@
         <source>the record does not say in which unit the axis was when its table was written, and in {unit}, as the axis is now, none of its tables is the one on the drive: set the unit that the axis had, or write the record&apos;s table again (`axiscomp write --record`)</source>
         <translation>档案没有注明写入其表时轴的单位，而按轴现在的单位 {unit}，档案中没有一个表与驱动器上的表一致：请设回轴原来的单位，或重新写入档案的表（`axiscomp write --record`）</translation>
     </message>
+    <message>
+        <source>{example}: the file says {value}</source>
+        <translation>{example}：文件中为 {value}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller takes the axis to be at {moved}</source>
+        <translation>编码器读数为 {place} 处，控制器认为轴位于 {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller takes {axis} to be at {moved}</source>
+        <translation>各编码器读数为 {place} 处，控制器认为 {axis} 位于 {moved}</translation>
+    </message>
+    <message>
+        <source>where the encoder reads {place} the controller adds {value} to the position of {axis}</source>
+        <translation>编码器读数为 {place} 处，控制器给 {axis} 的位置加上 {value}</translation>
+    </message>
+    <message>
+        <source>where the encoders read {place} the controller adds {value} to the position of {axis}</source>
+        <translation>各编码器读数为 {place} 处，控制器给 {axis} 的位置加上 {value}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder to {moved}</source>
+        <translation>指令位置为 {place} 时，控制器使编码器移到 {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves the encoder of {axis} to {moved}</source>
+        <translation>指令位置为 {place} 时，控制器使 {axis} 的编码器移到 {moved}</translation>
+    </message>
+    <message>
+        <source>commanded to {place}, the controller moves {target} by {value}</source>
+        <translation>指令位置为 {place} 时，控制器使 {target} 移动 {value}</translation>
+    </message>
+    <message>
+        <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
+        <translation>配置为轴 {axis} 指定了 {slot} 中的表，但驱动器的该表槽中没有表：请从文件将该表写入该轴，并在配置中指定它得到的表槽，或用 &apos;axiscomp write --slot {slot}&apos; 将其写入 {slot}</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -9853,10 +9885,6 @@
         <translation>%1：%2，超出公差 %3。任何表都不能使其减小：请检查机械部分。</translation>
     </message>
     <message>
-        <source>A condition of the standard is not met: %1.</source>
-        <translation>标准的一项条件不满足：%1。</translation>
-    </message>
-    <message>
         <source>Add the files of a measurement on the tab Measure.</source>
         <translation>请在“测量”页添加测量的文件。</translation>
     </message>
@@ -9879,6 +9907,10 @@
     <message>
         <source>Every tolerance is met. A table can still make the axis better: go on to Fit.</source>
         <translation>所有公差均满足。用表还可以进一步改善该轴：请转到“拟合”。</translation>
+    </message>
+    <message>
+        <source>The standard&apos;s condition “%1” is not met.</source>
+        <translation>不满足标准的条件“%1”。</translation>
     </message>
 </context>
 <context>
@@ -9970,6 +10002,14 @@
     <message>
         <source>not switched</source>
         <translation>未切换</translation>
+    </message>
+    <message>
+        <source>{outcome}, proved</source>
+        <translation>{outcome}，已验证</translation>
+    </message>
+    <message>
+        <source>{outcome}, not proved</source>
+        <translation>{outcome}，未验证</translation>
     </message>
 </context>
 <context>
@@ -12362,10 +12402,6 @@
         <translation>同时按文件开启和关闭补偿(&amp;S)</translation>
     </message>
     <message>
-        <source>Axes that it switches on are proved; without it the file&apos;s “active” is only compared</source>
-        <translation>验证由此开启的轴；不选时，文件中的“active”只作比较</translation>
-    </message>
-    <message>
         <source>Leave &amp;out drives that do not answer</source>
         <translation>略过没有应答的驱动器(&amp;O)</translation>
     </message>
@@ -12469,6 +12505,15 @@
     <message>
         <source>Stops the writes; those under way are rolled back (Esc)</source>
         <translation>停止写入；正在进行的将回滚 (Esc)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>axis and proof</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Tries to prove each axis that it switches on, and names those of which nothing is proved; without it the file&apos;s “active” is only compared</source>
+        <translation>尝试验证由此开启的每个轴，并列出未能验证的轴；不选时，文件中的“active”只作比较</translation>
     </message>
 </context>
 <context>
@@ -15974,6 +16019,10 @@
         <source>Not switched: %1.</source>
         <translation>未切换：%1。</translation>
     </message>
+    <message>
+        <source>Not proved: %1.</source>
+        <translation>未验证：%1。</translation>
+    </message>
 </context>
 <context>
     <name>axiscomp::ui::MachineController</name>
@@ -16408,18 +16457,6 @@
 <context>
     <name>axiscomp::ui::MultiAxisOutcome</name>
     <message>
-        <source>They are stored in flash.</source>
-        <translation>已存入闪存。</translation>
-    </message>
-    <message>
-        <source>They are volatile: a reboot of the drive restores the stored state.</source>
-        <translation>这些表为易失：驱动器重启后恢复已存储的状态。</translation>
-    </message>
-    <message>
-        <source>Written and verified: %1. %2</source>
-        <translation>已写入并校验：%1。%2</translation>
-    </message>
-    <message>
         <source>The writes were stopped.</source>
         <translation>写入已停止。</translation>
     </message>
@@ -16445,12 +16482,32 @@
         <translation>旧状态，完整：%1。</translation>
     </message>
     <message>
-        <source>Stored in flash: %1. Volatile: %2; a reboot of the drive restores their stored state.</source>
-        <translation>已存入闪存：%1。易失：%2；驱动器重启后恢复其已存储的状态。</translation>
-    </message>
-    <message>
         <source>%1 The tables that no axis uses are not all restored: %2</source>
         <translation>%1没有轴使用的表未全部还原：%2</translation>
+    </message>
+    <message>
+        <source>Written and verified: %1.</source>
+        <translation>已写入并校验：%1。</translation>
+    </message>
+    <message>
+        <source>This is stored in flash.</source>
+        <translation>已存入闪存。</translation>
+    </message>
+    <message>
+        <source>This is volatile: a reboot of the drive restores the stored state.</source>
+        <translation>该状态为易失：驱动器重启后恢复已存储的状态。</translation>
+    </message>
+    <message>
+        <source>Stored in flash: %1.</source>
+        <translation>已存入闪存：%1。</translation>
+    </message>
+    <message>
+        <source>Volatile: %1; a reboot of the drive restores the stored state.</source>
+        <translation>易失：%1；驱动器重启后恢复已存储的状态。</translation>
+    </message>
+    <message>
+        <source>The axes already had all of this.</source>
+        <translation>各轴此前已与此完全一致。</translation>
     </message>
 </context>
 <context>
