@@ -12,7 +12,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
-#include "ui/fields/shortcut_keys.h"
+#include "ui/fields/typed_fields.h"
 #include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
 #include "ui/judging/judge_page.h"
@@ -182,7 +182,7 @@ CompensationWizard::Private::Private(
     , messages(controller, *page->messages)
 {
     new PlainToolTips(wizard); // which owns it
-    new ShortcutKeys(wizard); // likewise
+    new TypedFields(wizard); // likewise
     menu->showLanguage(settings.language());
     page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
     menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());
@@ -309,9 +309,11 @@ RecordModel& CompensationWizard::Private::measurementShown()
     return page->tabs->currentIndex() == PageTabs::Prove ? recordActions.after() : record;
 }
 
+/// Nothing is written while a field shows something else: a source that was refused, with the
+/// reason below it.
 void CompensationWizard::Private::proceedToWrite()
 {
-    if (recordActions.mayWrite())
+    if (!page->setup->isBeingTyped() && recordActions.mayWrite())
         writeFlow.proceed();
 }
 

@@ -4,6 +4,7 @@
 #include "ui/style/contrast.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QCompleter>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -136,6 +137,14 @@ SourceCombo::SourceCombo(QWidget* parent) : QComboBox(parent)
         m_isTyping = true;
         finish();
     });
+    // While the list of proposals is open it keeps focusOutEvent from being called.
+    connect(
+        qApp, &QApplication::focusChanged, this, [this](const QWidget* left, const QWidget* now) {
+            if (left != this || !now || !completer()->popup()->isVisible())
+                return;
+            completer()->popup()->hide();
+            leave();
+        });
 }
 
 void SourceCombo::setChoices(std::vector<SourceChoice> choices)
@@ -216,8 +225,14 @@ void SourceCombo::focusOutEvent(QFocusEvent* event)
         event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason;
     if (isOwnPopup)
         return;
+    leave();
+}
+
+void SourceCombo::leave()
+{
     finish();
-    if (m_asked.isEmpty())
+    // What was refused while the keyboard is still here stays for correction.
+    if (m_asked.isEmpty() && !m_isTyping)
         showText(m_value);
 }
 

@@ -45,6 +45,7 @@ protected:
 
 private:
     void finish();
+    void leave();
     void showText(const QString& text);
 
     std::vector<SourceChoice> m_choices;

@@ -200,6 +200,22 @@ private Q_SLOTS:
         QVERIFY(savedRecord(bench, "spindle.axcal").before->swapsDirections);
     }
 
+    /// Its button takes no focus.
+    void savingByMouseTakesAToleranceThatIsBeingTyped()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && openRecord(bench, test::recordOfFit()));
+        QVERIFY(change(bench));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Judge);
+        QVERIFY(bench.user.click("toleranceA"));
+        bench.user.press(Qt::Key_A, Qt::ControlModifier);
+        bench.user.type(QStringLiteral("10"));
+        QVERIFY(bench.user.click("saveRecord"));
+        QVERIFY(isNamed(bench, "x.axcal"));
+        const std::vector<Tolerance> typed{{Iso230Figure::A, 0.01}};
+        QCOMPARE(judgingOf(savedRecord(bench)).tolerances, typed);
+    }
+
     void anotherFileIsNotWrittenOverWithoutAsking()
     {
         PageFixture bench;
