@@ -12,6 +12,8 @@
 #include <QStyleOptionFrame>
 #include <QStyledItemDelegate>
 
+#include <utility>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -195,9 +197,8 @@ bool SourceCombo::isTyping() const
 
 void SourceCombo::refuse()
 {
-    const QString asked = m_asked;
-    m_asked.clear();
-    if (m_isTyping)
+    const QString asked = std::exchange(m_asked, {});
+    if (m_isTyping || asked.isEmpty())
         return;
     if (!hasFocus()) {
         showText(m_value);
@@ -213,6 +214,7 @@ void SourceCombo::keyPressEvent(QKeyEvent* event)
         m_isTyping = false;
         showText(m_value);
         lineEdit()->selectAll();
+        Q_EMIT edited();
         return;
     }
     QComboBox::keyPressEvent(event);
