@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
 #include "tests/support/verify.h"
+#include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/record_files.h"
@@ -10,9 +11,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDir>
-#include <QDropEvent>
 #include <QFile>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
@@ -166,15 +165,7 @@ private Q_SLOTS:
             PageFixture bench;
             QVERIFY(bench.user.isThere());
             bench.user.the<PageTabs>("pageTabs").setCurrentIndex(tab);
-            QMimeData data;
-            data.setUrls({QUrl::fromLocalFile(recordFile(bench, test::recordOfFit()))});
-            QDragEnterEvent enter(
-                QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&bench.wizard, &enter);
-            QVERIFY(enter.isAccepted());
-            QDropEvent event(
-                QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&bench.wizard, &event);
+            QVERIFY(test::drop(bench, {recordFile(bench, test::recordOfFit())}).isTaken);
             QVERIFY(isNamed(bench, "x.axcal"));
         }
     }
