@@ -11,7 +11,7 @@
 #include "ui/dialogs/certificate_dialog.h"
 #include "ui/dialogs/connections_dialog.h"
 #include "ui/dialogs/multi_axis_dialog.h"
-#include "ui/fields/shortcut_keys.h"
+#include "ui/fields/typed_fields.h"
 #include "ui/help/guide_window.h"
 #include "ui/history/backup_dialog.h"
 #include "ui/judging/judge_page.h"
@@ -79,6 +79,13 @@ QStringList draggedFiles(const QMimeData& data)
     return files;
 }
 
+/// The name says that it is no table, and no file of a measurement.
+bool hasItsPlace(const QString& path)
+{
+    const auto kind = kindOfName(path.toStdString());
+    return kind && *kind != FileKind::Table;
+}
+
 } // namespace
 
 struct CompensationWizard::Private {
@@ -112,8 +119,10 @@ struct CompensationWizard::Private {
     [[nodiscard]] RecordModel& measurementShown();
     void proceedToWrite();
     [[nodiscard]] bool isWelcome(const QStringList& dragged) const;
-    void open(const QStringList& files);
-    void openFile(const QString& path);
+    void open(const QStringList& dropped);
+    void openData(const QString& path);
+    void recognise(const QString& path, std::function<void(const Result<FileKind>&)> show);
+    void showFile(const Result<FileKind>& kind, const QString& path);
     void openAs(FileKind kind, const QString& path);
     void whenPossible(Action action, const QString& path, std::function<void()> open);
     void openWaiting();
@@ -181,7 +190,7 @@ CompensationWizard::Private::Private(
     , messages(controller, *page->messages)
 {
     new PlainToolTips(wizard); // which owns it
-    new ShortcutKeys(wizard); // likewise
+    new TypedFields(wizard); // likewise
     menu->showLanguage(settings.language());
     page->preview->writePreview().setSkippedForVolatile(settings.isPreviewSkippedForVolatile());
     menu->showPreviewSkipped(settings.isPreviewSkippedForVolatile());
@@ -211,6 +220,7 @@ void CompensationWizard::Private::connectParts()
         [this](bool isSkipped) { skipPreview(isSkipped); });
     connect(page->log, &LogView::saveRequested, &q, [this] { files.saveLog(page->log->text()); });
     connect(&files, &FileActions::failed, &messages, &MessagePresenter::showFailure);
+    connect(&files, &FileActions::dataChosen, &q, [this](const QString& path) { openData(path); });
     connect(&guard, &UnsavedChangesGuard::closeAgreed, &q, &CompensationWizard::closeRequested);
     connect(menu, &PageMenu::exportRequested, &files, &FileActions::exportTable);
     const auto offerExport = [this] {
@@ -308,9 +318,11 @@ RecordModel& CompensationWizard::Private::measurementShown()
     return page->tabs->currentIndex() == PageTabs::Prove ? recordActions.after() : record;
 }
 
+/// Nothing is written while a field shows something else: a source that was refused, with the
+/// reason below it.
 void CompensationWizard::Private::proceedToWrite()
 {
-    if (recordActions.mayWrite())
+    if (!page->setup->isBeingTyped() && recordActions.mayWrite())
         writeFlow.proceed();
 }
 
@@ -645,38 +657,58 @@ bool CompensationWizard::Private::isWriteShown() const
     return page->tabs->currentIndex() == PageTabs::Write;
 }
 
-/// One record, on every tab; one table on Write; the files of a measurement elsewhere.
+/// One file that has its place whatever is shown, such as a record; one file on Write; the files of
+/// a measurement elsewhere.
 bool CompensationWizard::Private::isWelcome(const QStringList& dragged) const
 {
-    if (std::ranges::any_of(dragged, &RecordActions::isRecord))
+    if (std::ranges::any_of(dragged, &hasItsPlace))
         return dragged.size() == 1;
     if (isWriteShown())
         return dragged.size() == 1 && controller.action(Action::OpenData).isEnabled;
     return !dragged.isEmpty();
 }
 
-/// A record; else, on the tab that is shown, a table to write or the files of a measurement.
+/// Where it belongs. But on the tabs of a measurement a file is one of a measurement, unless it
+/// certainly is something else: which column of a CSV file is what is said there.
 void CompensationWizard::Private::open(const QStringList& dropped)
 {
-    if (RecordActions::isRecord(dropped.front()))
-        recordActions.open(dropped.front());
-    else if (isWriteShown())
-        files.open(dropped.front());
-    else
-        measurementShown().addFiles(dropped);
+    RecordModel* const measurement = isWriteShown() ? nullptr : &measurementShown();
+    if (measurement && dropped.size() > 1)
+        return measurement->addFiles(dropped);
+    recognise(dropped.front(),
+        [this, path = dropped.front(), measurement](const Result<FileKind>& found) {
+            const bool isOther = found && *found != FileKind::Measurement
+                && (*found != FileKind::Table || kindOfName(path.toStdString()));
+            if (measurement && !isOther)
+                measurement->addFiles({path});
+            else
+                showFile(found, path);
+        });
 }
 
-/// Of any kind: the beginning of the file says which.
-void CompensationWizard::Private::openFile(const QString& path)
+/// As compensation data, unless its name says something else.
+void CompensationWizard::Private::openData(const QString& path)
+{
+    if (hasItsPlace(path))
+        openAs(*kindOfName(path.toStdString()), path);
+    else
+        files.open(path);
+}
+
+void CompensationWizard::Private::recognise(
+    const QString& path, std::function<void(const Result<FileKind>&)> show)
 {
     const auto kind = inBackground<Result<FileKind>>(
         [file = QFileInfo(path).filesystemAbsoluteFilePath()] { return kindOfFile(file); });
-    whenDone(kind, &q, [this, path](const Result<FileKind>& found) {
-        if (found)
-            openAs(*found, path);
-        else
-            messages.showFailure(errorText(found.error()));
-    });
+    whenDone(kind, &q, std::move(show));
+}
+
+void CompensationWizard::Private::showFile(const Result<FileKind>& kind, const QString& path)
+{
+    if (kind)
+        openAs(*kind, path);
+    else
+        messages.showFailure(errorText(kind.error()));
 }
 
 void CompensationWizard::Private::openAs(FileKind kind, const QString& path)
@@ -794,10 +826,7 @@ WizardController& CompensationWizard::controller()
 
 void CompensationWizard::openData(const QString& path)
 {
-    if (RecordActions::isRecord(path))
-        d->recordActions.open(path);
-    else
-        d->files.open(path);
+    d->openData(path);
 }
 
 void CompensationWizard::openRecord(const QString& path)
@@ -807,7 +836,7 @@ void CompensationWizard::openRecord(const QString& path)
 
 void CompensationWizard::openFile(const QString& path)
 {
-    d->openFile(path);
+    d->recognise(path, [this, path](const Result<FileKind>& kind) { d->showFile(kind, path); });
 }
 
 bool CompensationWizard::mayClose()

@@ -25,7 +25,8 @@ public:
     ~CompensationWizard() override;
 
     [[nodiscard]] WizardController& controller();
-    /// Opens a record (.axcal), or a file of compensation data.
+    /// Opens a file of compensation data, or what the name says that it is: a record, a machine
+    /// file, a TAM configuration.
     void openData(const QString& path);
     /// A record, whatever the file is called.
     void openRecord(const QString& path);

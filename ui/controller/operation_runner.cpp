@@ -244,13 +244,8 @@ void OperationRunner::forget()
 
 void OperationRunner::write(bool acceptsLarge)
 {
-    if (!m_plan) {
-        m_outcome.refuse([] {
-            return tr(
-                "The drive or the fields have changed since the write was planned: write again.");
-        });
-        return;
-    }
+    if (!m_plan)
+        return refuseOldPlan();
     m_request.acceptsLarge = acceptsLarge;
     m_request.expectedDrive = m_plan->drive.serialNumber;
     const bool deletes = m_request.deletesTable;
@@ -276,6 +271,13 @@ void OperationRunner::write(bool acceptsLarge)
                 Q_EMIT tableWritten(end.outcome->now);
         },
         writeOutcome);
+}
+
+void OperationRunner::refuseOldPlan()
+{
+    m_outcome.refuse([] {
+        return tr("The drive or the fields have changed since the write was planned: write again.");
+    });
 }
 
 void OperationRunner::expect(const LoadedTable& written)

@@ -50,6 +50,8 @@ public:
     }
     /// Carries out plan(). acceptsLarge: as in WriteRequest.
     void write(bool acceptsLarge);
+    /// Says that drive or fields have changed since plan() was made.
+    void refuseOldPlan();
     /// Ends with the end-to-end proof, but for Deactivate.
     void switchTo(Switch wanted);
     /// plannedRestoration() is of a backup that was chosen, not of the previous state.

@@ -590,6 +590,11 @@ void WizardController::write(bool acceptsLarge)
         m_parts->runner.write(acceptsLarge);
 }
 
+void WizardController::refuseOldPlan()
+{
+    m_parts->runner.refuseOldPlan();
+}
+
 void WizardController::planRestoration()
 {
     if (m_parts->actions.mayStart(Action::RestorePrevious))

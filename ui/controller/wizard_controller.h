@@ -131,6 +131,8 @@ public:
     /// Carries out the plan that planReady gave. acceptsLarge: what is unusually large in it was
     /// confirmed; without it such a plan is refused.
     void write(bool acceptsLarge = false);
+    /// Says why the plan that planReady gave is not there any more.
+    void refuseOldPlan();
     void activate(); ///< ends with the end-to-end proof
     void evaluate();
     void deactivate();

@@ -31,12 +31,12 @@ void ask(QWidget& parent, const FileQuestion& question, std::function<void(const
     } else {
         const QFileInfo proposed(question.start);
         dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setOption(QFileDialog::DontConfirmOverwrite,
-            question.purpose == FileQuestion::Purpose::SaveValues);
         dialog->setDefaultSuffix(proposed.suffix());
-        // The page asks that itself, and says what is there.
+        // Values go on where their file ends. Of a record the page asks that itself, and says what
+        // is there.
         dialog->setOption(QFileDialog::DontConfirmOverwrite,
-            question.purpose == FileQuestion::Purpose::SaveRecord);
+            question.purpose == FileQuestion::Purpose::SaveValues
+                || question.purpose == FileQuestion::Purpose::SaveRecord);
         dialog->setDirectory(proposed.absolutePath());
         dialog->selectFile(proposed.fileName());
     }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/fields/number_box.h"
 
+#include "ui/text/message_text.h"
 #include "ui/text/typed_number.h"
 
 #include <QLineEdit>
+
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -12,8 +15,13 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent)
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         if (!m_before)
             m_before = value();
+        forgetRefused();
     });
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_before.reset(); });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        m_before.reset();
+        if (!m_refused.isEmpty())
+            Q_EMIT problemChanged();
+    });
 }
 
 /// "1.000" may become "1.0005", which is read in one way.
@@ -42,8 +50,29 @@ void NumberBox::fixup(QString& text) const
         text = *written;
         QDoubleSpinBox::fixup(text);
     } else {
+        m_refused = numberIn(text);
         text = prefix() + textFromValue(m_before.value_or(value())) + suffix();
     }
+}
+
+void NumberBox::stepBy(int steps)
+{
+    forgetRefused();
+    QDoubleSpinBox::stepBy(steps);
+}
+
+QString NumberBox::problem() const
+{
+    if (m_refused.isEmpty())
+        return {};
+    return tr("%1: %2", "field and problem")
+        .arg(accessibleName(), sentenceText(thousandsProblem(m_refused)));
+}
+
+void NumberBox::forgetRefused()
+{
+    if (!std::exchange(m_refused, {}).isEmpty())
+        Q_EMIT problemChanged();
 }
 
 QString NumberBox::numberIn(const QString& text) const

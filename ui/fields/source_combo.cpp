@@ -4,12 +4,15 @@
 #include "ui/style/contrast.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QCompleter>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QStyleOptionFrame>
 #include <QStyledItemDelegate>
+
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -136,6 +139,14 @@ SourceCombo::SourceCombo(QWidget* parent) : QComboBox(parent)
         m_isTyping = true;
         finish();
     });
+    // While the list of proposals is open it keeps focusOutEvent from being called.
+    connect(
+        qApp, &QApplication::focusChanged, this, [this](const QWidget* left, const QWidget* now) {
+            if (left != this || !now || !completer()->popup()->isVisible())
+                return;
+            completer()->popup()->hide();
+            leave();
+        });
 }
 
 void SourceCombo::setChoices(std::vector<SourceChoice> choices)
@@ -186,9 +197,8 @@ bool SourceCombo::isTyping() const
 
 void SourceCombo::refuse()
 {
-    const QString asked = m_asked;
-    m_asked.clear();
-    if (m_isTyping)
+    const QString asked = std::exchange(m_asked, {});
+    if (m_isTyping || asked.isEmpty())
         return;
     if (!hasFocus()) {
         showText(m_value);
@@ -204,6 +214,7 @@ void SourceCombo::keyPressEvent(QKeyEvent* event)
         m_isTyping = false;
         showText(m_value);
         lineEdit()->selectAll();
+        Q_EMIT edited();
         return;
     }
     QComboBox::keyPressEvent(event);
@@ -216,8 +227,14 @@ void SourceCombo::focusOutEvent(QFocusEvent* event)
         event->reason() == Qt::PopupFocusReason || event->reason() == Qt::ActiveWindowFocusReason;
     if (isOwnPopup)
         return;
+    leave();
+}
+
+void SourceCombo::leave()
+{
     finish();
-    if (m_asked.isEmpty())
+    // What was refused while the keyboard is still here stays for correction.
+    if (m_asked.isEmpty() && !m_isTyping)
         showText(m_value);
 }
 

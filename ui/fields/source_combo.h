@@ -32,12 +32,13 @@ public:
     [[nodiscard]] QString nameOfValue() const;
     /// The user has typed something that has not been taken over yet.
     [[nodiscard]] bool isTyping() const;
-    /// The typed text was refused; it stays for correction while the field has the focus.
+    /// The text that was chosen last was refused; it stays for correction while the field has the
+    /// focus. Said again it changes nothing.
     void refuse();
 
 Q_SIGNALS:
     void chosen(const QString& text);
-    void edited(); ///< typing has begun or goes on
+    void edited(); ///< typing has begun, goes on or is given up
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -45,6 +46,7 @@ protected:
 
 private:
     void finish();
+    void leave();
     void showText(const QString& text);
 
     std::vector<SourceChoice> m_choices;

@@ -221,6 +221,8 @@ void CaptureDialog::follow()
     connect(m_register, &SourceCombo::edited, this, &CaptureDialog::showState);
     for (QLineEdit* field : {m_port, m_request, m_pattern})
         connect(field, &QLineEdit::textChanged, this, &CaptureDialog::showState);
+    for (const NumberBox* box : {m_zero, m_window, m_dwell})
+        connect(box, &NumberBox::problemChanged, this, &CaptureDialog::showState);
     connect(m_begin, &QPushButton::clicked, this, &CaptureDialog::begin);
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(&m_feed, &CaptureFeed::begun, this, [this] {
@@ -423,9 +425,20 @@ CaptureChoices CaptureDialog::choices() const
     return choices;
 }
 
+/// Of a number that is not the one that was typed; empty: there is none.
+QString CaptureDialog::typedProblem() const
+{
+    for (const NumberBox* box : {m_zero, m_window, m_dwell})
+        if (const QString problem = box->problem(); !problem.isEmpty())
+            return problem;
+    return {};
+}
+
 /// Empty: it can begin.
 QString CaptureDialog::obstacle() const
 {
+    if (const QString problem = typedProblem(); !problem.isEmpty())
+        return problem;
     if (m_controller.currentAxis() < 0 || !m_controller.isConnected())
         return tr("The drive does not answer.");
     if (m_controller.busy().isBusy)
@@ -463,10 +476,12 @@ void CaptureDialog::showState()
     m_planField->setText(planText());
     const bool isAngular = m_plan && *m_plan && (**m_plan)->isAngular;
     const QString unit = unitSuffix(isAngular ? "°" : "mm");
-    m_zero->setSuffix(unit);
-    m_window->setSuffix(unit);
+    // Setting it puts the number in place of what is being typed.
+    for (NumberBox* box : {m_zero, m_window})
+        if (box->suffix() != unit)
+            box->setSuffix(unit);
     const QString why = obstacle();
-    const bool isPlanWrong = m_plan && !*m_plan;
+    const bool isWrong = (m_plan && !*m_plan) || !typedProblem().isEmpty();
     m_busy->setBusy(m_isBeginning || m_isReadingPlan);
     m_begin->setEnabled(why.isEmpty() && !m_isBeginning);
     if (m_isBeginning) {
@@ -476,7 +491,7 @@ void CaptureDialog::showState()
         m_reason->setTone(Tone::Error);
         m_reason->setText(errorText(*m_refusal));
     } else {
-        m_reason->setTone(isPlanWrong ? std::optional(Tone::Error) : std::nullopt);
+        m_reason->setTone(isWrong ? std::optional(Tone::Error) : std::nullopt);
         m_reason->setText(!why.isEmpty()
                 ? why
                 : tr("Values are taken while the control of the machine, or a person, moves the "

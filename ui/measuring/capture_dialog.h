@@ -79,6 +79,7 @@ private:
     [[nodiscard]] Kind kind() const;
     [[nodiscard]] CaptureChoices choices() const;
     [[nodiscard]] QString obstacle() const;
+    [[nodiscard]] QString typedProblem() const;
     [[nodiscard]] QString planText() const;
     void begin();
 

@@ -221,8 +221,10 @@ void PlanDialog::follow()
         m_labels[TargetsField]->setBuddy(m_targets->currentWidget());
         compute();
     });
-    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell})
+    for (NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell}) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &PlanDialog::compute);
+        connect(box, &NumberBox::problemChanged, this, &PlanDialog::showState);
+    }
     for (QSpinBox* box : {m_count, m_cycles, m_seed})
         connect(box, &QSpinBox::valueChanged, this, &PlanDialog::compute);
     connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showState);
@@ -365,6 +367,16 @@ QString PlanDialog::nameOf(Field field) const
     return withoutKey(m_labels.at(field)->text());
 }
 
+const NumberBox* PlanDialog::refusedBox() const
+{
+    for (const NumberBox* box : {m_from, m_to, m_spacing, m_period, m_overrun, m_feed, m_dwell}) {
+        const bool isAsked = box != m_spacing || m_by->currentIndex() == spacingPage;
+        if (isAsked && !box->problem().isEmpty())
+            return box;
+    }
+    return nullptr;
+}
+
 QString PlanDialog::summary() const
 {
     if (!m_plan)
@@ -380,13 +392,22 @@ void PlanDialog::showState()
     static constexpr std::array fields{AxisField, FromField, ToField, TargetsField, PeriodField,
         CyclesField, OverrunField, FeedField, DwellField};
     const auto faulty = [this] { return fields.at(static_cast<std::size_t>(m_fault->field)); };
+    const NumberBox* const refused = refusedBox();
+    const auto isWrong = [&](int field) {
+        const QWidget* editor =
+            field == TargetsField ? m_spacing : m_editors.at(static_cast<std::size_t>(field));
+        return refused ? editor == refused : m_fault && faulty() == field;
+    };
     for (int field = 0; field < FieldCount; ++field)
         m_labels.at(static_cast<std::size_t>(field))
-            ->setTone(m_fault && faulty() == field ? std::optional(Tone::Error) : std::nullopt);
+            ->setTone(isWrong(field) ? std::optional(Tone::Error) : std::nullopt);
     const bool isOfAxis = m_plan && m_plan->isAngular == m_isAxisAngular
         && sameLetters(m_plan->axis, m_axisName.toStdString());
     const Text travel = isOfAxis ? travelProblem(*m_plan, m_travel) : Text();
-    if (m_fault) {
+    if (refused) {
+        m_reason->setTone(Tone::Error);
+        m_reason->setText(refused->problem());
+    } else if (m_fault) {
         m_reason->setTone(Tone::Error);
         m_reason->setText(tr("%1: %2").arg(nameOf(faulty()), sentenceText(m_fault->reason)));
     } else if (!m_outcome.isEmpty()) {
@@ -401,12 +422,13 @@ void PlanDialog::showState()
                              "the program, or a person moves from target to target."));
     }
     m_summary->setText(summary());
-    m_savePlan->setEnabled(m_plan != nullptr);
-    m_saveProgram->setEnabled(m_plan != nullptr);
+    const bool maySave = m_plan && !refused;
+    m_savePlan->setEnabled(maySave);
+    m_saveProgram->setEnabled(maySave);
     m_savePlan->setToolTip(
-        m_plan ? tr("For Capture, which takes the values by it") : m_reason->text());
+        maySave ? tr("For Capture, which takes the values by it") : m_reason->text());
     m_saveProgram->setToolTip(
-        m_plan ? tr("G-code for the control of the machine") : m_reason->text());
+        maySave ? tr("G-code for the control of the machine") : m_reason->text());
     for (QPushButton* button : {m_savePlan, m_saveProgram})
         button->setAccessibleDescription(button->toolTip());
 }

@@ -78,6 +78,8 @@ private:
     void showState();
     [[nodiscard]] QString summary() const;
     [[nodiscard]] QString nameOf(Field field) const;
+    /// Whose number is not the one that was typed; null: there is none.
+    [[nodiscard]] const NumberBox* refusedBox() const;
     void askAndSave(bool isProgram);
     void save(const QString& path, bool isProgram);
 

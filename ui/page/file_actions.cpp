@@ -93,7 +93,10 @@ void FileActions::askAndOpen()
     question.title = tr("Open Compensation Data");
     question.filter = openFilter();
     question.start = m_settings.folder();
-    m_picker(m_window, question, [this](const QString& path) { open(path); });
+    m_picker(m_window, question, [this](const QString& path) {
+        if (!path.isEmpty())
+            Q_EMIT dataChosen(path);
+    });
 }
 
 void FileActions::askForMeasurements()

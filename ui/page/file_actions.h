@@ -41,6 +41,7 @@ public:
 
     void setPicker(FilePicker picker);
     [[nodiscard]] const FilePicker& picker() const { return m_picker; }
+    /// A file of compensation data; dataChosen() follows.
     void askAndOpen();
     void open(const QString& path);
     /// A file of a measurement; measurementsChosen() follows.
@@ -74,6 +75,7 @@ public:
 
 Q_SIGNALS:
     void failed(const QString& sentence);
+    void dataChosen(const QString& path);
     void measurementsChosen(const QStringList& paths);
     void deadPathChosen(const QString& path);
     void activeTableChosen(const QString& path, bool isOnto);

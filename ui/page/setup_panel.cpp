@@ -14,6 +14,8 @@
 #include <QComboBox>
 #include <QGridLayout>
 
+#include <algorithm>
+
 namespace axiscomp::ui {
 
 namespace {
@@ -178,6 +180,13 @@ void SetupPanel::takeProposal(int dimension)
 DataFileField& SetupPanel::dataField()
 {
     return *m_data;
+}
+
+bool SetupPanel::isBeingTyped() const
+{
+    return std::ranges::any_of(m_sources, [this](const SourceCombo* source) {
+        return source->isVisibleTo(this) && source->isTyping();
+    });
 }
 
 void SetupPanel::revertFocused()

@@ -33,6 +33,8 @@ public:
         QWidget* parent = nullptr);
 
     [[nodiscard]] DataFileField& dataField();
+    /// A field shows a text that the setup does not have: it is not finished, or was refused.
+    [[nodiscard]] bool isBeingTyped() const;
     /// Puts the drive's value back into the field that has the focus.
     void revertFocused();
     void retranslate();

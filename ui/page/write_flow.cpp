@@ -123,7 +123,15 @@ void WriteFlow::take()
         && m_panel.writePreview().isSkippedForVolatile())
         m_controller.write();
     else
-        showPreview(true);
+        present();
+}
+
+/// The preview takes the focus. Where that takes what is being typed, the plan is of other fields.
+void WriteFlow::present()
+{
+    showPreview(true);
+    if (!m_controller.plan())
+        m_controller.refuseOldPlan();
 }
 
 void WriteFlow::confirm()
@@ -139,7 +147,8 @@ void WriteFlow::showPreview(bool isShown)
     if (isShown == isPreviewing())
         return;
     m_panel.showWritePreview(isShown);
-    Q_EMIT previewingChanged(isShown);
+    if (isPreviewing() == isShown) // not put away again meanwhile
+        Q_EMIT previewingChanged(isShown);
 }
 
 } // namespace axiscomp::ui

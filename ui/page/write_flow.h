@@ -40,6 +40,7 @@ Q_SIGNALS:
 private:
     void begin(Action action);
     void take();
+    void present();
     void confirm();
     void showPreview(bool isShown);
     void restoreChosen();

@@ -280,6 +280,39 @@ private Q_SLOTS:
         bench.verify();
     }
 
+    /// The problem of the field is said again whenever the drive is read.
+    void aRefusalThatIsSaidAgainLeavesTheSourceAlone()
+    {
+        Fixture bench;
+        QVERIFY(bench.shown());
+        bench.source->setFocus();
+        bench.source->lineEdit()->selectAll();
+        QTest::keyClicks(bench.source, QStringLiteral("0x99"));
+        bench.persistency->setFocus();
+        bench.source->refuse();
+        bench.source->setFocus();
+        QSignalSpy entered(&bench.binder, &FieldBinder::sourceEntered);
+        bench.source->refuse();
+        QCOMPARE(bench.source->currentText(), uriOf(x));
+        bench.persistency->setFocus();
+        QCOMPARE(entered.count(), 0);
+        bench.verify();
+    }
+
+    void aTextThatIsGivenUpTakesItsProblemWithIt()
+    {
+        Fixture bench;
+        QVERIFY(bench.shown());
+        bench.source->setFocus();
+        bench.source->lineEdit()->selectAll();
+        QTest::keyClicks(bench.source, QStringLiteral("0x99"));
+        QTest::keyClick(bench.source, Qt::Key_Return);
+        bench.source->refuse();
+        QSignalSpy edited(&bench.binder, &FieldBinder::sourceEdited);
+        QTest::keyClick(bench.source, Qt::Key_Escape);
+        QCOMPARE(edited.count(), 1);
+    }
+
     void eachRowRevertsItsOwnField()
     {
         Fixture bench;

@@ -3,6 +3,7 @@
 #include "ui/fields/number_box.h"
 
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTest>
 
 namespace tst_numberbox {
@@ -84,6 +85,38 @@ private Q_SLOTS:
         box.setRange(-1e6, 1e6);
         box.setValue(7.0);
         QCOMPARE(typed(box, text), 7.0);
+    }
+
+    void theNumberBeforeComesBackWithTheReason()
+    {
+        NumberBox box;
+        box.setLocale(QLocale(QLocale::German));
+        box.setAccessibleName(QStringLiteral("Zero"));
+        box.setDecimals(3);
+        box.setRange(-1e6, 1e6);
+        box.setValue(7.0);
+        QSignalSpy changes(&box, &NumberBox::problemChanged);
+        const auto enter = [&](const QString& text) {
+            box.selectAll();
+            QTest::keyClicks(&box, text);
+            QTest::keyClick(&box, Qt::Key_Return);
+        };
+        enter(QStringLiteral("12.345"));
+        QCOMPARE(box.value(), 7.0);
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(box.problem(),
+            QStringLiteral("Zero: \"12.345\" can be read in two ways; write thousands without a "
+                           "sign between them."));
+        enter(QStringLiteral("12,345"));
+        QCOMPARE(box.value(), 12.345);
+        QCOMPARE(changes.count(), 2);
+        QVERIFY(box.problem().isEmpty());
+        // Whoever goes on from the number before has seen it.
+        enter(QStringLiteral("12.345"));
+        QVERIFY(!box.problem().isEmpty());
+        QTest::keyClick(&box, Qt::Key_Up);
+        QCOMPARE(box.value(), 13.345);
+        QVERIFY(box.problem().isEmpty());
     }
 };
 

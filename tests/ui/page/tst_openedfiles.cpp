@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/table/tam_table.h"
+#include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
@@ -12,6 +13,7 @@ namespace tst_openedfiles {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
+using test::drop;
 using test::PageFixture;
 
 namespace {
@@ -27,9 +29,33 @@ QString configuration(PageFixture& bench)
         QStringLiteral("two.TAMcfg"), test::tamConfiguration({{"Stage-7", 1559, {{}, {}}}}));
 }
 
+QString machineFile(PageFixture& bench)
+{
+    return bench.file(QStringLiteral("machine.toml"),
+        "version = 1\n[[drive]]\nendpoint = \"" + bench.served.url().toUtf8()
+            + "\"\nserial = 1559\n[[drive.axis]]\naxis = \"X\"\nno-table = true\n"
+              "sources = [\"\"]\n");
+}
+
+QString driveTable(PageFixture& bench)
+{
+    const auto bytes =
+        encodeTamTable(test::namedTable({4, 3}), false, drivecomm::genericProfile().layout);
+    if (!bytes)
+        qFatal("%s", test::describe(bytes.error()).c_str());
+    return bench.file(QStringLiteral("SMALL1.tamtbl"),
+        QByteArray(
+            reinterpret_cast<const char*>(bytes->data()), static_cast<qsizetype>(bytes->size())));
+}
+
+int filesOnMeasure(PageFixture& bench)
+{
+    return bench.user.the<QTableView>("measurementFiles").model()->rowCount();
+}
+
 } // namespace
 
-/// A file that a desktop hands over, by double click: it is shown where it belongs.
+/// A file that a desktop hands over, by double click or dropped: it is shown where it belongs.
 class TestOpenedFiles : public QObject {
     Q_OBJECT
 
@@ -49,10 +75,7 @@ private Q_SLOTS:
     {
         PageFixture bench;
         QVERIFY(bench.open());
-        const QString file = bench.file(QStringLiteral("machine.toml"),
-            "version = 1\n[[drive]]\nendpoint = \"" + bench.served.url().toUtf8()
-                + "\"\nserial = 1559\n[[drive.axis]]\naxis = \"X\"\nno-table = true\n"
-                  "sources = [\"\"]\n");
+        const QString file = machineFile(bench);
         bench.wizard.openFile(file);
         QTRY_VERIFY(bench.user.sees("machineSummary"));
         QCOMPARE(bench.controller().machine().path(), file);
@@ -64,12 +87,7 @@ private Q_SLOTS:
         QVERIFY(bench.open());
         QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
         bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Measure);
-        const auto bytes =
-            encodeTamTable(test::namedTable({4, 3}), false, drivecomm::genericProfile().layout);
-        VERIFY_RESULT(bytes);
-        const QString file = bench.file(QStringLiteral("SMALL1.tamtbl"),
-            QByteArray(reinterpret_cast<const char*>(bytes->data()),
-                static_cast<qsizetype>(bytes->size())));
+        const QString file = driveTable(bench);
         bench.wizard.openFile(file);
         QTRY_VERIFY(bench.controller().dataFile().data);
         QCOMPARE(bench.controller().dataFile().path, file);
@@ -99,6 +117,54 @@ private Q_SLOTS:
         bench.served.start();
         QTRY_VERIFY(bench.user.sees("importConfigurationDialog"));
         QVERIFY(!bench.user.sees("waitingFileMessage"));
+    }
+
+    void whatIsDroppedOnWriteIsShownWhereItBelongs()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(drop(bench, {test::publicMeasurement("ess_mcu1025")}).isTaken);
+        QTRY_COMPARE(tabOf(bench), static_cast<int>(PageTabs::Measure));
+        QTRY_COMPARE(filesOnMeasure(bench), 1);
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Write);
+        QVERIFY(drop(bench, {bench.file(QStringLiteral("backup.json"), "{\"name\": \"backup\"}")})
+                    .isTaken);
+        QTRY_VERIFY(bench.user.message("failureMessage")
+                        .startsWith(QStringLiteral("backup.json is no record (.axcal)")));
+        QVERIFY(drop(bench, {machineFile(bench)}).isTaken);
+        QTRY_VERIFY(bench.user.sees("machineSummary"));
+        QVERIFY(drop(bench, {configuration(bench)}).isTaken);
+        QTRY_VERIFY(bench.user.sees("importConfigurationDialog"));
+        QVERIFY(bench.controller().dataFile().path.isEmpty());
+        QVERIFY(!bench.controller().dataFile().isReading);
+    }
+
+    /// A CSV file is one of the measurement there: which column is what is said on the tab.
+    void whatIsDroppedOnMeasureIsAFileOfItUnlessItIsCertainlySomethingElse()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.choose("dimensionalityField", QStringLiteral("2D")));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Measure);
+        QVERIFY(drop(bench, {bench.superData()}).isTaken);
+        QTRY_COMPARE(filesOnMeasure(bench), 1);
+        QCOMPARE(tabOf(bench), static_cast<int>(PageTabs::Measure));
+        const QString table = driveTable(bench);
+        QVERIFY(drop(bench, {table}).isTaken);
+        QTRY_COMPARE(bench.controller().dataFile().path, table);
+        QCOMPARE(tabOf(bench), static_cast<int>(PageTabs::Write));
+        QCOMPARE(filesOnMeasure(bench), 1);
+    }
+
+    void whatIsChosenAsDataIsWhatItsNameSays()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.picked = machineFile(bench);
+        QVERIFY(bench.user.click("openButton"));
+        QTRY_VERIFY(bench.user.sees("machineSummary"));
+        QVERIFY(bench.controller().dataFile().path.isEmpty());
+        QVERIFY(!bench.controller().dataFile().isReading);
     }
 
     void aFileWhoseMessageIsPutAwayIsNotOpenedLater()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/window_test.h"
 
@@ -14,35 +15,11 @@ namespace tst_wizardfiles {
 
 using namespace axiscomp;
 using namespace axiscomp::ui;
+using test::drop;
+using test::Drop;
 using test::PageFixture;
 
 namespace {
-
-/// What a drag is told, and whether its drop was taken.
-struct Drop {
-    bool isWelcome = false;
-    bool showsFrame = false;
-    bool isTaken = false;
-};
-
-Drop drop(PageFixture& bench, const QMimeData& data)
-{
-    Drop result;
-    const QPoint place(300, 300);
-    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    enter.ignore();
-    QApplication::sendEvent(&bench.wizard, &enter);
-    result.isWelcome = enter.isAccepted();
-    result.showsFrame = bench.user.sees("dropFrame");
-    // A platform delivers a drop only where the drag was welcome.
-    if (!result.isWelcome)
-        return result;
-    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    dropped.ignore();
-    QApplication::sendEvent(&bench.wizard, &dropped);
-    result.isTaken = dropped.isAccepted();
-    return result;
-}
 
 QStringList cellsOf(const QAbstractItemModel& model)
 {

@@ -3,6 +3,8 @@
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/window_test.h"
 
+#include <QAbstractItemView>
+#include <QCompleter>
 #include <QTest>
 
 #include <set>
@@ -44,6 +46,26 @@ bool hasFocus(const PageFixture& bench, const char* name)
     const QWidget* focus = QApplication::focusWidget();
     const auto& widget = bench.user.the(name);
     return focus == &widget || widget.isAncestorOf(focus);
+}
+
+/// Another register than choose2D() takes, which the list of a source proposes.
+const std::string planner = "Axes[0]/Signals/PathPlanner/Position";
+
+const std::string& source(PageFixture& bench, std::size_t dimension)
+{
+    return bench.controller().setup().edited().sources.at(dimension - 1).path;
+}
+
+/// Types over what a source is, and leaves it there, below it the list of what is proposed.
+[[nodiscard]] bool typeSource(PageFixture& bench, int dimension, const std::string& text)
+{
+    const QByteArray field = "source" + QByteArray::number(dimension) + "Field";
+    bench.user.press(static_cast<Qt::Key>(Qt::Key_0 + dimension), Qt::AltModifier);
+    bench.user.press(Qt::Key_A, Qt::ControlModifier);
+    bench.user.type(QString::fromStdString(text));
+    const auto& combo = bench.user.the<QComboBox>(field);
+    return combo.currentText().toStdString() == text
+        && PageUser::waitFor([&] { return combo.completer()->popup()->isVisible(); });
 }
 
 } // namespace
@@ -153,6 +175,77 @@ private Q_SLOTS:
         QVERIFY(bench.saysOutcome(QStringLiteral("Proved")));
         user.press(Qt::Key_E, Qt::AltModifier);
         QVERIFY(bench.saysOutcome(QStringLiteral("The compensation is off.")));
+    }
+
+    void aSourceThatIsBeingTypedIsTheOneThatIsWritten_data()
+    {
+        QTest::addColumn<Qt::Key>("key");
+        QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+        QTest::newRow("key of the button") << Qt::Key_W << Qt::KeyboardModifiers(Qt::AltModifier);
+        QTest::newRow("key of the page")
+            << Qt::Key_Return << Qt::KeyboardModifiers(Qt::ControlModifier);
+    }
+    void aSourceThatIsBeingTypedIsTheOneThatIsWritten()
+    {
+        QFETCH(Qt::Key, key);
+        QFETCH(Qt::KeyboardModifiers, modifiers);
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        QVERIFY(typeSource(bench, 1, planner));
+        QCOMPARE(source(bench, 1), test::masterX);
+        user.press(key, modifiers);
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QCOMPARE(source(bench, 1), planner);
+        QCOMPARE(bench.controller().plan()->after.sources[0].path, planner);
+        user.press(key, modifiers);
+        QVERIFY(bench.saysOutcome(QStringLiteral("the drive holds the new state")));
+        QCOMPARE(bench.controller().setup().baseline().sources[0].path, planner);
+    }
+
+    void aSourceThatIsBeingTypedKeepsTheOldOneFromBeingActivated()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::isWritten(bench));
+        QVERIFY(typeSource(bench, 1, planner));
+        user.press(Qt::Key_A, Qt::AltModifier);
+        QTRY_COMPARE(source(bench, 1), planner);
+        QTRY_VERIFY(!user.the("activateButton").isEnabled());
+        QVERIFY(bench.idle());
+        QVERIFY(!bench.controller().status()->isOn());
+    }
+
+    void theMenuTakesASourceThatIsBeingTyped()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        QVERIFY(typeSource(bench, 1, planner));
+        QVERIFY(user.click("menuButton")); // closes the list
+        QTRY_VERIFY(!user.the<QComboBox>("source1Field").completer()->popup()->isVisible());
+        QVERIFY(user.pickFromMenu("menuButton", "pageMenu", Qt::Key_Escape));
+        QCOMPARE(source(bench, 1), planner);
+        QVERIFY(hasFocus(bench, "source1Field"));
+    }
+
+    void aSourceThatIsRefusedStaysForCorrectionAndNothingIsWritten()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(test::page_states::unwritten(bench));
+        QVERIFY(typeSource(bench, 2, test::masterX)); // that of dimension 1
+        user.press(Qt::Key_Return, Qt::ControlModifier);
+        QTRY_VERIFY(
+            user.note("source2Field").contains(QStringLiteral("dimension 1 and dimension 2")));
+        QVERIFY(!bench.controller().busy().isBusy);
+        QVERIFY(!user.sees("confirmWriteButton"));
+        auto& combo = user.the<QComboBox>("source2Field");
+        QCOMPARE(combo.currentText().toStdString(), test::masterX);
+        user.press(Qt::Key_Escape);
+        user.press(Qt::Key_Return, Qt::ControlModifier);
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QCOMPARE(bench.controller().plan()->after.sources[1].path, test::masterY);
     }
 
     void theSourceListIsChosenFromByArrowKeys()

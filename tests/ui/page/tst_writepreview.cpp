@@ -10,6 +10,8 @@
 #include <QTest>
 
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace tst_writepreview {
 
@@ -51,6 +53,24 @@ bool plan(PageFixture& bench)
     return bench.user.click("writeButton")
         && test::PageUser::waitFor([&] { return bench.user.sees("pictureAfter"); });
 }
+
+/// Does something, once, when a widget gets the keyboard.
+class TakesWhenFocused : public QObject {
+public:
+    TakesWhenFocused(QWidget& widget, std::function<void()> take) : m_take(std::move(take))
+    {
+        widget.installEventFilter(this);
+    }
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::FocusIn && m_take)
+            std::exchange(m_take, nullptr)();
+        return false;
+    }
+
+private:
+    std::function<void()> m_take;
+};
 
 } // namespace
 
@@ -164,6 +184,24 @@ private Q_SLOTS:
         QVERIFY(!user.sees("pictureDifference"));
         const auto& rows = user.the<QTableWidget>("previewRows");
         QTRY_COMPARE(rows.item(1, 2)->text(), QStringLiteral("up to +4.100 µm"));
+    }
+
+    /// It takes the focus, and with it what is being typed into a field is taken.
+    void aPreviewOfOtherFieldsByNowIsPutAwayWithAWord()
+    {
+        PageFixture bench;
+        auto& user = bench.user;
+        QVERIFY(bench.open());
+        QVERIFY(bench.choose2D());
+        TakesWhenFocused taking(user.the("confirmWriteButton"),
+            [&] { bench.controller().setup().setPersistency(Persistency::Persistent); });
+        user.press(Qt::Key_Return, Qt::ControlModifier);
+        QVERIFY(bench.saysOutcome(QStringLiteral("have changed since the write was planned")));
+        QVERIFY(!user.sees("confirmWriteButton"));
+        QVERIFY(user.the("writeButton").isEnabled());
+        user.press(Qt::Key_Return, Qt::ControlModifier);
+        QTRY_VERIFY(user.sees("confirmWriteButton"));
+        QCOMPARE(bench.controller().plan()->after.persistency, Persistency::Persistent);
     }
 
     void whatIsDeletedIsShown()

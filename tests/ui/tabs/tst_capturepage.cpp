@@ -9,6 +9,7 @@
 #include "ui/page/page_tabs.h"
 
 #include <QAction>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -277,6 +278,31 @@ private Q_SLOTS:
         bench.goOn();
         QVERIFY(bench.says(QStringLiteral("Every step has its value")));
         verifyComplete(bench.values);
+    }
+
+    /// It would shift every deviation.
+    void aZeroThatCanBeReadInTwoWaysKeepsTheCaptureFromBeginning()
+    {
+        CaptureBench bench;
+        auto& user = bench.page.user;
+        QVERIFY(bench.open() && bench.fillDialog());
+        QVERIFY(bench.chooseKind(QStringLiteral("typed by hand")));
+        QTRY_VERIFY(user.the("beginCaptureButton").isEnabled());
+        QVERIFY(user.click("zeroField"));
+        user.press(Qt::Key_A, Qt::ControlModifier);
+        user.type(QStringLiteral("1,000"));
+        user.press(Qt::Key_B, Qt::AltModifier);
+        const auto& reason = user.the<QLabel>("captureReason");
+        QTRY_VERIFY2(
+            reason.text().startsWith(QStringLiteral("Zero at: \"1,000\" can be read in two ways")),
+            qPrintable(reason.text()));
+        QVERIFY(!user.the("beginCaptureButton").isEnabled());
+        QVERIFY(user.click("zeroField"));
+        user.press(Qt::Key_A, Qt::ControlModifier);
+        user.type(QStringLiteral("1000"));
+        user.press(Qt::Key_Tab);
+        QCOMPARE(user.the<QDoubleSpinBox>("zeroField").value(), 1000.0);
+        QVERIFY(user.the("beginCaptureButton").isEnabled());
     }
 
     void aTypedPositionIsTakenByTheSpaceBarAndTakenBack()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/measurement_files.h"
 #include "tests/ui/support/page_fixture.h"
@@ -7,8 +8,6 @@
 #include "ui/tabs/measure_page.h"
 
 #include <QCheckBox>
-#include <QDropEvent>
-#include <QMimeData>
 #include <QSpinBox>
 #include <QStackedWidget>
 #include <QTableView>
@@ -52,19 +51,6 @@ int fileCount(PageFixture& bench)
 [[nodiscard]] bool says(PageFixture& bench, int row, const QString& state)
 {
     return QTest::qWaitFor([&] { return cell(bench, row, 1) == state; }, test::patienceMs);
-}
-
-void drop(PageFixture& bench, const QStringList& paths)
-{
-    QMimeData data;
-    QList<QUrl> urls;
-    for (const QString& path : paths)
-        urls += QUrl::fromLocalFile(path);
-    data.setUrls(urls);
-    QDragEnterEvent enter(QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&bench.wizard, &enter);
-    QDropEvent event(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&bench.wizard, &event);
 }
 
 QString valueText(PageFixture& bench, int row, int column)
@@ -178,7 +164,8 @@ private Q_SLOTS:
     {
         PageFixture bench;
         QVERIFY(bench.user.isThere() && showMeasure(bench));
-        drop(bench, {publicMeasurement("b02_x"), publicMeasurement("b02_y")});
+        QVERIFY(
+            test::drop(bench, {publicMeasurement("b02_x"), publicMeasurement("b02_y")}).isTaken);
         QCOMPARE(fileCount(bench), 2);
         QVERIFY(bench.controller().dataFile().path.isEmpty());
     }

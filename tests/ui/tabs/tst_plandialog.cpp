@@ -125,6 +125,30 @@ private Q_SLOTS:
             qPrintable(reason(bench)));
     }
 
+    void aNumberThatCanBeReadInTwoWaysIsSaidAndNotPlanned()
+    {
+        PageFixture bench(PageFixture::twoAxes(), QStringLiteral("de"));
+        QVERIFY(bench.open() && openDialog(bench) && isPlanned(bench));
+        const auto& last = bench.user.the<QDoubleSpinBox>("toField");
+        const double before = last.value();
+        const auto type = [&](const char* text) {
+            const bool isThere = bench.user.click("toField");
+            bench.user.press(Qt::Key_A, Qt::ControlModifier);
+            bench.user.type(QLatin1StringView(text));
+            bench.user.press(Qt::Key_Tab);
+            return isThere;
+        };
+        QVERIFY(type("45.678"));
+        QCOMPARE(last.value(), before);
+        QTRY_VERIFY2(reason(bench).contains(QStringLiteral("45.678")), qPrintable(reason(bench)));
+        QVERIFY(!bench.user.the("savePlanButton").isEnabled());
+        QVERIFY(!bench.user.the("saveProgramButton").isEnabled());
+        QVERIFY(type("45,678"));
+        QCOMPARE(last.value(), 45.678);
+        QVERIFY(isPlanned(bench));
+        QVERIFY(!reason(bench).contains(QStringLiteral("45.678")));
+    }
+
     void planAndProgramAreThoseOfTheCommandLine()
     {
         PageFixture bench;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
 #include "tests/support/verify.h"
+#include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/heartbeat.h"
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/record_files.h"
@@ -10,9 +11,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDir>
-#include <QDropEvent>
 #include <QFile>
-#include <QMimeData>
 #include <QPushButton>
 #include <QTableView>
 #include <QTest>
@@ -166,15 +165,7 @@ private Q_SLOTS:
             PageFixture bench;
             QVERIFY(bench.user.isThere());
             bench.user.the<PageTabs>("pageTabs").setCurrentIndex(tab);
-            QMimeData data;
-            data.setUrls({QUrl::fromLocalFile(recordFile(bench, test::recordOfFit()))});
-            QDragEnterEvent enter(
-                QPoint(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&bench.wizard, &enter);
-            QVERIFY(enter.isAccepted());
-            QDropEvent event(
-                QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(&bench.wizard, &event);
+            QVERIFY(test::drop(bench, {recordFile(bench, test::recordOfFit())}).isTaken);
             QVERIFY(isNamed(bench, "x.axcal"));
         }
     }
@@ -198,6 +189,22 @@ private Q_SLOTS:
         QVERIFY(isNamed(bench, "spindle.axcal"));
         QCOMPARE(bench.questions.size(), questions);
         QVERIFY(savedRecord(bench, "spindle.axcal").before->swapsDirections);
+    }
+
+    /// Its button takes no focus.
+    void savingByMouseTakesAToleranceThatIsBeingTyped()
+    {
+        PageFixture bench;
+        QVERIFY(bench.user.isThere() && openRecord(bench, test::recordOfFit()));
+        QVERIFY(change(bench));
+        bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Judge);
+        QVERIFY(bench.user.click("toleranceA"));
+        bench.user.press(Qt::Key_A, Qt::ControlModifier);
+        bench.user.type(QStringLiteral("10"));
+        QVERIFY(bench.user.click("saveRecord"));
+        QVERIFY(isNamed(bench, "x.axcal"));
+        const std::vector<Tolerance> typed{{Iso230Figure::A, 0.01}};
+        QCOMPARE(judgingOf(savedRecord(bench)).tolerances, typed);
     }
 
     void anotherFileIsNotWrittenOverWithoutAsking()
