@@ -19607,4 +19607,12 @@ B - A: %3</translation>
         <translation>Das ist der Zustand in der Sicherungsdatei vom %1.</translation>
     </message>
 </context>
+<context>
+    <name>axiscomp::ui::NumberBox</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>field and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
 </TS>

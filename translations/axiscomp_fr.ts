@@ -19607,4 +19607,12 @@ B - A&#xa0;: %3</translation>
         <translation>C&apos;est l&apos;état que contient le fichier de sauvegarde du %1.</translation>
     </message>
 </context>
+<context>
+    <name>axiscomp::ui::NumberBox</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>field and problem</comment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
 </TS>

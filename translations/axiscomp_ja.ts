@@ -19553,4 +19553,12 @@ B - A: %3</translation>
         <translation>これは、%1 のバックアップファイルにある状態です。</translation>
     </message>
 </context>
+<context>
+    <name>axiscomp::ui::NumberBox</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>field and problem</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
 </TS>

@@ -19553,4 +19553,12 @@ B - A: %3</translation>
         <translation>这是 %1 的备份文件中的状态。</translation>
     </message>
 </context>
+<context>
+    <name>axiscomp::ui::NumberBox</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>field and problem</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
 </TS>
