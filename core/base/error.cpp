@@ -424,6 +424,11 @@ constexpr std::array variants{
             "state: it is not activated. Finish that write with 'axiscomp recover "
             "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
             "state is kept in {backup}")},
+    Variant{ErrorCode::RollbackFailed, "unfinished",
+        AXISCOMP_TEXT("Error",
+            "{reason}; putting the old state back failed too ({rollback}). Do not activate the "
+            "axis: 'axiscomp recover' says how the write can be finished or undone. The old state "
+            "is kept in {backup}")},
     Variant{ErrorCode::InvalidTable, "layout", otherLayout},
     Variant{ErrorCode::VerifyMismatch, "layout", otherLayout},
     Variant{ErrorCode::InvalidTable, "kept",

@@ -99,7 +99,7 @@ enum class ErrorCode {
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which
     RollbackFailed, ///< reason (why the write failed), rollback (why it could not be undone),
-    ///< backup
+    ///< backup; unfinished: its journal is open
 };
 
 /// What kind of thing went wrong: a column of the table of errors, and what programs branch on.
