@@ -64,7 +64,7 @@ ExitCode explain(Environment& environment, const SettledWrite& settled)
 {
     Json json = recoverDocument();
     json["unfinishedWrite"] = unfinishedToJson(settled.entry, settled.outcome);
-    std::string text = outcomeSentence(settled.entry, settled.outcome);
+    std::string text = outcomeSentence(settled);
     text.front() = 'A';
     environment.print(text + ".\n");
     if (settled.outcome != Outcome::New) {

@@ -38,7 +38,7 @@ void warnOfWrites(Environment& environment, const SettledStatus& now)
         environment.warn(
             beingWritten(now.status.axis) + "; what is shown may already have changed");
     if (now.settled)
-        environment.warn(outcomeSentence(now.settled->entry, now.settled->outcome));
+        environment.warn(outcomeSentence(*now.settled));
 }
 
 } // namespace
