@@ -366,6 +366,10 @@ constexpr std::array variants{
             "the record of this drive's flash operations was damaged, so all of them count as "
             "used up; write volatile, or reset the count with 'axiscomp status "
             "--reset-flash-count'")},
+    Variant{ErrorCode::Unauthorized, "given",
+        AXISCOMP_TEXT("Error",
+            "{endpoint} refuses the user name or the password that was given; in an address %40 "
+            "stands for @, %3A for :, %2F for /, %23 for # and %25 for %")},
     Variant{ErrorCode::AxisAmbiguous, "named",
         AXISCOMP_TEXT("Error",
             "{axis} is the name of axis {named} and the index of axis {numbered}; say "
@@ -503,7 +507,7 @@ constexpr std::array variants{
 Text textOf(const Error& error)
 {
     // The password must not be sent in clear.
-    if (error.code == ErrorCode::Unauthorized
+    if (error.code == ErrorCode::Unauthorized && !error.context.contains("given")
         && error.context.english("endpoint").starts_with("https:"))
         return {AXISCOMP_TEXT("Error",
                     "{endpoint} asks for a user name and a password; give them as "

@@ -55,7 +55,7 @@ enum class ErrorCode {
     ConnectionLost, ///< endpoint, reason: it is not known whether the drive acted
     Timeout, ///< endpoint, seconds
     Protocol, ///< endpoint, expected, quote (the beginning of what came)
-    Unauthorized, ///< endpoint
+    Unauthorized, ///< endpoint; given: a user name or a password was
     CertificateRejected, ///< endpoint, reason, fingerprint (SHA-256)
     // What the drive says
     DriveRejected, ///< reason (malformed request, unsupported, internal)
