@@ -134,8 +134,8 @@ Result<ExitCode> recoverUnfinished(
         return nothingUnfinished(environment, axis);
     AXISCOMP_TRY(
         const auto report, carryOut(environment, session, *status.unfinishedWrite, finishes));
-    environment.print(std::string(finishes ? "\nFinished: the drive holds the complete new state"
-                                           : "\nUndone: the drive holds the complete old state")
+    environment.report(std::string(finishes ? "\nFinished: the drive holds the complete new state"
+                                            : "\nUndone: the drive holds the complete old state")
         + ", read back and compared.\nBackup of what there was before: " + report.backup.string()
         + "\n");
     Json document = recoverDocument();
