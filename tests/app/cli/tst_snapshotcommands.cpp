@@ -207,6 +207,25 @@ private Q_SLOTS:
         QCOMPARE(withoutAxis.value("axiscomp_axis_comparable", {"name=\"Q\""}), 0.0);
     }
 
+    void anotherDriveThanThatOfTheMachineFileIsNotUp()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        VERIFY_CODE(box.run({"snapshot", "--drive", drive.url(), "-o", "m"}), 0);
+        QByteArray machine = box.content("m/machine.toml");
+        QVERIFY(machine.contains("serial = 100001"));
+        box.file("m/machine.toml", machine.replace("serial = 100001", "serial = 100002"));
+        const ProgramRun run = box.run({"metrics", "--machine", "m/machine.toml"});
+        VERIFY_CODE(run, 0);
+        const ParsedMetrics metrics(run.out);
+        QVERIFY2(metrics.problem.isEmpty(), qPrintable(metrics.problem));
+        QCOMPARE(metrics.value("axiscomp_drive_up"), 0.0);
+        // It did answer.
+        const QByteArray help = "# HELP axiscomp_drive_up 1: the drive answered, and is the one of "
+                                "the machine file, if there is one.\n";
+        QVERIFY2(run.out.contains(help), run.out.constData());
+    }
+
     void anAddressInAMachineFileThatIsNoneDoesNotEndTheMetrics()
     {
         const Sandbox box;
