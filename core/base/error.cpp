@@ -374,6 +374,8 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "{axis} is the name of axis {named} and the index of axis {numbered}; say "
             "name:{axis} or {index}")},
+    Variant{ErrorCode::SourceMissing, "ofAxis",
+        AXISCOMP_TEXT("Error", "the source of dimension {dimension} of axis {ofAxis} is missing")},
     Variant{ErrorCode::SourceMismatch, "axis",
         AXISCOMP_TEXT("Error",
             "{doubt} Choose another source or column, or, if it is right all the same, name the "

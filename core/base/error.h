@@ -71,7 +71,7 @@ enum class ErrorCode {
     AxisNotFound, ///< axis, known
     AxisAmbiguous, ///< axis, matches
     NoCompensation, ///< axis: the drive has no compensation registers for it
-    SourceMissing, ///< dimension
+    SourceMissing, ///< dimension; ofAxis: of one among several
     SourceSurplus, ///< dimension, dimensions
     SourceNotFound, ///< source, nearest
     SourceWrongType, ///< source, type, allowed
