@@ -41,6 +41,8 @@ ExitCode runCommand(Console& console, const CommandLine& line)
     Interrupt interrupt;
     Environment environment(console, interrupt, line.json());
     const Result<ExitCode> outcome = line.chosen()(environment);
+    if (!console.flush())
+        environment.noteReports();
     if (outcome)
         return *outcome;
     return reportError(console, outcome.error(), line.json(), environment.diagnostics());

@@ -366,10 +366,16 @@ constexpr std::array variants{
             "the record of this drive's flash operations was damaged, so all of them count as "
             "used up; write volatile, or reset the count with 'axiscomp status "
             "--reset-flash-count'")},
+    Variant{ErrorCode::Unauthorized, "given",
+        AXISCOMP_TEXT("Error",
+            "{endpoint} refuses the user name or the password that was given; in an address %40 "
+            "stands for @, %3A for :, %2F for /, %23 for # and %25 for %")},
     Variant{ErrorCode::AxisAmbiguous, "named",
         AXISCOMP_TEXT("Error",
             "{axis} is the name of axis {named} and the index of axis {numbered}; say "
             "name:{axis} or {index}")},
+    Variant{ErrorCode::SourceMissing, "ofAxis",
+        AXISCOMP_TEXT("Error", "the source of dimension {dimension} of axis {ofAxis} is missing")},
     Variant{ErrorCode::SourceMismatch, "axis",
         AXISCOMP_TEXT("Error",
             "{doubt} Choose another source or column, or, if it is right all the same, name the "
@@ -439,6 +445,11 @@ constexpr std::array variants{
             "state: it is not activated. Finish that write with 'axiscomp recover "
             "--finish', undo it with 'axiscomp recover --undo', or write again. The old "
             "state is kept in {backup}")},
+    Variant{ErrorCode::RollbackFailed, "unfinished",
+        AXISCOMP_TEXT("Error",
+            "{reason}; putting the old state back failed too ({rollback}). Do not activate the "
+            "axis: 'axiscomp recover' says how the write can be finished or undone. The old state "
+            "is kept in {backup}")},
     Variant{ErrorCode::InvalidTable, "layout", otherLayout},
     Variant{ErrorCode::VerifyMismatch, "layout", otherLayout},
     Variant{ErrorCode::InvalidTable, "kept",
@@ -522,7 +533,7 @@ constexpr std::array variants{
 Text textOf(const Error& error)
 {
     // The password must not be sent in clear.
-    if (error.code == ErrorCode::Unauthorized
+    if (error.code == ErrorCode::Unauthorized && !error.context.contains("given")
         && error.context.english("endpoint").starts_with("https:"))
         return {AXISCOMP_TEXT("Error",
                     "{endpoint} asks for a user name and a password; give them as "

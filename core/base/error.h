@@ -57,7 +57,7 @@ enum class ErrorCode {
     ConnectionLost, ///< endpoint, reason: it is not known whether the drive acted
     Timeout, ///< endpoint, seconds
     Protocol, ///< endpoint, expected, quote (the beginning of what came)
-    Unauthorized, ///< endpoint
+    Unauthorized, ///< endpoint; given: a user name or a password was
     CertificateRejected, ///< endpoint, reason, fingerprint (SHA-256)
     // What the drive says
     DriveRejected, ///< reason (malformed request, unsupported, internal)
@@ -73,7 +73,7 @@ enum class ErrorCode {
     AxisNotFound, ///< axis, known
     AxisAmbiguous, ///< axis, matches
     NoCompensation, ///< axis: the drive has no compensation registers for it
-    SourceMissing, ///< dimension
+    SourceMissing, ///< dimension; ofAxis: of one among several
     SourceSurplus, ///< dimension, dimensions
     SourceNotFound, ///< source, nearest
     SourceWrongType, ///< source, type, allowed
@@ -101,7 +101,7 @@ enum class ErrorCode {
     OutcomeUnknown, ///< reason, backup: the drive holds the old or the new state, it cannot be
     ///< asked which
     RollbackFailed, ///< reason (why the write failed), rollback (why it could not be undone),
-    ///< backup
+    ///< backup; unfinished: its journal is open
 };
 
 /// What kind of thing went wrong: a column of the table of errors, and what programs branch on.

@@ -103,6 +103,7 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
     Recovery recovery;
     auto unfinished = UnfinishedWrite::load(access, entry);
     if (!unfinished) {
+        recovery.isBackupUnread = true;
         recovery.finishObstacle = recovery.undoObstacle = unfinished.error();
         return recovery;
     }

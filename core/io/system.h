@@ -155,6 +155,10 @@ void preferLargePages(void* begin, std::size_t size);
 /// none, or this computer cannot read it.
 [[nodiscard]] std::optional<std::string> fromGbk(std::string_view bytes);
 
+/// An address in numbers in the one way in which all its forms are equal: "127.0.0.1" for "127.1",
+/// "::1" for "0:0:0:0:0:0:0:1". Nothing for a name, which is not looked up.
+[[nodiscard]] std::optional<std::string> numericAddress(const std::string& host);
+
 /// Whether it is the quota of the user, for which std::errc has no name.
 [[nodiscard]] bool isQuotaUsedUp(const std::error_code& error);
 /// In the system's own words.

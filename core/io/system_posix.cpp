@@ -9,8 +9,10 @@
 #include <ctime>
 #include <utility>
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <iconv.h>
+#include <netinet/in.h>
 #include <pwd.h>
 #include <sys/file.h>
 #include <sys/mman.h>
@@ -469,6 +471,18 @@ std::optional<std::string> fromGbk(std::string_view bytes)
         return std::nullopt;
     output.resize(output.size() - toLeft);
     return output;
+}
+
+std::optional<std::string> numericAddress(const std::string& host)
+{
+    std::array<char, INET6_ADDRSTRLEN> text{};
+    struct in6_addr six { };
+    if (::inet_pton(AF_INET6, host.c_str(), &six) == 1)
+        return ::inet_ntop(AF_INET6, &six, text.data(), text.size());
+    struct in_addr four { };
+    if (::inet_aton(host.c_str(), &four) != 0)
+        return ::inet_ntop(AF_INET, &four, text.data(), text.size());
+    return std::nullopt;
 }
 
 bool isQuotaUsedUp(const std::error_code& error)

@@ -615,6 +615,13 @@ std::optional<std::string> fromGbk(std::string_view bytes)
     return utf8Of(wide);
 }
 
+/// Addresses are compared as they are written: the functions that read them are those of a library
+/// for the network, which core does not have.
+std::optional<std::string> numericAddress(const std::string& /*host*/)
+{
+    return std::nullopt;
+}
+
 bool isQuotaUsedUp(const std::error_code& error)
 {
     return error == codeOf(diskQuotaExceeded);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"
+#include "core/io/system.h"
 #include "core/machine/machine_file.h"
 #include "core/table/position_unit.h"
 #include "core/text/edit_distance.h"
@@ -73,6 +74,22 @@ std::string lowerCase(std::string_view text)
     return letters;
 }
 
+/// "[::1]:8080" for "[0:0:0:0:0:0:0:1]:8080"
+std::string withPlainHost(const std::string& place)
+{
+    const bool isBracketed = place.starts_with('[');
+    const std::size_t end = place.find(isBracketed ? ']' : ':');
+    if (isBracketed && end == std::string::npos)
+        return place;
+    const auto address =
+        system::numericAddress(isBracketed ? place.substr(1, end - 1) : place.substr(0, end));
+    if (!address)
+        return place;
+    const std::string rest =
+        end == std::string::npos ? std::string() : place.substr(end + (isBracketed ? 1 : 0));
+    return (isBracketed ? '[' + *address + ']' : *address) + rest;
+}
+
 /// Where a drive is, whichever way its address is written: without a user, what is usual, and how
 /// fast a serial port is. Addresses are read where they are used.
 std::string placeOf(std::string_view endpoint)
@@ -91,7 +108,7 @@ std::string placeOf(std::string_view endpoint)
             host.pop_back();
         if (host.ends_with(port))
             host.resize(host.size() - std::string_view(port).size());
-        return std::string(scheme) + host;
+        return std::string(scheme) + withPlainHost(host);
     }
     return letters == "demo" ? "demo:" : std::string(text);
 }

@@ -96,7 +96,8 @@ private:
     void addProof(const Labels& labels, const Result<Proof>& proof);
     void addComparison(const Labels& labels, std::optional<bool> differs);
 
-    Family m_up{"axiscomp_drive_up", "1: the drive answered, 0: it did not."};
+    Family m_up{"axiscomp_drive_up",
+        "1: the drive answered, and is the one of the machine file, if there is one."};
     Family m_axes{"axiscomp_drive_axes", "Axes of the drive."};
     Family m_flashLeft{"axiscomp_flash_operations_left", "Flash operations that are possible now."};
     Family m_flashCycles{

@@ -12,6 +12,7 @@
 #include "core/table/large_correction.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <cstring>
@@ -51,6 +52,21 @@ std::optional<std::string> csvText(const CompensationTable& table, std::vector<s
     if (!reading.data || !isSameTable(reading.data->tables.front(), table))
         return std::nullopt;
     return text;
+}
+
+/// Why there is no machine file of them: the name, which a person has given, or the drives.
+Error noMachine(MachineFile machine, const Diagnostic& problem)
+{
+    const std::string name = std::exchange(machine.name, {});
+    const bool isName = readMachine(writeMachine(machine)).machine.has_value();
+    return {ErrorCode::InvalidArgument,
+        {{"reason",
+            isName ? AXISCOMP_TEXT(
+                "Error", "a machine cannot be called {name}: a name has no control characters")
+                         .with("name", Verbatim{shownText(name)})
+                   : AXISCOMP_TEXT("Error", "these drives make no machine: {problem}")
+                         .with("problem", textOf(problem))}},
+        {}};
 }
 
 class Snapshot {
@@ -172,10 +188,7 @@ Result<MachineSnapshot> joinSnapshots(std::string name, std::vector<DriveSnapsho
     const std::string text = writeMachine(machine);
     const MachineReading reading = readMachine(text);
     if (!reading.machine)
-        return fail(ErrorCode::InvalidArgument,
-            {{"reason",
-                AXISCOMP_TEXT("Error", "these drives make no machine: {problem}")
-                    .with("problem", textOf(reading.diagnostics.front()))}});
+        return fail(noMachine(std::move(machine), reading.diagnostics.front()));
     const ByteView bytes = asBytes(text);
     result.files.push_back({machineFileName, Bytes(bytes.begin(), bytes.end())});
     result.drives = machine.drives.size();

@@ -47,7 +47,8 @@ struct MachineSnapshot {
 
 /// All drives as one machine, in the order of their serial numbers; those without a compensation
 /// are left out. name: of the machine, may be empty. Errors: InvalidArgument where the result would
-/// be no machine file: no drive is left, or one of them is there twice.
+/// be no machine file: no drive is left, one of them is there twice, or the name has control
+/// characters.
 [[nodiscard]] Result<MachineSnapshot> joinSnapshots(
     std::string name, std::vector<DriveSnapshot> drives);
 

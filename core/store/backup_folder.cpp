@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <string_view>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,19 +23,29 @@ std::string suffixOf(std::optional<int> axis)
     return axis ? "-axis" + std::to_string(*axis) : "-file";
 }
 
-/// Colons are not welcome on every file system.
-std::string backupName(WallTime time, std::optional<int> axis, int number)
-{
-    std::string stamp = utcText(time);
-    std::ranges::replace(stamp, ':', '-');
-    return stamp + suffixOf(axis) + (number > 1 ? "-" + std::to_string(number) : "") + ".json";
-}
+constexpr std::string_view clockMark = "-clock";
 
 struct BackupFile {
     WallTime time{};
-    int number = 1;
+    int number = 1; ///< among those of one moment
+    /// Counted on whenever the computer's clock is behind the newest backup: the time alone would
+    /// say that a backup from before the clock was set back is newer.
+    int clock = 1;
     std::filesystem::path path;
+
+    /// In the order in which they were made.
+    [[nodiscard]] auto turn() const { return std::tuple(clock, time, number); }
 };
+
+/// Colons are not welcome on every file system.
+std::string backupName(const BackupFile& file, std::optional<int> axis)
+{
+    std::string stamp = utcText(file.time);
+    std::ranges::replace(stamp, ':', '-');
+    return stamp + suffixOf(axis)
+        + (file.clock > 1 ? std::string(clockMark) + std::to_string(file.clock) : "")
+        + (file.number > 1 ? "-" + std::to_string(file.number) : "") + ".json";
+}
 
 /// The file as one of saveBackup's for the axis, if it is one.
 std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, std::optional<int> axis)
@@ -48,11 +60,28 @@ std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, std::o
     if (!time)
         return std::nullopt;
 
-    BackupFile file{*time, 1, path};
-    const std::size_t number = end + suffixOf(axis).size();
-    if (name.substr(number).starts_with("-"))
-        std::from_chars(name.data() + number + 1, name.data() + name.size(), file.number);
-    return name == backupName(file.time, axis, file.number) ? std::optional(file) : std::nullopt;
+    BackupFile file{.time = *time, .path = path};
+    std::string_view rest = std::string_view(name).substr(end + suffixOf(axis).size());
+    if (rest.starts_with(clockMark)) {
+        const char* const digits = rest.data() + clockMark.size();
+        const auto [after, error] = std::from_chars(digits, rest.data() + rest.size(), file.clock);
+        rest.remove_prefix(static_cast<std::size_t>(after - rest.data()));
+    }
+    if (rest.starts_with("-"))
+        std::from_chars(rest.data() + 1, rest.data() + rest.size(), file.number);
+    return name == backupName(file, axis) ? std::optional(file) : std::nullopt;
+}
+
+/// The backups of the axis, newest first.
+std::vector<BackupFile> madeFiles(const StoreFolder& folder, std::optional<int> axis)
+{
+    std::vector<BackupFile> backups;
+    for (const std::filesystem::path& file : filesIn(folder.backups()))
+        if (auto backup = asBackupFile(file, axis))
+            backups.push_back(*std::move(backup));
+    std::ranges::sort(
+        backups, std::greater<>{}, [](const BackupFile& file) { return file.turn(); });
+    return backups;
 }
 
 } // namespace
@@ -60,22 +89,20 @@ std::optional<BackupFile> asBackupFile(const std::filesystem::path& path, std::o
 std::filesystem::path newBackupFile(
     const StoreFolder& folder, WallTime time, std::optional<int> axis)
 {
-    std::filesystem::path file;
-    for (int number = 1; file.empty() || !isMissing(file); ++number)
-        file = folder.backups() / backupName(time, axis, number);
-    return file;
+    const std::vector<BackupFile> before = madeFiles(folder, axis);
+    BackupFile file{.time = time, .path = {}};
+    if (!before.empty())
+        file.clock = before.front().clock + (time < before.front().time ? 1 : 0);
+    const auto place = [&] { return folder.backups() / backupName(file, axis); };
+    while (!isMissing(place()))
+        ++file.number;
+    return place();
 }
 
 std::vector<std::filesystem::path> backupFiles(const StoreFolder& folder, std::optional<int> axis)
 {
-    std::vector<BackupFile> backups;
-    for (const std::filesystem::path& file : filesIn(folder.backups()))
-        if (auto backup = asBackupFile(file, axis))
-            backups.push_back(*std::move(backup));
-    std::ranges::sort(backups, std::greater<>{},
-        [](const BackupFile& file) { return std::pair(file.time, file.number); });
     std::vector<std::filesystem::path> files;
-    for (BackupFile& backup : backups)
+    for (BackupFile& backup : madeFiles(folder, axis))
         files.push_back(std::move(backup.path));
     return files;
 }

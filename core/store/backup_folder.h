@@ -11,11 +11,11 @@
 namespace axiscomp {
 
 /// A name that no file has yet: "2026-11-21T08-02-23.5Z-axis0.json", "...-axis0-2.json"; without an
-/// axis "...-file.json".
+/// axis "...-file.json"; after the clock was set back "...-axis0-clock2.json".
 [[nodiscard]] std::filesystem::path newBackupFile(
     const StoreFolder& folder, WallTime time, std::optional<int> axis);
 
-/// The backups of the axis, newest first.
+/// The backups of the axis, the one that was made last first, whatever the clock said.
 [[nodiscard]] std::vector<std::filesystem::path> backupFiles(
     const StoreFolder& folder, std::optional<int> axis);
 

@@ -279,7 +279,9 @@ Result<UnfinishedOutcome> unfinishedOutcome(const RegisterAccess& access, const 
     if (hasNewTable && hasNewRegisters && deletes) {
         AXISCOMP_TRY(const bool isDeleted, isSlotEmpty(access, entry.deletedSlot));
         const bool isSaved = !entry.persistent || stepRank(entry.step) >= stepRank("delete");
-        return !isDeleted ? Outcome::Neither : isSaved ? Outcome::New : Outcome::NewUnsaved;
+        if (isDeleted)
+            return isSaved ? Outcome::New : Outcome::NewUnsaved;
+        return UnfinishedWrite::load(access, entry) ? Outcome::Neither : Outcome::Unknown;
     }
     if (hasNewTable && hasNewRegisters)
         return entry.persistent ? Outcome::NewUnsaved : Outcome::New;

@@ -2,6 +2,7 @@
 #include "core/axis/axis_reader.h"
 #include "core/axis/verified_transfer.h"
 #include "core/table/tam_table.h"
+#include "core/write/backup_restore.h"
 #include "core/write/slot_file.h"
 #include "core/write/unfinished_write.h"
 #include "core/write/write_planner.h"
@@ -29,10 +30,13 @@ const AxisBackup::File* WriteProcedure::backupOf(const std::string& slot) const
 
 Error WriteProcedure::outcome(ErrorCode code, const Error& reason, Text rollback) const
 {
-    return Error{code,
+    Error error{code,
         {{"reason", textOf(reason)}, {"rollback", std::move(rollback)},
             {"backup", m_backupFile.string()}},
         std::string(errorName(reason.code)) + ": " + reason.detail};
+    if (code == ErrorCode::RollbackFailed)
+        error.context.set("unfinished", Verbatim{"yes"});
+    return error;
 }
 
 /// Undoes what was changed and gives the error to report. The journal stays open unless the old
@@ -45,19 +49,37 @@ Error WriteProcedure::rollBack(const Error& reason)
     accountForUndo(access, undone);
     if (!undone && undone.error().code == ErrorCode::OtherDrive)
         return otherDrive(reason, undone.error());
-    if (!undone && isUnreachable(undone.error().code)) {
-        // As long as the axis was not touched it has its old state, whatever the other slot holds.
-        if (!m_registersTouched)
-            return reason;
-        if (!mayBeHalfWay())
-            return outcome(ErrorCode::OutcomeUnknown, reason, {});
-    }
-    if (!undone && !hasOldState(access))
-        return outcome(ErrorCode::RollbackFailed, reason, textOf(undone.error()));
+    const bool isGone = !undone && isUnreachable(undone.error().code) && !mayBeHalfWay();
+    if (isGone || (!undone && !hasOldState(access)))
+        return notUndone(access, reason, undone.error());
     if (const auto undoable = checkUndoable(); !undoable)
         return outcome(ErrorCode::RollbackFailed, reason, textOf(undoable.error()));
     (void)closeJournal();
     return reason;
+}
+
+/// What is said then is what `status` says of the drive right after.
+Error WriteProcedure::notUndone(
+    const RegisterAccess& access, const Error& reason, const Error& obstacle) const
+{
+    using Outcome = UnfinishedOutcome;
+    const auto held =
+        isUnreachable(obstacle.code) ? Result<Outcome>(fail(obstacle)) : heldState(access);
+    // As long as the axis was not touched it has its old state, whatever the other slot holds: a
+    // refusal says as little against that as silence.
+    if (!held && !m_registersTouched)
+        return reason;
+    const bool isNew = held && (*held == Outcome::New || *held == Outcome::NewUnsaved);
+    if (isNew || (!held && !mayBeHalfWay()))
+        return outcome(ErrorCode::OutcomeUnknown, reason, {});
+    return outcome(ErrorCode::RollbackFailed, reason, textOf(obstacle));
+}
+
+/// Errors: of the link, when the drive cannot be asked.
+Result<UnfinishedOutcome> WriteProcedure::heldState(const RegisterAccess& access) const
+{
+    AXISCOMP_CHECK(access.checkDrive());
+    return unfinishedOutcome(access, m_store, m_write.plan.drive, m_journal, m_sources);
 }
 
 /// By the journal, which goes back to before the first write when this one finishes another.
@@ -73,7 +95,7 @@ Result<void> WriteProcedure::checkUndoable() const
 /// with that.
 bool WriteProcedure::mayBeHalfWay() const
 {
-    return m_registersTouched
+    return m_registersTouched && !m_isComplete
         && (switchesOff() || deletes() || !m_access.profile().writesAtOneInstant);
 }
 
@@ -129,6 +151,7 @@ Result<AxisStatus> WriteProcedure::confirmOldState(const RegisterAccess& access)
 
 Result<void> WriteProcedure::putBack(const RegisterAccess& access)
 {
+    m_isComplete = false;
     if (overwritesOwn() && m_slotTouched) {
         // While its file is put back the axis must not be able to start, not even after a reboot.
         const std::string table = access.axisPath(access.registers().table, m_write.plan.axis);

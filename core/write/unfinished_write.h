@@ -33,6 +33,9 @@ enum class UnfinishedOutcome {
 
 /// What can be done about it.
 struct Recovery {
+    /// The backup of the old state: then neither is possible, and only the next write, or restoring
+    /// another backup, puts an end to it.
+    bool isBackupUnread = false;
     std::optional<Error> finishObstacle; ///< none: finishUnfinished is possible now
     std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
     int finishFlashOperations = 0; ///< that finishing costs

@@ -79,6 +79,7 @@ Result<WriteReport> WriteProcedure::run()
     if (auto changed = change(); !changed)
         return fail(rollBack(changed.error()));
     auto now = confirm();
+    m_isComplete = now || now.error().code != ErrorCode::VerifyMismatch;
     if (!now && isUnreachable(now.error().code))
         return fail(outcome(ErrorCode::OutcomeUnknown, now.error(), {}));
     if (!now)

@@ -7,6 +7,7 @@
 namespace axiscomp {
 
 class UnfinishedWrite;
+enum class UnfinishedOutcome;
 
 /// Carries a prepared write out in the safe order and puts everything back when a step fails or the
 /// user stops (docs/architecture.md, "The safe order of a write"; DECISIONS.md, 3). Used once.
@@ -52,6 +53,9 @@ private:
 
     // Putting back, in reverse order.
     [[nodiscard]] Error rollBack(const Error& reason);
+    [[nodiscard]] Error notUndone(
+        const RegisterAccess& access, const Error& reason, const Error& obstacle) const;
+    [[nodiscard]] Result<UnfinishedOutcome> heldState(const RegisterAccess& access) const;
     [[nodiscard]] Result<void> checkUndoable() const;
     [[nodiscard]] bool mayBeHalfWay() const;
     [[nodiscard]] Error otherDrive(const Error& reason, const Error& other) const;
@@ -107,6 +111,7 @@ private:
     bool m_flashTouched = false;
     bool m_registersTouched = false;
     bool m_savedTouched = false;
+    bool m_isComplete = false; ///< every step was taken and read back, and none is put back yet
 };
 
 } // namespace axiscomp

@@ -8,6 +8,11 @@ namespace axiscomp::drivecomm {
 
 namespace {
 
+/// A password with one of these characters looks like a port, a path or no address at all.
+constexpr TextPattern barePassword = AXISCOMP_TEXT("Error",
+    "write http://user:password@host[:port], and in user name and password %40 for @, %3A for :, "
+    "%2F for /, %3F for ?, %23 for # and %25 for %");
+
 tl::unexpected<Error> invalid(const QUrl& url, Text reason)
 {
     // A password with a slash looks like a port and a path; what follows the last @ is none.
@@ -23,6 +28,8 @@ Result<DriveEndpoint> parseWeb(const QUrl& url, DriveEndpoint::Kind kind)
         return invalid(url,
             AXISCOMP_TEXT(
                 "Error", "the host is missing; write http://192.168.1.20 or http://host:8080"));
+    if (url.toString(QUrl::RemoveAuthority).contains(u'@'))
+        return invalid(url, barePassword);
     if (!(url.path().isEmpty() || url.path() == u"/") || url.hasQuery() || url.hasFragment())
         return invalid(url, AXISCOMP_TEXT("Error", "only host and port belong here, no path"));
     DriveEndpoint result;
@@ -78,12 +85,15 @@ Result<DriveEndpoint> parseEndpoint(std::string_view text)
         return parseSerial(url);
     // What follows the last @ cannot be a password.
     const QString shown = trimmed.section(u'@', -1);
+    const bool isWeb = trimmed.startsWith(u"http://") || trimmed.startsWith(u"https://");
     return fail(ErrorCode::InvalidEndpoint,
         {{"endpoint", shown.toStdString()},
             {"reason",
-                AXISCOMP_TEXT("Error",
-                    "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or "
-                    "demo:")}});
+                isWeb && shown != trimmed
+                    ? barePassword
+                    : AXISCOMP_TEXT("Error",
+                        "write http://host[:port], https://host[:port], serial:/dev/ttyUSB0 or "
+                        "demo:")}});
 }
 
 std::string displayText(const DriveEndpoint& endpoint)

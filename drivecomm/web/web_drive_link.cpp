@@ -44,6 +44,7 @@ public:
     WebDriveLink(const DriveEndpoint& endpoint, const DriveProfile& profile,
         CertificateCheck certificateCheck)
         : m_endpoint(displayText(endpoint))
+        , m_givesPassword(!endpoint.user.empty() || !endpoint.password.empty())
         , m_profile(profile)
         , m_http(endpoint, std::move(certificateCheck))
     {
@@ -81,10 +82,13 @@ private:
     }
     [[nodiscard]] tl::unexpected<Error> failed(Error error) const
     {
+        if (error.code == ErrorCode::Unauthorized && m_givesPassword)
+            error.context.set("given", Verbatim{"yes"});
         return fail(addEndpoint(std::move(error), m_endpoint));
     }
 
     std::string m_endpoint;
+    bool m_givesPassword;
     const DriveProfile& m_profile;
     HttpClient m_http;
     std::optional<std::int32_t> m_expected; ///< serial number of the drive that was identified

@@ -247,6 +247,36 @@ private Q_SLOTS:
         QVERIFY2(run.err.contains("http://user:password@host"), run.err.constData());
     }
 
+    void aWrongPasswordIsNotCalledAMissingOne()
+    {
+        const GuardedDrive guarded;
+        const ProgramRun run = guarded.box.run({"axes", "--drive", guarded.urlWith("wrong")});
+        VERIFY_CODE(run, 4);
+        QVERIFY2(run.err.contains(" refuses the user name or the password "), run.err.constData());
+    }
+
+    /// It overrules AXISCOMP_DRIVE, which has the password.
+    void theCommandThatComesNextHasNoDriveWhereTheVariableHasThePassword()
+    {
+        const GuardedDrive guarded;
+        Sandbox box;
+        box.file("line.csv", line1D);
+        const QStringList write{"write", "--axis", "0", "--data", "line.csv", "--dims", "1",
+            "--source1", test::positionSource(0)};
+        const ProgramRun named = box.run(write + QStringList{"--drive", guarded.urlWith(password)});
+        VERIFY_CODE(named, 0);
+        QString shown = guarded.drive.url();
+        shown.insert(shown.indexOf("://") + 3, "user:password@");
+        const QByteArray asked = "axiscomp activate --drive " + shown.toLatin1() + " --axis 0\n";
+        QVERIFY2(named.out.contains(asked), named.out.constData());
+        box.setVariable("AXISCOMP_DRIVE", guarded.urlWith(password));
+        box.file("line.csv", line1D + "150,0.001\n");
+        const ProgramRun known = box.run(write);
+        VERIFY_CODE(known, 0);
+        QVERIFY2(known.out.contains("axiscomp activate --axis 0\n"), known.out.constData());
+        VERIFY_CODE(box.run({"activate", "--axis", "0"}), 0);
+    }
+
     void noOtherUserSeesItAmongTheArguments()
     {
         const GuardedDrive guarded;

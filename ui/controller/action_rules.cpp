@@ -291,6 +291,9 @@ Obstacle Rules::nothingUnfinished() const
 
 Obstacle Rules::interrupted() const
 {
+    if (m_now.unfinished != Unfinished::None && m_now.isBackupUnread)
+        return tr("An earlier write was interrupted, and the backup of the state before it cannot "
+                  "be read: write again or restore another backup first.");
     if (m_now.unfinished != Unfinished::None)
         return tr("An earlier write was interrupted: finish or undo it first.");
     return {};

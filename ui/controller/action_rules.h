@@ -104,6 +104,7 @@ struct ActionSnapshot {
     bool hasDriveTable = false;
     bool hasBackup = false;
     enum class Unfinished { None, Old, Unsaved, Mixture, Unknown } unfinished = Unfinished::None;
+    bool isBackupUnread = false; ///< of the state before it: it can be neither finished nor undone
     std::optional<Error> finishObstacle; ///< why an unfinished write cannot be finished
     std::optional<Error> undoObstacle;
     int flashOperationsLeft = 0;

@@ -103,6 +103,7 @@ void WizardActions::lookAtUnfinished(ActionSnapshot& now) const
         : unfinished->outcome == Held::NewUnsaved     ? Unfinished::Unsaved
         : unfinished->outcome == Held::Unknown        ? Unfinished::Unknown
                                                       : Unfinished::Mixture;
+    now.isBackupUnread = unfinished->recovery.isBackupUnread;
     now.finishObstacle = unfinished->recovery.finishObstacle;
     now.undoObstacle = unfinished->recovery.undoObstacle;
 }

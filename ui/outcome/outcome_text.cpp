@@ -28,7 +28,7 @@ public:
     [[nodiscard]] static Outcome contradicted(const Error& error);
     [[nodiscard]] static Outcome restored(const Restoration& restoration);
     [[nodiscard]] static Outcome recovered(bool finishes, const Result<WriteReport>& report);
-    [[nodiscard]] static QString settled(AxisCompensator::UnfinishedOutcome outcome);
+    [[nodiscard]] static QString settled(const SettledWrite& settledWrite);
     [[nodiscard]] static QString unfinished(const SettledWrite& settled);
 };
 
@@ -163,15 +163,19 @@ Outcome Outcomes::recovered(bool finishes, const Result<WriteReport>& report)
         false, QStringLiteral("backup: ") + QString::fromStdString(report->backup.string())};
 }
 
-QString Outcomes::settled(AxisCompensator::UnfinishedOutcome outcome)
+QString Outcomes::settled(const SettledWrite& settledWrite)
 {
     using Unfinished = AxisCompensator::UnfinishedOutcome;
-    switch (outcome) {
+    switch (settledWrite.outcome) {
     case Unfinished::Old:
         return tr("The drive holds the complete old state.");
     case Unfinished::New:
         return tr("The drive holds the complete new state; nothing more to do.");
     case Unfinished::NewUnsaved:
+        if (settledWrite.recovery.isBackupUnread)
+            return tr("The drive holds the complete new state, but its parameters may not be "
+                      "saved, and the backup of the old state cannot be read: write again to save "
+                      "them, or restore another backup.");
         return tr("The drive holds the complete new state, but its parameters may not be saved.");
     case Unfinished::Unknown:
         return tr("Which state the drive holds is not known, since the backup of the old one "
@@ -188,8 +192,7 @@ QString Outcomes::unfinished(const SettledWrite& settledWrite)
 {
     return tr("The write of %1 was interrupted (last step: %2). %3")
         .arg(localTimeText(settledWrite.entry.time),
-            stepText(QString::fromStdString(settledWrite.entry.step)),
-            settled(settledWrite.outcome));
+            stepText(QString::fromStdString(settledWrite.entry.step)), settled(settledWrite));
 }
 
 } // namespace

@@ -75,7 +75,7 @@ Result<ExitCode> runActivation(Environment& environment, CommandSession& session
         noteState(environment, activation);
         return fail(activation.proof->error());
     }
-    environment.print("The compensation of " + axisWords(status.axis) + " of "
+    environment.report("The compensation of " + axisWords(status.axis) + " of "
         + driveWords(status.drive) + " is " + status.axis.stateWord + ".\n");
     Json json = {{"status", toJson(status)}};
     if (activation.proof) {

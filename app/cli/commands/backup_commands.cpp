@@ -117,12 +117,12 @@ Json showRestored(Environment& environment, const RestoreReport& done)
 {
     Json list = Json::array();
     for (const WriteReport& report : done.axes) {
-        environment.print("Restored " + axisWords(report.now.axis) + ": table "
+        environment.report("Restored " + axisWords(report.now.axis) + ": table "
             + (report.now.setup.slot.empty() ? "none" : report.now.setup.slot) + ".\n");
         list.push_back({{"plan", toJson(report.plan)}, {"report", toJson(report)}});
     }
     for (const AxisBackup::File& file : done.files)
-        environment.print("Restored " + file.slot + ", which no axis uses.\n");
+        environment.report("Restored " + file.slot + ", which no axis uses.\n");
     if (done.axes.empty() && done.files.empty())
         environment.print("The drive already has all of this; nothing was written.\n");
     return list;

@@ -27,7 +27,7 @@ Result<ExitCode> deleteSlot(
     } else {
         AXISCOMP_TRY(const auto backup,
             session.compensator().deleteSlot(slot, session.operation(), plan.drive.serialNumber));
-        environment.print(deletionText(plan, backup, session.link().endpoint(), session.isDemo()));
+        environment.report(deletionText(plan, backup, session.driveOption(), session.isDemo()));
         document["report"] = {{"backup", backup.string()}};
     }
     environment.document(document);

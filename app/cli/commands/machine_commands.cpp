@@ -168,7 +168,7 @@ void printOutcomes(Environment& environment, const MachineRun& run)
                 outcome.now ? heldText(*outcome.now).english() : "not known",
                 outcome.now ? outcome.now->axis.stateWord : "not known"});
         }
-    environment.print("\n" + table.text(""));
+    environment.report("\n" + table.text(""));
 }
 
 /// As `activate` says it of one axis.

@@ -64,7 +64,7 @@ ExitCode explain(Environment& environment, const SettledWrite& settled)
 {
     Json json = recoverDocument();
     json["unfinishedWrite"] = unfinishedToJson(settled.entry, settled.outcome);
-    std::string text = outcomeSentence(settled.entry, settled.outcome);
+    std::string text = outcomeSentence(settled);
     text.front() = 'A';
     environment.print(text + ".\n");
     for (const Text& doubt : settled.recovery.doubts)
@@ -136,8 +136,8 @@ Result<ExitCode> recoverUnfinished(
         return nothingUnfinished(environment, axis);
     AXISCOMP_TRY(
         const auto report, carryOut(environment, session, *status.unfinishedWrite, finishes));
-    environment.print(std::string(finishes ? "\nFinished: the drive holds the complete new state"
-                                           : "\nUndone: the drive holds the complete old state")
+    environment.report(std::string(finishes ? "\nFinished: the drive holds the complete new state"
+                                            : "\nUndone: the drive holds the complete old state")
         + ", read back and compared.\nBackup of what there was before: " + report.backup.string()
         + "\n");
     Json document = recoverDocument();

@@ -6,6 +6,7 @@
 #include "app/cli/session/machine_run.h"
 #include "app/common/arguments.h"
 #include "app/common/number_text.h"
+#include "app/common/standard_streams.h"
 #include "core/base/parallel.h"
 #include "core/compensator/drive_summary.h"
 #include "core/io/local_file.h"
@@ -50,6 +51,17 @@ Result<DriveSnapshot> snapshotOf(
         shownEndpoint(endpoint), session->quietOperation());
 }
 
+/// Not every error names the drive that it is of.
+Error ofDrive(Environment& environment, const DriveOptions& options, std::size_t index, Error error)
+{
+    const std::string place = shownEndpoint(options.endpoints[index]);
+    if (options.endpoints.size() > 1 && !place.empty() && error.code != ErrorCode::Cancelled)
+        environment.console().note("note: there is no snapshot because of the drive at " + place);
+    if (!place.empty())
+        error.context.setIfMissing("endpoint", place);
+    return error;
+}
+
 /// All of them, or none: a machine file without one of its drives would be another machine.
 Result<std::vector<DriveSnapshot>> snapshotsOf(
     Environment& environment, const DriveOptions& options)
@@ -60,10 +72,10 @@ Result<std::vector<DriveSnapshot>> snapshotsOf(
         taken[index] = snapshotOf(environment, options, options.endpoints[index]);
     });
     std::vector<DriveSnapshot> snapshots;
-    for (auto& snapshot : taken) {
-        if (!snapshot)
-            return fail(std::move(snapshot).error());
-        snapshots.push_back(*std::move(snapshot));
+    for (std::size_t index = 0; index < taken.size(); ++index) {
+        if (!taken[index])
+            return fail(ofDrive(environment, options, index, std::move(taken[index]).error()));
+        snapshots.push_back(*std::move(taken[index]));
     }
     return snapshots;
 }
@@ -71,6 +83,9 @@ Result<std::vector<DriveSnapshot>> snapshotsOf(
 Result<ExitCode> runSnapshot(Environment& environment, const SnapshotOptions& options)
 {
     AXISCOMP_CHECK(needDrives(options.drive));
+    if (options.folder == standardStream)
+        return wrongUsage(
+            "a snapshot is a folder of several files: name one with -o", options.drive.command);
     AXISCOMP_TRY(auto drives, snapshotsOf(environment, options.drive));
     const std::size_t count = drives.size();
     AXISCOMP_TRY(const auto snapshot, joinSnapshots(options.name, std::move(drives)));

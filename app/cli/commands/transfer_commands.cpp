@@ -67,7 +67,7 @@ Result<ExitCode> runUpload(Environment& environment, const TransferOptions& opti
                 environment.print(
                     options.path + " holds exactly this already: nothing was sent.\n");
             else
-                environment.print("Uploaded " + options.file + " to " + options.path + ": "
+                environment.report("Uploaded " + options.file + " to " + options.path + ": "
                     + plural(bytes.size(), "byte", "bytes")
                     + ", every one read back and compared.\nBackup of the old file: "
                     + uploaded.string() + "\n");

@@ -3,6 +3,9 @@
 
 #include "app/cli/output/json_output.h"
 
+#include <sstream>
+#include <utility>
+
 namespace axiscomp::app {
 
 namespace {
@@ -38,6 +41,20 @@ void Environment::print(std::string_view text)
 {
     if (!m_json)
         m_console.print(text);
+}
+
+void Environment::report(std::string_view text)
+{
+    m_reports += text;
+    print(text);
+}
+
+void Environment::noteReports()
+{
+    std::istringstream lines(std::exchange(m_reports, {}));
+    for (std::string line; std::getline(lines, line);)
+        if (!line.empty())
+            m_console.note("note: " + line);
 }
 
 std::string Environment::nameOf(const std::string& file) const

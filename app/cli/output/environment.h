@@ -33,6 +33,10 @@ public:
     [[nodiscard]] bool json() const { return m_json; }
     /// Text for people on standard output.
     void print(std::string_view text);
+    /// The same of what was done to a drive: it must be known, whatever becomes of standard output.
+    void report(std::string_view text);
+    /// Says on standard error what was reported.
+    void noteReports();
     /// How files are called that stand for something in memory: such a name is kept in records.
     using Names = std::map<std::string, std::string>;
     void callFiles(Names names) { m_names = std::move(names); }
@@ -69,6 +73,7 @@ private:
     Names m_names;
     Json m_diagnostics = Json::array();
     std::optional<Error> m_told;
+    std::string m_reports;
 };
 
 } // namespace axiscomp::app

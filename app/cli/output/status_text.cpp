@@ -225,11 +225,15 @@ std::string beingWritten(const AxisInfo& axis)
     return "another program is writing to " + axisWords(axis) + " at this moment";
 }
 
-std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome)
+std::string outcomeSentence(const SettledWrite& settled)
 {
+    const JournalEntry& entry = settled.entry;
     const std::string head = "a write to axis " + std::to_string(entry.axis) + " that began at "
         + utcText(entry.time) + " did not end (last step: " + stepWords(entry.step) + "). ";
-    switch (outcome) {
+    const std::string wayOut = "`axiscomp write`, or `axiscomp restore` of another backup, puts an "
+                               "end to it; the backup was "
+        + entry.backup.string();
+    switch (settled.outcome) {
     case AxisCompensator::UnfinishedOutcome::Old:
         return head
             + "The drive holds the complete old state: `axiscomp recover --finish` brings the new "
@@ -237,6 +241,12 @@ std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::Unfinish
     case AxisCompensator::UnfinishedOutcome::New:
         return head + "The drive holds the complete new state; nothing needs to be done";
     case AxisCompensator::UnfinishedOutcome::NewUnsaved:
+        if (settled.recovery.isBackupUnread)
+            return head
+                + "The drive holds the complete new state, but its parameters may not be saved, "
+                  "and "
+                  "the backup of the old state cannot be read. "
+                + wayOut;
         return head
             + "The drive holds the complete new state, but its parameters may not be saved: "
               "`axiscomp recover --finish` saves them, `axiscomp recover --undo` brings the old "
@@ -244,9 +254,8 @@ std::string outcomeSentence(const JournalEntry& entry, AxisCompensator::Unfinish
     case AxisCompensator::UnfinishedOutcome::Unknown:
         return head
             + "Which state the drive holds is not known, since the backup of the old one cannot be "
-              "read: do not activate the axis. `axiscomp write`, or `axiscomp restore` of another "
-              "backup, puts an end to it; the backup was "
-            + entry.backup.string();
+              "read: do not activate the axis. "
+            + wayOut;
     case AxisCompensator::UnfinishedOutcome::Neither:
         break;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compensator/axis_compensator.h"
+#include "core/compensator/axis_operations.h"
 
 #include <string>
 #include <string_view>
@@ -32,7 +32,6 @@ namespace axiscomp::app {
 /// "another program is writing to axis 0 (X) at this moment"
 [[nodiscard]] std::string beingWritten(const AxisInfo& axis);
 /// Sentences for people about it, and about what can be done.
-[[nodiscard]] std::string outcomeSentence(
-    const JournalEntry& entry, AxisCompensator::UnfinishedOutcome outcome);
+[[nodiscard]] std::string outcomeSentence(const SettledWrite& settled);
 
 } // namespace axiscomp::app

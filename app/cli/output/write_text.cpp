@@ -38,12 +38,12 @@ std::string slotWords(const WritePlan& plan)
 
 /// How what was deleted is had again.
 std::string deletedText(
-    const std::filesystem::path& backup, const std::string& endpoint, bool isDemo)
+    const std::filesystem::path& backup, const std::string& driveOption, bool isDemo)
 {
     if (isDemo)
         return endOfDemo;
     return labelled({{"Backup of the old state", backup.string()},
-        {"To have it again", "axiscomp restore --drive " + endpoint + " " + backup.string()}});
+        {"To have it again", "axiscomp restore" + driveOption + " " + backup.string()}});
 }
 
 std::string tableWords(const WritePlan& plan, const CompensationTable& table, std::string_view unit)
@@ -136,13 +136,13 @@ std::string planText(const SlotDeletion& plan)
 }
 
 std::string deletionText(const SlotDeletion& plan, const std::filesystem::path& backup,
-    const std::string& endpoint, bool isDemo)
+    const std::string& driveOption, bool isDemo)
 {
     return "\nDeleted and verified: " + plan.slot + " is empty.\n"
-        + deletedText(backup, endpoint, isDemo);
+        + deletedText(backup, driveOption, isDemo);
 }
 
-std::string reportText(const WriteReport& report, const std::string& endpoint, bool isDemo)
+std::string reportText(const WriteReport& report, const std::string& driveOption, bool isDemo)
 {
     const AxisStatus& now = report.now;
     const std::string& deleted = report.plan.deletedSlot;
@@ -151,13 +151,11 @@ std::string reportText(const WriteReport& report, const std::string& endpoint, b
         : "\nDeleted and verified: " + deleted + " is empty, and " + axisWords(now.axis)
             + " uses no table.\n";
     if (!deleted.empty())
-        return text + deletedText(report.backup, endpoint, isDemo);
+        return text + deletedText(report.backup, driveOption, isDemo);
     if (isDemo)
         return text + endOfDemo;
     text += labelled({{"Backup of the old state", report.backup.string()},
-        {"Next",
-            "axiscomp activate --drive " + endpoint + " --axis "
-                + std::to_string(now.axis.index)}});
+        {"Next", "axiscomp activate" + driveOption + " --axis " + std::to_string(now.axis.index)}});
     if (now.table && !now.table->persistent)
         text += "The table is volatile: a reboot of the drive removes it. `axiscomp persist` keeps "
                 "it.\n";

@@ -31,12 +31,12 @@ struct SignPlace {
 /// "1 operation; 8 operations possible now"
 [[nodiscard]] std::string flashWords(int operations, const FlashBudget& budget);
 
-/// After a table that no axis uses was deleted.
+/// After a table that no axis uses was deleted. driveOption: CommandSession::driveOption.
 [[nodiscard]] std::string deletionText(const SlotDeletion& plan,
-    const std::filesystem::path& backup, const std::string& endpoint, bool isDemo);
+    const std::filesystem::path& backup, const std::string& driveOption, bool isDemo);
 
 /// After a write: what was verified, where the old state is kept, what comes next.
 [[nodiscard]] std::string reportText(
-    const WriteReport& report, const std::string& endpoint, bool isDemo);
+    const WriteReport& report, const std::string& driveOption, bool isDemo);
 
 } // namespace axiscomp::app

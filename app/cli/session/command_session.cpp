@@ -19,6 +19,7 @@ namespace axiscomp::app {
 
 namespace {
 
+constexpr const char* driveVariable = "AXISCOMP_DRIVE";
 constexpr double longestTimeoutSeconds = 3600.0;
 constexpr double shortestTimeoutSeconds = 0.001;
 
@@ -31,6 +32,18 @@ std::string listAxes(const std::vector<AxisInfo>& axes)
     return text;
 }
 
+std::string optionFor(const drivecomm::DriveEndpoint& drive, const std::string& given)
+{
+    std::string shown = drivecomm::displayText(drive);
+    if (!drive.user.empty() || !drive.password.empty()) {
+        const char* const known = std::getenv(driveVariable);
+        if (known && given == known)
+            return {};
+        shown.insert(shown.find("://") + 3, "user:password@");
+    }
+    return " --drive " + shown;
+}
+
 /// Of this program that did not end, or of another one that goes on.
 void warnOfWrites(Environment& environment, const SettledStatus& now)
 {
@@ -38,7 +51,7 @@ void warnOfWrites(Environment& environment, const SettledStatus& now)
         environment.warn(
             beingWritten(now.status.axis) + "; what is shown may already have changed");
     if (now.settled)
-        environment.warn(outcomeSentence(now.settled->entry, now.settled->outcome));
+        environment.warn(outcomeSentence(*now.settled));
 }
 
 } // namespace
@@ -50,7 +63,7 @@ void addDriveOption(CLI::App& command, DriveOptions& options, DriveCount count)
             ? AXISCOMP_HELP("Help",
                 "Address of the drive, may be given several times; $AXISCOMP_DRIVE unless given")
             : AXISCOMP_HELP("Help", "Address of the drive; $AXISCOMP_DRIVE unless given"));
-    drive->option_text("ENDPOINT")->envname("AXISCOMP_DRIVE");
+    drive->option_text("ENDPOINT")->envname(driveVariable);
 }
 
 void addDriveOptions(CLI::App& command, DriveOptions& options, DriveCount count)
@@ -171,6 +184,7 @@ Result<std::unique_ptr<CommandSession>> CommandSession::open(
         new CommandSession(environment, options, std::move(profile), std::move(demoState)));
     AXISCOMP_TRY(
         auto link, drivecomm::makeLink(parsed, session->m_profile, certificateCheck(options)));
+    session->m_driveOption = optionFor(parsed, endpoint);
     session->m_link = std::move(link);
     session->m_compensator =
         std::make_unique<AxisCompensator>(*session->m_link, session->m_profile, session->m_store);

@@ -85,6 +85,9 @@ public:
     [[nodiscard]] AxisCompensator& compensator() { return *m_compensator; }
     [[nodiscard]] DriveLink& link() { return *m_link; }
     [[nodiscard]] const DriveProfile& profile() const { return m_profile; }
+    /// For a command that a person types next: " --drive http://host". Where AXISCOMP_DRIVE has
+    /// the password it is empty; a password that was given as --drive is left to the person.
+    [[nodiscard]] const std::string& driveOption() const { return m_driveOption; }
     /// The drive is inside this process and ends with it.
     [[nodiscard]] bool isDemo() const { return m_demoState.has_value(); }
     /// Deadline, stop and progress of an operation.
@@ -110,6 +113,7 @@ private:
     std::optional<TemporaryFolder> m_demoState;
     std::filesystem::path m_storeRoot;
     DriveStore m_store;
+    std::string m_driveOption;
     std::unique_ptr<DriveLink> m_link;
     std::unique_ptr<AxisCompensator> m_compensator;
 };

@@ -97,7 +97,7 @@ Result<WriteOutcome> writeOne(Environment& environment, CommandSession& session,
     if (!report && !nothingToDo)
         return fail(report.error());
     if (report) {
-        environment.print(reportText(*report, session.link().endpoint(), session.isDemo()));
+        environment.report(reportText(*report, session.driveOption(), session.isDemo()));
         outcome.document["report"] = toJson(*report);
         outcome.now = report->now;
     } else {

@@ -92,6 +92,36 @@ private Q_SLOTS:
         VERIFY_CODE(given, 5);
     }
 
+    void whatWasDoneIsSaidWhereStandardOutputIsFull()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        QVERIFY(drive.isReady());
+        box.file("line.csv", line1D);
+        const auto toNowhere = [&](const QStringList& command) {
+            return box.runProgram(QStringLiteral("/bin/sh"),
+                QStringList{"-c", "exec \"$0\" \"$@\" > /dev/full", test::axiscompProgram()}
+                    + with(drive, command + QStringList{"--axis", "0"}));
+        };
+        const QStringList write{
+            "write", "--data", "line.csv", "--dims", "1", "--source1", test::positionSource(0)};
+        const QList<std::pair<QStringList, QByteArray>> deeds{
+            {write, "note: Written and verified: every byte"},
+            {{"activate", "--json"}, "note: The compensation of axis 0 (X) of "},
+            {{"deactivate"}, "note: The compensation of axis 0 (X) of "},
+            {{"delete"}, "note: Deleted and verified: Small1 is empty"}};
+        for (const auto& [command, said] : deeds) {
+            const ProgramRun run = toNowhere(command);
+            VERIFY_CODE(run, 1);
+            QVERIFY2(run.err.contains(said), run.err.constData());
+            QVERIFY2(
+                run.err.contains("error: FileNotWritable: standard output"), run.err.constData());
+        }
+        const ProgramRun looked = toNowhere({"status"});
+        VERIFY_CODE(looked, 1);
+        QVERIFY2(looked.err.startsWith("error: FileNotWritable: "), looked.err.constData());
+    }
+
     void anAxisIsGivenByIndexOrNameOrIsTheOnlyOne()
     {
         const Sandbox box;

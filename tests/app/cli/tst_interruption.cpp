@@ -312,6 +312,34 @@ private Q_SLOTS:
         QVERIFY2(after.err.isEmpty(), after.err.constData());
     }
 
+    void aNewStateWhoseBackupIsGoneIsSavedByWritingItAgain()
+    {
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
+        QVERIFY(slow.isReady());
+        const QString url = slow.url();
+        const auto process = bench.startWrite(url, 6);
+        process->kill();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        const QJsonObject left = bench.status(url).json().value("unfinishedWrite").toObject();
+        if (left.value("driveHolds") != QStringLiteral("NewUnsaved"))
+            return; // it had ended before the program was killed
+        QVERIFY(QFile::remove(left.value("backup").toString()));
+        const QStringList axis{"--drive", url, "--axis", "0"};
+        const QByteArray status = bench.status(url).err;
+        const QByteArray recover = bench.box.run(QStringList{"recover"} + axis).out;
+        for (const QByteArray& said : {status, recover}) {
+            QVERIFY2(said.contains("holds the complete new state"), said.constData());
+            QVERIFY2(said.contains("`axiscomp write`"), said.constData());
+            QVERIFY2(!said.contains("recover --"), said.constData());
+        }
+        VERIFY_CODE(bench.box.run(QStringList{"recover", "--finish"} + axis), 3);
+        VERIFY_CODE(bench.write(url, "new.csv", newSource), 0);
+        const ProgramRun after = bench.status(url);
+        QVERIFY2(stateOf(after.json()) == bench.after, after.text().constData());
+        QVERIFY2(after.err.isEmpty(), after.err.constData());
+    }
+
     void killedDriveIsExplainedByTheNextRun_data() { addSteps(); }
     void killedDriveIsExplainedByTheNextRun()
     {

@@ -152,6 +152,47 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(box.path("folder")));
     }
 
+    /// Of a machine of many drives and axes nobody would find it.
+    void aSnapshotThatIsRefusedNamesDriveAndAxis()
+    {
+        const Sandbox box;
+        box.file("uneven.csv", uneven1D);
+        const VirtualDriveProcess first(box);
+        const VirtualDriveProcess second(box, {"--serial", "100002"});
+        QVERIFY(first.isReady() && second.isReady());
+        VERIFY_CODE(write(box, second, 0, "uneven.csv", {test::positionSource(0)}), 0);
+        QVERIFY(second.writeRegister(
+            "Axes[1]/Parameters/Compensations/Axis/Table", std::string("Small1")));
+        const QStringList snapshot{
+            "snapshot", "--drive", first.url(), "--drive", second.url(), "-o", "folder"};
+        const ProgramRun run = box.run(snapshot);
+        VERIFY_CODE(run, 2);
+        const QByteArray drive = "because of the drive at " + second.url().toUtf8() + "\n";
+        QVERIFY2(run.err.contains(drive), run.err.constData());
+        QVERIFY2(run.err.contains("the source of dimension 1 of axis 1 is missing"),
+            run.err.constData());
+        const ProgramRun asJson = box.run(snapshot + QStringList{"--json"});
+        const QJsonObject context =
+            asJson.json().value("error").toObject().value("context").toObject();
+        QCOMPARE(context.value("endpoint").toString(), second.url());
+        QCOMPARE(context.value("ofAxis").toVariant().toInt(), 1);
+    }
+
+    void aSnapshotIsAFolderAndHasAName()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        const ProgramRun stream = box.run({"snapshot", "--drive", drive.url(), "-o", "-"});
+        VERIFY_CODE(stream, 2);
+        QVERIFY2(stream.err.contains("a folder of several files"), stream.err.constData());
+        QVERIFY(!QFile::exists(box.path("-")));
+        const ProgramRun named = box.run({"snapshot", "--drive", drive.url(), "-o", "folder",
+            "--name", QStringLiteral("a") + QChar(0x7f)});
+        VERIFY_CODE(named, 2);
+        QVERIFY2(named.err.contains("a machine cannot be called a"), named.err.constData());
+        QVERIFY(!QFile::exists(box.path("folder")));
+    }
+
     void metricsSayWhatTheDrivesDo()
     {
         const Sandbox box;
@@ -205,6 +246,25 @@ private Q_SLOTS:
         QVERIFY2(withoutAxis.problem.isEmpty(), qPrintable(withoutAxis.problem));
         QCOMPARE(withoutAxis.value("axiscomp_axis_differs", {"name=\"Q\""}), 1.0);
         QCOMPARE(withoutAxis.value("axiscomp_axis_comparable", {"name=\"Q\""}), 0.0);
+    }
+
+    void anotherDriveThanThatOfTheMachineFileIsNotUp()
+    {
+        const Sandbox box;
+        const VirtualDriveProcess drive(box);
+        VERIFY_CODE(box.run({"snapshot", "--drive", drive.url(), "-o", "m"}), 0);
+        QByteArray machine = box.content("m/machine.toml");
+        QVERIFY(machine.contains("serial = 100001"));
+        box.file("m/machine.toml", machine.replace("serial = 100001", "serial = 100002"));
+        const ProgramRun run = box.run({"metrics", "--machine", "m/machine.toml"});
+        VERIFY_CODE(run, 0);
+        const ParsedMetrics metrics(run.out);
+        QVERIFY2(metrics.problem.isEmpty(), qPrintable(metrics.problem));
+        QCOMPARE(metrics.value("axiscomp_drive_up"), 0.0);
+        // It did answer.
+        const QByteArray help = "# HELP axiscomp_drive_up 1: the drive answered, and is the one of "
+                                "the machine file, if there is one.\n";
+        QVERIFY2(run.out.contains(help), run.out.constData());
     }
 
     void anAddressInAMachineFileThatIsNoneDoesNotEndTheMetrics()

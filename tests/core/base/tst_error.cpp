@@ -126,6 +126,9 @@ private Q_SLOTS:
         };
         QVERIFY(said("https://drive:8443").ends_with("give them as https://user:password@host"));
         QVERIFY(said("http://drive").ends_with("give them as http://user:password@host"));
+        const Error wrong{ErrorCode::Unauthorized,
+            {{"endpoint", Verbatim{"https://drive"}}, {"given", Verbatim{"yes"}}}, {}};
+        QVERIFY(sentence(wrong).starts_with("https://drive refuses the user name or the password"));
     }
 
     void theShortFormsHandErrorsOnAndGiveValues()

@@ -30,6 +30,13 @@ std::string withAxis(const std::string& lines)
 
 const std::string axisX = "axis = \"X\"\nfile = \"x.csv\"\nsources = [\"a\"]\n";
 
+/// The second one is in line 10.
+std::string withEndpoints(const std::string& one, const std::string& other)
+{
+    return "version = 1\n[[drive]]\nendpoint = \"" + one + "\"\nserial = 6\n[[drive.axis]]\n"
+        + axisX + "[[drive]]\nendpoint = \"" + other + "\"\nserial = 7\n[[drive.axis]]\n" + axisX;
+}
+
 /// "6:1 Syntax serail|a known key; the nearest is serial", one for each problem.
 QStringList problemsOf(const std::string& text)
 {
@@ -122,15 +129,13 @@ private Q_SLOTS:
 
     void twoPortsOrSchemesOfOneHostAreTwoDrives()
     {
-        const auto withEndpoints = [](const std::string& one, const std::string& other) {
-            return "version = 1\n[[drive]]\nendpoint = \"" + one
-                + "\"\nserial = 6\n[[drive.axis]]\n" + axisX + "[[drive]]\nendpoint = \"" + other
-                + "\"\nserial = 7\n[[drive.axis]]\n" + axisX;
-        };
         QVERIFY(readMachine(withEndpoints("http://a:8080", "http://a:8081")).machine);
         QVERIFY(readMachine(withEndpoints("http://a", "https://a")).machine);
         QVERIFY(readMachine(withEndpoints("http://a:443", "http://a:80")).machine);
         QVERIFY(readMachine(withEndpoints("serial:/dev/ttyS0", "serial:/dev/ttys0")).machine);
+        QVERIFY(readMachine(withEndpoints("http://[::1]:81", "http://[::1]:82")).machine);
+        QVERIFY(readMachine(withEndpoints("http://127.1", "http://127.1:81")).machine);
+        QVERIFY(readMachine(withEndpoints("http://[::1", "http://[::2]")).machine);
     }
 
     void whatIsWrongIsNamedWithItsPlace_data()
@@ -236,6 +241,12 @@ private Q_SLOTS:
                 + axisX + "[[drive]]\nendpoint = \"http://me:se@cret@a/\"\nserial = 7\n"
                 + "[[drive.axis]]\n" + axisX
             << lines({"10:12 Contradiction http://a is a drive in line 3 already|"});
+        QTest::newRow("an IPv6 address in two ways")
+            << withEndpoints("http://[::1]:21200", "http://[0:0:0:0:0:0:0:1]:21200")
+            << lines({"10:12 Contradiction http://[::1]:21200 is a drive in line 3 already|"});
+        QTest::newRow("an IPv4 address in two ways")
+            << withEndpoints("https://127.0.0.1", "https://127.1:443")
+            << lines({"10:12 Contradiction https://127.0.0.1 is a drive in line 3 already|"});
         QTest::newRow("a port with two rates")
             << "version = 1\n[[drive]]\nendpoint = \"serial:/dev/ttyS0\"\nserial = 6\n"
                "[[drive.axis]]\n"

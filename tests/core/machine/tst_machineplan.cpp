@@ -647,6 +647,34 @@ private Q_SLOTS:
         }
     }
 
+    void whatNoMachineFileCanHaveIsSaidOfTheNameOrOfTheDrives()
+    {
+        CompensatorFixture bench;
+        const auto snapshot = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), bench.storeRoot(), "demo:", {});
+        VERIFY_RESULT(snapshot);
+        VERIFY_RESULT(joinSnapshots("Mill", {*snapshot}));
+        const auto named = joinSnapshots("Mi\x7fll", {*snapshot});
+        VERIFY_ERROR(named, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(named.error()).starts_with("a machine cannot be called Mi"));
+        const auto twice = joinSnapshots("Mill", {*snapshot, *snapshot});
+        VERIFY_ERROR(twice, ErrorCode::InvalidArgument);
+        QVERIFY(sentence(twice.error()).starts_with("these drives make no machine: "));
+    }
+
+    void aTableWithoutASourceIsSaidOfItsAxis()
+    {
+        CompensatorFixture bench;
+        const auto written = bench.compensator.write(0, test::exampleRequest());
+        VERIFY_RESULT(written);
+        bench.set("Axes[1]/Parameters/Compensations/Axis/Table", written->now.setup.slot);
+        const auto refused = snapshotDrive(
+            bench.compensator, drivecomm::genericProfile(), bench.storeRoot(), "demo:", {});
+        VERIFY_ERROR(refused, ErrorCode::SourceMissing);
+        QCOMPARE(sentence(refused.error()),
+            std::string("the source of dimension 1 of axis 1 is missing"));
+    }
+
     /// X fails because somebody has changed it, and Y is never come to.
     void anAxisThatWasToBeSwitchedAndWasNotIsNotDone()
     {

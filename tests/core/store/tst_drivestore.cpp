@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/drive/compensation_setup.h"
+#include "core/store/backup_folder.h"
 #include "core/store/drive_store.h"
 #include "core/store/sqlite.h"
 #include "tests/support/file_content.h"
@@ -97,6 +98,7 @@ private Q_SLOTS:
     void backupsOfOneMomentAreKeptApart();
     void newestFiftyOfTheAxisAreKept();
     void backupOfAClockSetBackIsKept();
+    void theNewestBackupsAreThoseMadeLastWhateverTheClockSaid();
     void backupOfAnOpenWriteIsKept();
     void foreignFilesAreLeftAlone();
     void leftoversOfACrashAreRemoved();
@@ -236,6 +238,29 @@ void TestDriveStore::backupOfAClockSetBackIsKept()
     VERIFY_RESULT(file);
     QVERIFY(fs::exists(*file));
     QCOMPARE(namesIn(m_folder / "backups").size(), std::size_t{50});
+}
+
+/// As of a computer whose battery is empty, and which is told the time later.
+void TestDriveStore::theNewestBackupsAreThoseMadeLastWhateverTheClockSaid()
+{
+    std::vector<fs::path> files;
+    const auto make = [&](WallTime time) {
+        const auto file = m_store->saveBackup(backupAt(time));
+        VERIFY_RESULT(file);
+        files.push_back(*file);
+        QVERIFY(m_store->backups(serial, 0).front() == *file);
+    };
+    for (int i = 0; i < 50; ++i)
+        make(start + 1s * i);
+    const WallTime empty = start - 24h * 365;
+    for (const WallTime time : {empty, empty, empty + 1h, empty - 24h, empty})
+        make(time);
+    make(start + 1h);
+    const std::vector<fs::path> newest(files.rbegin(), files.rbegin() + 50);
+    QVERIFY(m_store->backups(serial, 0) == newest);
+    QCOMPARE(files[51].filename(), fs::path("2025-11-21T08-02-23Z-axis0-clock2-2.json"));
+    QCOMPARE(files[53].filename(), fs::path("2025-11-20T08-02-23Z-axis0-clock3.json"));
+    QVERIFY(timeOfBackup(files[51], 0) == empty);
 }
 
 void TestDriveStore::backupOfAnOpenWriteIsKept()

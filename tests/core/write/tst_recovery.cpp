@@ -869,6 +869,51 @@ private Q_SLOTS:
         QVERIFY(!c.isUnfinished());
     }
 
+    /// It can be activated, and is neither finished nor undone: that would need the backup.
+    void aNewStateWithoutTheBackupOfTheOldOneIsSavedByWritingItAgain()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        Interrupted c(6);
+        const TableSlot* slot = drivecomm::genericProfile().slotNamed(c.entry.newSlot);
+        VERIFY_RESULT(c.drive.upload(slot->file, c.wanted.table));
+        VERIFY_RESULT(c.drive.writeRegisters(c.entry.newRegisters));
+        const auto whole = settledStatus(c.compensator, c.storeRoot(), 0, {});
+        VERIFY_RESULT(whole);
+        QVERIFY(whole->settled && !whole->settled->recovery.isBackupUnread);
+        QVERIFY(std::filesystem::remove(c.entry.backup));
+        const auto now = settledStatus(c.compensator, c.storeRoot(), 0, {});
+        VERIFY_RESULT(now);
+        QVERIFY(now->settled && now->settled->outcome == Outcome::NewUnsaved);
+        QVERIFY(now->settled->recovery.isBackupUnread);
+        VERIFY_RESULT(checkMayActivate(*now));
+        for (const Recover way : ways)
+            QVERIFY(!(c.compensator.*way)(c.entry, {}).has_value());
+        WriteRequest again = exampleRequest(2, Persistency::Persistent);
+        again.slot = c.entry.newSlot;
+        VERIFY_RESULT(c.compensator.write(0, again));
+        QVERIFY(!c.isUnfinished());
+        c.drive.reboot();
+        QVERIFY(c.state() == c.wanted);
+    }
+
+    /// The axis uses no table then, as in the new state, and what a slot holds says no more.
+    void halfOfADeletionWithoutTheBackupOfTheOldStateIsNotKnown()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        Begun c(scenarios.back());
+        c.link.beginning = [&c](std::string_view what) {
+            if (what == "write")
+                c.link.failAt(0, LinkFault::DriveGoneAfter);
+        };
+        VERIFY_ERROR(c.write(), ErrorCode::RollbackFailed);
+        c.link.beginning = {};
+        c.link.heal();
+        const JournalEntry entry = *c.store.journal(4711, 0).value();
+        QCOMPARE(c.compensator.settleUnfinished(entry).value(), Outcome::Neither);
+        QVERIFY(std::filesystem::remove(entry.backup));
+        QCOMPARE(c.compensator.settleUnfinished(entry).value(), Outcome::Unknown);
+    }
+
     void halfOfAWriteIsNotActivated()
     {
         Interrupted c;

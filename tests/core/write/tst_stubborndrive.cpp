@@ -328,6 +328,7 @@ private Q_SLOTS:
         VERIFY_ERROR(report, ErrorCode::RollbackFailed);
         QVERIFY(f.state() != f.old);
         QVERIFY(f.isUnfinished());
+        QVERIFY(sentence(report.error()).find("'axiscomp recover' says how") != std::string::npos);
         // Once the drive does what it is told, the way back is still there.
         f.link.ignoresWrite = {};
         VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
@@ -374,6 +375,65 @@ private Q_SLOTS:
         f.link.ignoresWrite = {};
         VERIFY_RESULT(f.compensator.undoUnfinished(*f.store.journal(4711, 0).value()));
         QVERIFY(f.state() == f.old);
+    }
+
+    void whatIsSaidOfADriveThatRefusesIsWhatStatusSays_data()
+    {
+        QTest::addColumn<std::string>("slot");
+        QTest::addColumn<bool>("isAllRefused");
+        QTest::newRow("everything, in turn") << std::string("Small2") << true;
+        QTest::newRow("everything, in place") << std::string("Small1") << true;
+        QTest::newRow("every change, in turn") << std::string("Small2") << false;
+        QTest::newRow("every change, in place") << std::string("Small1") << false;
+    }
+    /// From each exchange on, as a drive does whose password or whose rights were changed.
+    void whatIsSaidOfADriveThatRefusesIsWhatStatusSays()
+    {
+        using Outcome = AxisCompensator::UnfinishedOutcome;
+        QFETCH(std::string, slot);
+        QFETCH(bool, isAllRefused);
+        const bool isInPlace = slot == "Small1";
+        int untouched = 0;
+        int complete = 0;
+        bool isReached = true;
+        for (int at = 1; isReached; ++at) {
+            Written f(drivecomm::genericProfile());
+            const int from = f.link.exchanges() + at;
+            isReached = false;
+            f.link.beginning = [&](std::string_view what) {
+                const bool isRefused = isAllRefused || what == "write" || what == "upload";
+                if (f.link.exchanges() < from || !isRefused)
+                    return;
+                isReached = true;
+                f.link.failAt(0, LinkFault::Refused);
+            };
+            const auto report =
+                f.compensator.write(0, swapped(2, Persistency::Persistent, slot.c_str()));
+            f.link.beginning = {};
+            f.link.heal();
+            if (report)
+                continue;
+            const std::string place = std::to_string(at) + ": " + describe(report.error());
+            const ErrorCode code = report.error().code;
+            const auto entry = f.store.journal(4711, 0).value();
+            if (!entry) {
+                QVERIFY2(f.state() == f.old, place.c_str());
+                continue;
+            }
+            const auto held = f.compensator.settleUnfinished(*entry);
+            VERIFY_RESULT(held);
+            const bool isNew = *held == Outcome::New || *held == Outcome::NewUnsaved;
+            if (code == ErrorCode::OutcomeUnknown)
+                QVERIFY2(isNew || *held == Outcome::Old, place.c_str());
+            else if (code == ErrorCode::RollbackFailed)
+                QVERIFY2(isInPlace && (isAllRefused || !isNew), place.c_str());
+            else
+                QVERIFY2(*held == Outcome::Old && f.state() == f.old, place.c_str());
+            untouched += code == ErrorCode::DriveRejected ? 1 : 0;
+            complete += code == ErrorCode::OutcomeUnknown && isNew ? 1 : 0;
+        }
+        QCOMPARE(untouched > 0, isAllRefused && !isInPlace);
+        QVERIFY(complete > 0);
     }
 
     /// From each exchange of the way back on, after the last step of the write was refused: what is

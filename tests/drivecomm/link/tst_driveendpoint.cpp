@@ -119,6 +119,14 @@ void DriveEndpointTest::refusesWhatIsNoAddress_data()
                             << "port 0";
     QTest::newRow("a port that is none") << "http://drive:70000"
                                          << "http://host";
+    QTest::newRow("a bare @ in a password") << "http://anna:s3@cret@drive"
+                                            << "%40 for @";
+    QTest::newRow("a bare slash in a password") << "http://anna:12/s3cret@drive"
+                                                << "%2F for /";
+    QTest::newRow("a bare number sign in a password") << "http://anna:12#s3cret@drive"
+                                                      << "%23 for #";
+    QTest::newRow("a bare percent sign in a password") << "https://anna:s3%@drive"
+                                                       << "%25 for %";
     QTest::newRow("a blank") << "http://dri ve"
                              << "http://host";
     QTest::newRow("a relative device") << "serial:ttyUSB0"

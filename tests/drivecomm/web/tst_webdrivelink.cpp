@@ -56,6 +56,7 @@ private Q_SLOTS:
     void reportsWhyThereIsNoConnection_data();
     void reportsWhyThereIsNoConnection();
     void keepsThePasswordOutOfErrors();
+    void saysOfAWrongPasswordThatItIsWrong();
     void sendsThePasswordWithEveryRequest();
     void asksForWhatTheDriveSaysItself();
     void countsAxesWithFewRequests();
@@ -104,6 +105,25 @@ void WebDriveLinkTest::keepsThePasswordOutOfErrors()
         QVERIFY(value.english().find("s3cret") == std::string::npos);
     QVERIFY(describe(result.error()).find("s3cret") == std::string::npos);
     VERIFY_ERROR(served.link->identify({}), ErrorCode::Unauthorized);
+}
+
+void WebDriveLinkTest::saysOfAWrongPasswordThatItIsWrong()
+{
+    WebServerOptions options;
+    options.user = "anna";
+    options.password = "right";
+    const ServedDrive served(options);
+    const std::string address = "127.0.0.1:" + std::to_string(served.server->port());
+    for (const char* const given : {"anna:wrong@", "anna@"}) {
+        const auto refused = webLinkTo("http://" + (given + address))->identify({});
+        VERIFY_ERROR(refused, ErrorCode::Unauthorized);
+        const std::string said = sentence(refused.error());
+        QVERIFY2(said.starts_with("http://" + address + " refuses the user name or the password "),
+            said.c_str());
+    }
+    const auto missing = served.link->identify({});
+    VERIFY_ERROR(missing, ErrorCode::Unauthorized);
+    QVERIFY(sentence(missing.error()).ends_with("give them as http://user:password@host"));
 }
 
 void WebDriveLinkTest::sendsThePasswordWithEveryRequest()

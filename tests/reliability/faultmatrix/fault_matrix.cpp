@@ -31,11 +31,10 @@ MatrixFault onWire(
 }
 
 /// From one request on, until the next one or for good.
-MatrixFault whileRequested(
-    const char* name, FaultSpec fault, bool untilNext, const FaultTraits& traits = {})
+MatrixFault whileRequested(const char* name, FaultSpec fault, bool untilNext)
 {
-    return {name, Step::Request, traits,
-        [fault = std::move(fault), untilNext](WriteTrial& trial, int at) {
+    return {
+        name, Step::Request, {}, [fault = std::move(fault), untilNext](WriteTrial& trial, int at) {
             trial.requested = [&trial, fault, untilNext, at, request = 0](bool) mutable {
                 ++request;
                 trial.changeFaults([&](drivecomm::FaultPlan& faults) {
@@ -77,8 +76,7 @@ std::span<const MatrixFault> wireFaults()
         onWire(
             "wire: stores wrong", Step::WriteRequest, Kind::StoresWrong, {.losesCommands = true}),
         whileRequested("wire: refused from here on",
-            {Kind::Reject, 0, std::string(errorName(ErrorCode::DriveRejected))}, false,
-            {.refuses = true}),
+            {Kind::Reject, 0, std::string(errorName(ErrorCode::DriveRejected))}, false),
         whileRequested("wire: reply after the deadline", {Kind::Slow, 2000, {}}, true),
         whileRequested("wire: connection cut", {Kind::DropAfter, 1, {}}, true),
     };

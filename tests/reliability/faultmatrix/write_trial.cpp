@@ -214,7 +214,7 @@ std::string WriteTrial::judge(
             : wrong("it is not the new state");
     switch (report.error().code) {
     case ErrorCode::RollbackFailed:
-        if (!canBeLeftOff() && !traits.reboots && !traits.refuses)
+        if (!canBeLeftOff() && !traits.reboots)
             return wrong("nothing had to be put back that could not be");
         return isOld || isNewNow || isRebooted || isSwitchedOff(now)
             ? ""

@@ -35,7 +35,6 @@ struct HeldStates {
 /// What a fault may bring about beyond a write that fails.
 struct FaultTraits {
     bool reboots = false; ///< what was not persistent is gone
-    bool refuses = false; ///< the drive lets nothing be put back either
     bool losesCommands = false; ///< "saved", says the drive, and nobody can see that it is not
 };
 

@@ -237,6 +237,13 @@ void TestActionRules::reasons_data()
     row("export: unfinished", ready(), Action::ExportConfiguration,
         "An earlier write was interrupted: finish or undo it first.",
         [](S& s) { s.unfinished = Unfinished::Unsaved; });
+    row("import: unfinished, without its backup", ready(), Action::ImportConfiguration,
+        "An earlier write was interrupted, and the backup of the state before it cannot be read: "
+        "write again or restore another backup first.",
+        [](S& s) {
+            s.unfinished = Unfinished::Unsaved;
+            s.isBackupUnread = true;
+        });
     row("import: not connected", ready(), Action::ImportConfiguration,
         "The drive is not connected.", [](S& s) { s.isConnected = false; });
     row("export: busy", ready(), Action::ExportConfiguration, "Please wait: importing parameters.",
