@@ -8797,6 +8797,26 @@
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
         <translation>die Konfiguration nennt für Achse {axis} die Tabelle in {slot}, doch der Antrieb hat dort keine: die Tabelle aus ihrer Datei auf die Achse schreiben und den Tabellenplatz, den sie erhält, in der Konfiguration angeben, oder sie mit &apos;axiscomp write --slot {slot}&apos; in {slot} schreiben</translation>
     </message>
+    <message>
+        <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis: &apos;axiscomp recover&apos; says how the write can be finished or undone. The old state is kept in {backup}</source>
+        <translation>{reason}; auch das Zurückstellen des alten Zustands ist fehlgeschlagen ({rollback}). Die Achse nicht aktivieren: &apos;axiscomp recover&apos; sagt, wie sich der Schreibvorgang vollenden oder rückgängig machen lässt. Der alte Zustand ist aufbewahrt in {backup}</translation>
+    </message>
+    <message>
+        <source>{endpoint} refuses the user name or the password that was given; in an address %40 stands for @, %3A for :, %2F for /, %23 for # and %25 for %</source>
+        <translation>{endpoint} lehnt den angegebenen Benutzernamen oder das Passwort ab; in einer Adresse steht %40 für @, %3A für :, %2F für /, %23 für # und %25 für %</translation>
+    </message>
+    <message>
+        <source>write http://user:password@host[:port], and in user name and password %40 for @, %3A for :, %2F for /, %3F for ?, %23 for # and %25 for %</source>
+        <translation>anzugeben ist http://benutzer:passwort@host[:port], und in Benutzername und Passwort %40 für @, %3A für :, %2F für /, %3F für ?, %23 für # und %25 für %</translation>
+    </message>
+    <message>
+        <source>the source of dimension {dimension} of axis {ofAxis} is missing</source>
+        <translation>die Quelle der Dimension {dimension} von Achse {ofAxis} fehlt</translation>
+    </message>
+    <message>
+        <source>a machine cannot be called {name}: a name has no control characters</source>
+        <translation>eine Maschine kann nicht {name} heißen: ein Name hat keine Steuerzeichen</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12439,6 +12459,10 @@
     <message>
         <source>What an earlier write left is not known: write again or restore another backup.</source>
         <translation>Was ein früherer Schreibvorgang hinterlassen hat, ist nicht bekannt: erneut schreiben oder eine andere Sicherung wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>An earlier write was interrupted, and the backup of the state before it cannot be read: write again or restore another backup first.</source>
+        <translation>Ein früherer Schreibvorgang wurde unterbrochen, und die Sicherung des Zustands davor ist nicht lesbar: zuerst erneut schreiben oder eine andere Sicherung wiederherstellen.</translation>
     </message>
 </context>
 <context>
@@ -16817,6 +16841,10 @@
     <message>
         <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
         <translation>Welchen Zustand der Antrieb hat, ist nicht bekannt, denn die Sicherung des alten ist nicht lesbar: neu schreiben oder eine andere Sicherung wiederherstellen, bevor die Achse aktiviert wird.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved, and the backup of the old state cannot be read: write again to save them, or restore another backup.</source>
+        <translation>Der Antrieb hat den vollständigen neuen Zustand, seine Parameter sind vielleicht nicht gespeichert, und die Sicherung des alten Zustands ist nicht lesbar: erneut schreiben, damit sie gespeichert werden, oder eine andere Sicherung wiederherstellen.</translation>
     </message>
 </context>
 <context>

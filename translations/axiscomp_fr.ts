@@ -8797,6 +8797,26 @@
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
         <translation>la configuration indique la table dans {slot} pour l&apos;axe {axis}, mais le variateur n&apos;y en a pas&#xa0;: écrire la table depuis son fichier sur l&apos;axe et indiquer dans la configuration l&apos;emplacement qu&apos;elle reçoit, ou l&apos;écrire dans {slot} avec &apos;axiscomp write --slot {slot}&apos;</translation>
     </message>
+    <message>
+        <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis: &apos;axiscomp recover&apos; says how the write can be finished or undone. The old state is kept in {backup}</source>
+        <translation>{reason}&#xa0;; la restauration de l&apos;ancien état a échoué elle aussi ({rollback}). Ne pas activer l&apos;axe&#xa0;: &apos;axiscomp recover&apos; indique comment achever ou annuler l&apos;écriture. L&apos;ancien état est conservé dans {backup}</translation>
+    </message>
+    <message>
+        <source>{endpoint} refuses the user name or the password that was given; in an address %40 stands for @, %3A for :, %2F for /, %23 for # and %25 for %</source>
+        <translation>{endpoint} refuse le nom d&apos;utilisateur ou le mot de passe indiqué&#xa0;; dans une adresse, %40 tient lieu de @, %3A de :, %2F de /, %23 de # et %25 de %</translation>
+    </message>
+    <message>
+        <source>write http://user:password@host[:port], and in user name and password %40 for @, %3A for :, %2F for /, %3F for ?, %23 for # and %25 for %</source>
+        <translation>écrire http://utilisateur:motdepasse@hôte[:port], et dans le nom d&apos;utilisateur et le mot de passe %40 pour @, %3A pour :, %2F pour /, %3F pour ?, %23 pour # et %25 pour %</translation>
+    </message>
+    <message>
+        <source>the source of dimension {dimension} of axis {ofAxis} is missing</source>
+        <translation>la source de la dimension {dimension} de l&apos;axe {ofAxis} manque</translation>
+    </message>
+    <message>
+        <source>a machine cannot be called {name}: a name has no control characters</source>
+        <translation>une machine ne peut pas s&apos;appeler {name}&#xa0;: un nom ne contient pas de caractères de contrôle</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12439,6 +12459,10 @@
     <message>
         <source>What an earlier write left is not known: write again or restore another backup.</source>
         <translation>Ce qu&apos;une écriture précédente a laissé n&apos;est pas connu&#xa0;: écrire de nouveau ou restaurer une autre sauvegarde.</translation>
+    </message>
+    <message>
+        <source>An earlier write was interrupted, and the backup of the state before it cannot be read: write again or restore another backup first.</source>
+        <translation>Une écriture précédente a été interrompue, et la sauvegarde de l&apos;état qui la précédait ne peut pas être lue&#xa0;: écrire de nouveau ou restaurer une autre sauvegarde d&apos;abord.</translation>
     </message>
 </context>
 <context>
@@ -16817,6 +16841,10 @@
     <message>
         <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
         <translation>L&apos;état dans lequel se trouve le variateur n&apos;est pas connu, car la sauvegarde de l&apos;ancien état ne peut pas être lue&#xa0;: écrire à nouveau ou restaurer une autre sauvegarde avant d&apos;activer l&apos;axe.</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved, and the backup of the old state cannot be read: write again to save them, or restore another backup.</source>
+        <translation>Le variateur est entièrement dans le nouvel état, mais ses paramètres ne sont peut-être pas enregistrés, et la sauvegarde de l&apos;ancien état ne peut pas être lue&#xa0;: écrire de nouveau pour les enregistrer, ou restaurer une autre sauvegarde.</translation>
     </message>
 </context>
 <context>

@@ -8755,6 +8755,26 @@
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
         <translation>構成では軸 {axis} に {slot} のテーブルが指定されていますが、ドライブのそのスロットにテーブルがありません。ファイルからテーブルを軸に書き込み、割り当てられたスロットを構成に指定するか、&apos;axiscomp write --slot {slot}&apos; で {slot} に書き込んでください</translation>
     </message>
+    <message>
+        <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis: &apos;axiscomp recover&apos; says how the write can be finished or undone. The old state is kept in {backup}</source>
+        <translation>{reason}。旧状態への復帰も失敗しました ({rollback})。軸を有効化しないでください。書き込みを完了または取り消す方法は &apos;axiscomp recover&apos; で確認できます。旧状態は {backup} に保存されています</translation>
+    </message>
+    <message>
+        <source>{endpoint} refuses the user name or the password that was given; in an address %40 stands for @, %3A for :, %2F for /, %23 for # and %25 for %</source>
+        <translation>{endpoint} は指定されたユーザ名またはパスワードを受け付けません。アドレスの中では @ を %40、: を %3A、/ を %2F、# を %23、% を %25 と書きます</translation>
+    </message>
+    <message>
+        <source>write http://user:password@host[:port], and in user name and password %40 for @, %3A for :, %2F for /, %3F for ?, %23 for # and %25 for %</source>
+        <translation>http://user:password@host[:port] と入力し、ユーザ名とパスワードの中では @ を %40、: を %3A、/ を %2F、? を %3F、# を %23、% を %25 と書いてください</translation>
+    </message>
+    <message>
+        <source>the source of dimension {dimension} of axis {ofAxis} is missing</source>
+        <translation>軸 {ofAxis} の次元 {dimension} のソースがありません</translation>
+    </message>
+    <message>
+        <source>a machine cannot be called {name}: a name has no control characters</source>
+        <translation>機械の名前を {name} にすることはできません。名前に制御文字は使えません</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12385,6 +12405,10 @@
     <message>
         <source>What an earlier write left is not known: write again or restore another backup.</source>
         <translation>以前の書き込みで軸がどの状態になったかは不明です。もう一度書き込むか、別のバックアップを復元してください。</translation>
+    </message>
+    <message>
+        <source>An earlier write was interrupted, and the backup of the state before it cannot be read: write again or restore another backup first.</source>
+        <translation>以前の書き込みが中断されており、その前の状態のバックアップを読み取れません。先にもう一度書き込むか、別のバックアップを復元してください。</translation>
     </message>
 </context>
 <context>
@@ -16763,6 +16787,10 @@
     <message>
         <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
         <translation>旧状態のバックアップを読み取れないため、ドライブがどの状態かは不明です。軸を有効化する前に、もう一度書き込むか、別のバックアップを復元してください。</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved, and the backup of the old state cannot be read: write again to save them, or restore another backup.</source>
+        <translation>ドライブは完全な新状態ですが、パラメータが保存されていない可能性があり、旧状態のバックアップを読み取れません。もう一度書き込んで保存するか、別のバックアップを復元してください。</translation>
     </message>
 </context>
 <context>

@@ -8755,6 +8755,26 @@
         <source>the configuration names the table in {slot} for axis {axis}, but the drive has none there: write the table to the axis from its file and name the slot that it gets in the configuration, or write it into {slot} with &apos;axiscomp write --slot {slot}&apos;</source>
         <translation>配置为轴 {axis} 指定了 {slot} 中的表，但驱动器的该表槽中没有表：请从文件将该表写入该轴，并在配置中指定它得到的表槽，或用 &apos;axiscomp write --slot {slot}&apos; 将其写入 {slot}</translation>
     </message>
+    <message>
+        <source>{reason}; putting the old state back failed too ({rollback}). Do not activate the axis: &apos;axiscomp recover&apos; says how the write can be finished or undone. The old state is kept in {backup}</source>
+        <translation>{reason}；恢复旧状态也失败（{rollback}）。不要启用该轴：&apos;axiscomp recover&apos; 会说明如何完成或撤销该写入。旧状态保存在 {backup}</translation>
+    </message>
+    <message>
+        <source>{endpoint} refuses the user name or the password that was given; in an address %40 stands for @, %3A for :, %2F for /, %23 for # and %25 for %</source>
+        <translation>{endpoint} 拒绝所给的用户名或密码；在地址中 @ 写作 %40，: 写作 %3A，/ 写作 %2F，# 写作 %23，% 写作 %25</translation>
+    </message>
+    <message>
+        <source>write http://user:password@host[:port], and in user name and password %40 for @, %3A for :, %2F for /, %3F for ?, %23 for # and %25 for %</source>
+        <translation>请写作 http://用户名:密码@主机[:端口]，用户名和密码中 @ 写作 %40，: 写作 %3A，/ 写作 %2F，? 写作 %3F，# 写作 %23，% 写作 %25</translation>
+    </message>
+    <message>
+        <source>the source of dimension {dimension} of axis {ofAxis} is missing</source>
+        <translation>缺少轴 {ofAxis} 的维度 {dimension} 的源</translation>
+    </message>
+    <message>
+        <source>a machine cannot be called {name}: a name has no control characters</source>
+        <translation>机床不能命名为 {name}：名称中不能有控制字符</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>
@@ -12385,6 +12405,10 @@
     <message>
         <source>What an earlier write left is not known: write again or restore another backup.</source>
         <translation>先前的写入留下了什么状态不得而知：请重新写入，或还原另一个备份。</translation>
+    </message>
+    <message>
+        <source>An earlier write was interrupted, and the backup of the state before it cannot be read: write again or restore another backup first.</source>
+        <translation>先前的写入被中断，且写入前状态的备份无法读取：请先重新写入，或还原另一个备份。</translation>
     </message>
 </context>
 <context>
@@ -16763,6 +16787,10 @@
     <message>
         <source>Which state the drive holds is not known, since the backup of the old one cannot be read: write again or restore another backup before activating the axis.</source>
         <translation>旧状态的备份无法读取，因此不知道驱动器处于哪个状态：启用该轴之前，请重新写入或还原另一个备份。</translation>
+    </message>
+    <message>
+        <source>The drive holds the complete new state, but its parameters may not be saved, and the backup of the old state cannot be read: write again to save them, or restore another backup.</source>
+        <translation>驱动器处于完整的新状态，但其参数可能未保存，且旧状态的备份无法读取：请重新写入以保存参数，或还原另一个备份。</translation>
     </message>
 </context>
 <context>
