@@ -214,6 +214,52 @@ private Q_SLOTS:
         QVERIFY(std::abs(turn.values.front().deviation - 0.001) < 1e-15);
     }
 
+    void aUnitBehindTheNameIsThatOfBrackets_data()
+    {
+        QTest::addColumn<QByteArray>("target");
+        QTest::addColumn<QByteArray>("deviation");
+        for (const auto& [target, deviation] : {std::pair("mm", "um"), {"m", "nm"}, {"INCH", "uin"},
+                 {"in", "mil"}, {"um", "\u00b5m"}, {"rad", "mrad"}, {"deg", "arcsec"}})
+            QTest::addRow("%s", target) << QByteArray(target) << QByteArray(deviation);
+    }
+    /// Any other one is asked for in brackets, and the name stays what it is.
+    void aUnitBehindTheNameIsThatOfBrackets()
+    {
+        QFETCH(const QByteArray, target);
+        QFETCH(const QByteArray, deviation);
+        const auto file = [&](const char* before, const char* behind) {
+            const auto column = [&](const char* name, const QByteArray& unit) {
+                return name + (before + unit + behind);
+            };
+            return ("// values: deviation\n" + column("target", target) + ","
+                + column("up_1", deviation) + "," + column("down1", deviation)
+                + "\n0,0.1,0.2\n1,0.3,0.4\n2,0.5,0.7\n")
+                .toStdString();
+        };
+        const std::string text = file("_", "");
+        const auto format = chooseMeasurementFormat(text, "w.csv", {});
+        VERIFY_RESULT(format);
+        const MeasurementReading behind = (*format)->read(text, {});
+        const MeasurementReading inBrackets = test::readAs("wide", file(" [", "]"));
+        VERIFY_MEASUREMENT(behind);
+        VERIFY_MEASUREMENT(inBrackets);
+        QVERIFY(*behind.measurement == *inBrackets.measurement);
+    }
+
+    void aDirectionBehindTheNameIsNoUnit()
+    {
+        MeasurementReadOptions options;
+        options.columns = *columnMappingFromText("target=place_mm, direction=way, deviation=e_rev");
+        options.valueUnit = "um";
+        const MeasurementReading reading =
+            test::readAs("runs", "place_mm,way,e_rev\n0,-,1\n10,-,2\n", options);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(!reading.measurement->isAngular);
+        QCOMPARE(reading.measurement->targets.back(), 10.0);
+        QCOMPARE(reading.measurement->values.front().deviation, 0.001);
+        QVERIFY(reading.measurement->againstFile.units.empty());
+    }
+
     void temperaturesBecomeDegreesCelsius_data()
     {
         QTest::addColumn<QByteArray>("column");
