@@ -127,7 +127,7 @@ Json numberOrNothing(const Value& value)
 std::string comparisonText(const Measurement& after, const Comparison& comparison)
 {
     const std::string verdict = verdictsText(after, comparison.verdicts)
-        + verdictsText(after, comparison.verdictsOfAllValues, "Verdict of all values");
+        + verdictsText(after, comparison.verdictsOfAllValues, verdictOfAllValuesHeading);
     return warningsText(comparison) + sideBySide(after.isAngular, comparison)
         + allValuesText(after.isAngular, comparison) + promiseText(after.isAngular, comparison)
         + hintsText(comparison) + residualText(after, comparison) + verdict;

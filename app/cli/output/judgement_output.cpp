@@ -326,7 +326,8 @@ std::string judgementText(const Measurement& measurement, const Judgement& judge
     if (judgement.vdi)
         text += vdiText(measurement, *judgement.vdi);
     text += conditionsText(judgement.compliance);
-    return text + verdictsText(measurement, judgement.verdicts);
+    return text + verdictsText(measurement, judgement.verdicts)
+        + verdictsText(measurement, judgement.verdictsOfAllValues, verdictOfAllValuesHeading);
 }
 
 Json axisFiguresJson(const Iso230Figures& figures)
@@ -367,6 +368,7 @@ Json judgementJson(const Measurement& measurement, const Judgement& judgement)
         {"contradictions", textsJson(judgement.published.contradictions)},
         {"compliance", complianceJson(judgement.compliance)},
         {"verdict", verdictsJson(judgement.verdicts)},
+        {"verdictOfAllValues", verdictsJson(judgement.verdictsOfAllValues)},
         {"warnings", warningsJson(judgement.warnings)}};
 }
 

@@ -19,6 +19,7 @@ namespace axiscomp::app {
 
 /// {"B", "Bmean", "M", "EUp", ...}; null: not defined.
 [[nodiscard]] Json axisFiguresJson(const Iso230Figures& figures);
+inline constexpr const char* verdictOfAllValuesHeading = "Verdict of all values";
 /// A table of them with a heading; empty without any.
 [[nodiscard]] std::string verdictsText(const Measurement& measurement,
     const std::vector<Verdict>& verdicts, const std::string& heading = "Verdict");

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -193,15 +194,35 @@ void addTolerances(ReportContent& content, const CalibrationRecord& record)
 }
 
 /// Records of older programs have measurements that compareMeasurements refuses by now.
+void warnOfOtherTargets(ReportContent& content, const Measurement& before, const Measurement& after)
+{
+    const auto lesser = lesserRange(before, after);
+    if (lesser)
+        content.warnings.push_back({"LesserRange", lesserRangeText(*lesser, content.isAngular)});
+    if (auto wider = widerTargetsText(before, after))
+        content.warnings.push_back({"WiderTargets", std::move(*wider)});
+}
+
+void warnOfOtherVerdict(ReportContent& content, const Measurement& last)
+{
+    const auto ofAllValues = figuresOfAllValues(content, last);
+    if (!ofAllValues)
+        return;
+    const auto verdictsOf = [&content](const Iso230Figures& figures) {
+        return verdicts(figures, content.tolerances, content.uncertainty);
+    };
+    std::ranges::move(otherVerdicts(verdictsOf(figuresBy(content, last)), verdictsOf(*ofAllValues),
+                          content.isAngular, UnitLetters::Page),
+        std::back_inserter(content.warnings));
+}
+
 void addWarnings(ReportContent& content)
 {
-    if (!content.before || !content.after)
-        return;
-    const auto lesser = lesserRange(content.before->measurement, content.after->measurement);
-    if (lesser)
-        content.warnings.push_back(lesserRangeText(*lesser, content.isAngular));
-    if (auto wider = widerTargetsText(content.before->measurement, content.after->measurement))
-        content.warnings.push_back(std::move(*wider));
+    if (content.before && content.after)
+        warnOfOtherTargets(content, content.before->measurement, content.after->measurement);
+    const auto& last = content.after ? content.after : content.before;
+    if (last && last->measurement.hasTargets())
+        warnOfOtherVerdict(content, last->measurement);
 }
 
 } // namespace
@@ -222,7 +243,6 @@ Result<ReportContent> reportContent(
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);
-    addWarnings(content);
     if (record.drive) {
         content.drive = record.drive->name;
         content.driveSerial = std::to_string(record.drive->serialNumber);
@@ -242,6 +262,7 @@ Result<ReportContent> reportContent(
     content.isByTemperature = record.fit && record.fit->settings.isByTemperature;
     addTable(content, record);
     addTolerances(content, record);
+    addWarnings(content);
     for (const std::string& note : record.notes)
         content.notes.push_back(statedText(note));
     return content;

@@ -5,6 +5,7 @@
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/metrology/report/deviation_plot.h"
 #include "core/metrology/report/report_text.h"
+#include "core/metrology/run_selection.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -27,7 +28,13 @@ constexpr std::size_t mostTables = 4;
 struct Judged {
     const ReportMeasurement* reported = nullptr; ///< null: not on record
     Iso230Figures figures;
+    std::optional<Iso230Figures> ofAllValues; ///< only where values are left out
     DeviationCurves curves;
+
+    [[nodiscard]] const Iso230Figures& ofAll() const
+    {
+        return ofAllValues ? *ofAllValues : figures;
+    }
 };
 
 Judged judged(const ReportContent& content, const std::optional<ReportMeasurement>& reported)
@@ -38,6 +45,7 @@ Judged judged(const ReportContent& content, const std::optional<ReportMeasuremen
     result.reported = &*reported;
     if (reported->measurement.hasTargets()) {
         result.figures = figuresBy(content, reported->measurement);
+        result.ofAllValues = figuresOfAllValues(content, reported->measurement);
         result.curves = deviationCurves(reported->measurement, result.figures);
     }
     return result;
@@ -129,9 +137,10 @@ private:
             paragraph(AXISCOMP_TEXT("Report", "The accuracy A before is not defined."), true);
         if (m_after.reported && !(before && after))
             addDefinedOutcome();
-        for (const Text& warning : m_content.warnings)
+        addOutcomeOfAllValues();
+        for (const JudgeWarning& warning : m_content.warnings)
             paragraph(
-                AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning), true);
+                AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning.text), true);
     }
 
     /// With one run alone A is not defined, and what is systematic still is.
@@ -150,6 +159,30 @@ private:
             return;
         }
     }
+
+    /// Who reads that sentence alone has to know that values were chosen.
+    void addOutcomeOfAllValues()
+    {
+        const auto& before = m_before.ofAll()[Iso230Figure::A].value;
+        const auto& after = m_after.ofAll()[Iso230Figure::A].value;
+        if (!hasExcluded() || !(before || after))
+            return;
+        if (m_after.reported)
+            paragraph(AXISCOMP_TEXT("Report",
+                          "Accuracy A of all values, with those that are left out: {before} "
+                          "before, {after} after.")
+                          .with("before", fine(before))
+                          .with("after", fine(after)),
+                true);
+        else
+            paragraph(AXISCOMP_TEXT("Report",
+                          "Accuracy A of all values, with those that are left out: {before} "
+                          "before.")
+                          .with("before", fine(before)),
+                true);
+    }
+
+    [[nodiscard]] bool hasExcluded() const { return m_before.ofAllValues || m_after.ofAllValues; }
 
     void addMachine()
     {
@@ -381,12 +414,20 @@ private:
         table.header = {Text(), AXISCOMP_TEXT("Report", "before"),
             AXISCOMP_TEXT("Report", "predicted"), AXISCOMP_TEXT("Report", "held out"),
             AXISCOMP_TEXT("Report", "after")};
+        if (hasExcluded())
+            table.header.insert(table.header.end(),
+                {AXISCOMP_TEXT("Report", "before, all values"),
+                    AXISCOMP_TEXT("Report", "after, all values")});
         for (const Iso230Figure figure : shownIso230Figures()) {
-            const auto measured = [&](const Judged& one) {
-                return one.reported ? cell(unit, one.figures[figure].value) : notStated();
+            const auto measured = [&](const Judged& one, const Iso230Figures& figures) {
+                return one.reported ? cell(unit, figures[figure].value) : notStated();
             };
-            table.rows.push_back({figureText(figure), measured(m_before),
-                predictedCell(unit, figure), heldOutCell(unit, figure), measured(m_after)});
+            auto& row = table.rows.emplace_back(std::vector<Text>{figureText(figure),
+                measured(m_before, m_before.figures), predictedCell(unit, figure),
+                heldOutCell(unit, figure), measured(m_after, m_after.figures)});
+            if (hasExcluded())
+                for (const Judged* one : {&m_before, &m_after})
+                    row.push_back(measured(*one, one->ofAll()));
         }
         m_document.blocks.emplace_back(std::move(table));
         if (m_content.isByTemperature)
@@ -408,7 +449,8 @@ private:
         for (const Iso230Figure figure : allIso230Figures()) {
             for (const Judged* one : {&m_before, &m_after})
                 if (one->reported)
-                    shown.push_back(one->figures[figure].value);
+                    shown.insert(
+                        shown.end(), {one->figures[figure].value, one->ofAll()[figure].value});
             if (const auto& prediction = m_content.prediction)
                 shown.push_back(prediction->figures[static_cast<std::size_t>(figure)]);
         }
@@ -462,7 +504,31 @@ private:
                 verdict.value ? text(shown.value, *verdict.value) : fine(verdict.value),
                 text(shown.limit, limit), uncertainty, verdictText(verdict.result)});
         }
+        addVerdictsOfAllValues(table, isAfter ? m_after : m_before);
         m_document.blocks.emplace_back(std::move(table));
+    }
+
+    /// Beside those of the values in use.
+    void addVerdictsOfAllValues(ReportTable& table, const Judged& judged) const
+    {
+        if (!judged.ofAllValues)
+            return;
+        table.header.insert(table.header.end(),
+            {AXISCOMP_TEXT("Report", "all values"),
+                AXISCOMP_TEXT("Report", "verdict, all values")});
+        const auto ofAll =
+            verdicts(*judged.ofAllValues, m_content.tolerances, m_content.uncertainty);
+        for (std::size_t n = 0; n < ofAll.size(); ++n) {
+            const auto& value = ofAll[n].value;
+            const double limit = ofAll[n].tolerance.value;
+            const auto shown =
+                comparedDigits(value.value_or(limit), limit, m_content.isAngular, figureDecimals);
+            table.rows[n].insert(table.rows[n].end(),
+                {value ? quantityText(
+                     shown.value.digits(*value, shown.decimals), shown.value.symbol)
+                       : fine(value),
+                    verdictText(ofAll[n].result)});
+        }
     }
 
     void addTable()
@@ -592,14 +658,26 @@ private:
     {
         m_document.blocks.emplace_back(ReportPageBreak{});
         if (hasPlot(m_before))
-            addTargets(AXISCOMP_TEXT("Report", "Targets before, in {unit}"), m_before);
+            addTargets(AXISCOMP_TEXT("Report", "Targets before, in {unit}"),
+                AXISCOMP_TEXT("Report", "Targets before, all values, in {unit}"), m_before);
         if (hasPlot(m_after))
-            addTargets(AXISCOMP_TEXT("Report", "Targets after, in {unit}"), m_after);
+            addTargets(AXISCOMP_TEXT("Report", "Targets after, in {unit}"),
+                AXISCOMP_TEXT("Report", "Targets after, all values, in {unit}"), m_after);
     }
 
-    void addTargets(const TextPattern& name, const Judged& one)
+    void addTargets(const TextPattern& name, const TextPattern& nameOfAll, const Judged& one)
     {
-        const FineUnit unit = fineUnit(valuesOfTargets(one.figures), m_content.isAngular);
+        addTargets(name, one.figures);
+        if (auto list = exclusions(one.reported->measurement); !list.empty())
+            paragraph(
+                AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
+        if (one.ofAllValues)
+            addTargets(nameOfAll, *one.ofAllValues);
+    }
+
+    void addTargets(const TextPattern& name, const Iso230Figures& figures)
+    {
+        const FineUnit unit = fineUnit(valuesOfTargets(figures), m_content.isAngular);
         m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{unit.symbol})});
         ReportTable table;
         table.hasNumbers = true;
@@ -609,16 +687,13 @@ private:
             AXISCOMP_TEXT("Report", "s ↑"), AXISCOMP_TEXT("Report", "values ↓"),
             AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
             Verbatim{"R"}};
-        for (const TargetFigures& target : one.figures.targets)
+        for (const TargetFigures& target : figures.targets)
             table.rows.push_back({quantityText(roundedText(target.position), ""),
                 numberText(static_cast<double>(target.up.n), 0), cell(unit, target.up.mean),
                 cell(unit, target.up.s), numberText(static_cast<double>(target.down.n), 0),
                 cell(unit, target.down.mean), cell(unit, target.down.s),
                 cell(unit, target.reversal), cell(unit, target.repeatability)});
         m_document.blocks.emplace_back(std::move(table));
-        if (auto list = exclusions(one.reported->measurement); !list.empty())
-            paragraph(
-                AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
     }
 
     const ReportContent& m_content;
@@ -633,6 +708,14 @@ private:
 Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement)
 {
     return figuresOfFit(measurement, content.isByTemperature);
+}
+
+std::optional<Iso230Figures> figuresOfAllValues(
+    const ReportContent& content, const Measurement& measurement)
+{
+    if (measurement.excludedCount() == 0)
+        return std::nullopt;
+    return figuresBy(content, withAllValues(measurement));
 }
 
 ReportDocument reportDocument(const ReportContent& content, const ReportOptions& options)

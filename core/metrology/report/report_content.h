@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/metrology/judge/iso230.h"
-#include "core/metrology/judge/uncertainty.h"
+#include "core/metrology/judge/judgement.h"
 #include "core/metrology/report/report_document.h"
 #include "core/table/grid.h"
 
@@ -76,7 +75,7 @@ struct ReportContent {
     Text sign; ///< what the drive will add where, in numbers
     std::vector<Tolerance> tolerances;
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
-    std::vector<Text> warnings; ///< without which no figure is to be read
+    std::vector<JudgeWarning> warnings; ///< without which no figure is to be read
     std::vector<Text> notes;
     std::vector<ReportInput> inputs;
     std::string programVersion;
@@ -89,6 +88,9 @@ struct ReportOptions {
 
 /// The figures of one of its measurements by the rule that those of the prediction are made by.
 [[nodiscard]] Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement);
+/// As if nothing were left out. Nothing: nothing is.
+[[nodiscard]] std::optional<Iso230Figures> figuresOfAllValues(
+    const ReportContent& content, const Measurement& measurement);
 
 /// The page: one of A4 without lists, however much is on record.
 [[nodiscard]] ReportDocument reportDocument(

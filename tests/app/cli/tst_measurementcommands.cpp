@@ -349,8 +349,8 @@ private Q_SLOTS:
         QCOMPARE(json.keys(),
             (QStringList{"axis", "axisOfAllValues", "compliance", "contradictions", "corrections",
                 "drift", "excluded", "outliers", "perTarget", "published", "runs", "source",
-                "standard", "targets", "uncertainty", "unit", "vdi3441", "verdict", "warnings",
-                "where"}));
+                "standard", "targets", "uncertainty", "unit", "vdi3441", "verdict",
+                "verdictOfAllValues", "warnings", "where"}));
         const QJsonObject axis = json.value("axis").toObject();
         QVERIFY(std::abs(axis.value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("where").toObject().value("B").toInt(), 5);
@@ -407,14 +407,21 @@ private Q_SLOTS:
     void excludedValuesAreSaidWithBothVersions()
     {
         const Sandbox box;
-        const ProgramRun run =
-            box.run({"judge", publicFile("ess_mcu1025.csv"), "--exclude", "down:1:1,down:2:1"});
+        const QStringList words{"judge", publicFile("ess_mcu1025.csv"), "--exclude",
+            "down:1:1,down:2:1", "--tolerance", "A=100um"};
+        const ProgramRun run = box.run(words);
         VERIFY_CODE(run, 0);
         QVERIFY2(run.out.contains("2 values excluded, not an evaluation by ISO 230-2"),
             run.out.constData());
         QVERIFY(run.out.contains("89.265"));
         QVERIFY(run.out.contains("204.759"));
         QVERIFY2(run.err.contains("warning: 2 values excluded"), run.err.constData());
+        QVERIFY2(run.err.contains("warning: of all values accuracy A is 204.759 um"),
+            run.err.constData());
+        QVERIFY2(run.out.contains("Verdict of all values"), run.out.constData());
+        const QJsonObject json = box.run(words + QStringList{"--json"}).json();
+        const auto verdict = json.value("verdictOfAllValues").toArray().at(0).toObject();
+        QCOMPARE(verdict.value("result").toString(), "failed");
     }
 
     void targetsWriteAPlanOrAProgram()

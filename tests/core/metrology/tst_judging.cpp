@@ -2,6 +2,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/judgement.h"
+#include "core/metrology/run_selection.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 
@@ -579,6 +580,30 @@ private Q_SLOTS:
         QVERIFY(std::abs(value(*judgement.ofAllValues, Figure::A) - 0.1257168) < tolerance);
         QVERIFY(judgement.withoutOffsets.has_value());
         QVERIFY(judgement.isWithinTolerances());
+        QVERIFY(judgement.verdictsOfAllValues.empty());
+    }
+
+    /// Without the two that do not fit, A is 89.27 um in place of 204.76, and R 58.28 um.
+    void aVerdictThatAllValuesWouldChangeIsAWarning()
+    {
+        Measurement measurement = publicRuns("ess_mcu1025.csv");
+        JudgeOptions options;
+        options.tolerances = {{Figure::A, 0.1}, {Figure::R, 0.3}};
+        QVERIFY(judge(measurement, options).verdictsOfAllValues.empty());
+        const std::array unfit{Exclusion{Approach::Down, 1, 1}, Exclusion{Approach::Down, 2, 1}};
+        VERIFY_RESULT(exclude(measurement, unfit));
+        const Judgement judgement = judge(measurement, options);
+        QVERIFY(judgement.isWithinTolerances());
+        QCOMPARE(judgement.verdictsOfAllValues.size(), std::size_t{2});
+        QCOMPARE(judgement.verdictsOfAllValues[0].result, VerdictResult::Failed);
+        QCOMPARE(judgement.verdictsOfAllValues[1].result, VerdictResult::Passed);
+        std::vector<std::string> said;
+        for (const JudgeWarning& warning : judgement.warnings)
+            if (warning.name == "OtherVerdict")
+                said.push_back(warning.text.english());
+        QCOMPARE(said,
+            (std::vector<std::string>{
+                "of all values accuracy A is 204.759 um (tolerance 100.000 um: failed)"}));
     }
 };
 

@@ -229,6 +229,19 @@ private Q_SLOTS:
             QStringLiteral("Figures of ISO 230-2:2014"));
     }
 
+    void aToleranceThatOnlyTheChosenValuesMeetIsSaid()
+    {
+        PageFixture bench;
+        QVERIFY(judge(bench, "ess_mcu1025"));
+        QVERIFY(bench.user.enter("toleranceA", QStringLiteral("100")));
+        QTRY_VERIFY(cell(bench, "figures", 0, 4).startsWith(QStringLiteral("failed")));
+        QVERIFY(bench.user.click("excludeProposed"));
+        QTRY_VERIFY(cell(bench, "figures", 0, 4).startsWith(QStringLiteral("passed")));
+        QVERIFY2(hint(bench).startsWith(QStringLiteral("Of all values accuracy A is 204.7")),
+            qPrintable(hint(bench)));
+        QCOMPARE(tabsOf(bench).mark(PageTabs::Judge), PageTabs::Mark::Warning);
+    }
+
     void whatIsExcludedIsUsedAgainFromTheList()
     {
         PageFixture bench;

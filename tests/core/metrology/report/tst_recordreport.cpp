@@ -74,8 +74,37 @@ private Q_SLOTS:
         content = reportContent(record, "1");
         VERIFY_RESULT(content);
         QCOMPARE(content->warnings.size(), std::size_t{1});
-        const std::string said = content->warnings[0].english();
+        QCOMPARE(content->warnings[0].name, std::string_view("LesserRange"));
+        const std::string said = content->warnings[0].text.english();
         QVERIFY2(said.find("second one from 10") != std::string::npos, said.c_str());
+    }
+
+    /// Of the last measurement: a report is what an acceptance is filed with.
+    void aVerdictThatAllValuesWouldChangeIsSaid()
+    {
+        CalibrationRecord record = plainRecord();
+        record.judging.emplace();
+        record.judging->tolerances = {{Iso230Figure::A, 0.02}, {Iso230Figure::R, 1.0}};
+        record.after = {RecordedAfter{*record.before, {}}};
+        const auto warnings = [&] {
+            std::vector<std::string> said;
+            if (const auto content = reportContent(record, "1"))
+                for (const JudgeWarning& warning : content->warnings)
+                    said.push_back(std::string(warning.name) + ": " + warning.text.english());
+            return said;
+        };
+        QCOMPARE(warnings(), std::vector<std::string>{}); // A is 18.571 um
+        record.after[0].measurement.files[0].measurement.values[7].deviation = 0.05;
+        QCOMPARE(warnings(), std::vector<std::string>{}); // it fails, and so it says
+        record.after[0].measurement.exclusions = {{Approach::Up, 2, 3}};
+        const auto said = warnings();
+        QCOMPARE(said.size(), std::size_t{1});
+        QVERIFY2(said[0].find("OtherVerdict: of all values accuracy A is ") == 0
+                && said[0].find("(tolerance 20.000 µm: failed)") != std::string::npos,
+            said[0].c_str());
+        record.before = record.after[0].measurement;
+        record.after.clear();
+        QCOMPARE(warnings(), said);
     }
 
     void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable_data()

@@ -240,11 +240,45 @@ private Q_SLOTS:
     void aWarningStandsBesideTheOutcome()
     {
         ReportContent content = wholeContent();
-        content.warnings = {words("measured over less of the axis")};
+        content.warnings = {{"LesserRange", words("measured over less of the axis")}};
         const QStringList texts = textsOf(htmlOf(content));
         const auto warning =
             texts.indexOf(QStringLiteral("Warning: measured over less of the axis."));
         QVERIFY(warning > 0 && warning < texts.indexOf(QStringLiteral("Measurements")));
+    }
+
+    /// A value that fails the tolerance, and is left out.
+    void figuresAndVerdictOfAllValuesStandBesideTheOthers()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        QVERIFY(!htmlOf(content, {true}).contains(QStringLiteral("all values")));
+        Measurement& after = content.after->measurement;
+        after.values[7].deviation = 0.05;
+        const Iso230Figures all = iso230Figures(after);
+        after.values[7].isUsed = false;
+        const auto shown = [](const Iso230Figures& figures) {
+            return QString::number(1e3 * figures[Iso230Figure::A].value.value_or(0.0), 'f', 2);
+        };
+        const QString others = shown(iso230Figures(after));
+        const QString html = htmlOf(content);
+        QVERIFY(html.contains(QStringLiteral("Accuracy A of all values, with those that are left "
+                                             "out: 18.57 µm before, %1 µm after.")
+                                  .arg(shown(all))));
+        QVERIFY(html.contains(QStringLiteral("<th scope=\"col\">before, all values</th>"
+                                             "<th scope=\"col\">after, all values</th>")));
+        QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
+            (QStringList{QStringLiteral("accuracy A"), QStringLiteral("18.57"),
+                QStringLiteral("8.35"), QStringLiteral("–"), others, QStringLiteral("18.57"),
+                shown(all)}));
+        const QString text = textsOf(html).join(u'|');
+        QVERIFY2(
+            text.contains(QStringLiteral("accuracy A|%1 µm|5.00 µm|1.10 µm|passed|%2 µm|failed")
+                              .arg(others, shown(all))),
+            qPrintable(text));
+        QVERIFY(!html.contains(QStringLiteral("Targets after, all values")));
+        QVERIFY(
+            htmlOf(content, {true}).contains(QStringLiteral("Targets after, all values, in µm")));
     }
 
     /// To one scale: from 15 to 111.6 mm, of which the first one measured 15 to 55.8.
