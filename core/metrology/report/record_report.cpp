@@ -42,6 +42,7 @@ Result<ReportMeasurement> measured(const RecordedMeasurement& recorded, const Fi
     result.corrections = correctionsOnRecord(recorded.corrections, made, fit);
     result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
+    result.datum = statedDatum(recorded.corrections.temperature);
     return result;
 }
 

@@ -46,7 +46,6 @@ Judged judged(const ReportContent& content, const std::optional<ReportMeasuremen
     if (reported->measurement.hasTargets()) {
         result.figures = figuresBy(content, reported->measurement);
         result.ofAllValues = figuresOfAllValues(content, reported->measurement);
-        result.curves = deviationCurves(reported->measurement, result.figures);
     }
     return result;
 }
@@ -59,6 +58,7 @@ public:
         , m_before(judged(content, content.before))
         , m_after(judged(content, content.after))
     {
+        placeCurves();
     }
 
     ReportDocument written()
@@ -79,6 +79,20 @@ public:
     }
 
 private:
+    /// The zero of an instrument is arbitrary, and may be another one in each measurement.
+    void placeCurves()
+    {
+        std::optional<double> stated;
+        for (const Judged* one : {&m_before, &m_after})
+            if (one->reported && !stated)
+                stated = one->reported->datum;
+        const TwoDatums datums = deviationDatums(m_before.figures, m_after.figures, stated);
+        for (const auto& [one, datum] :
+            {std::pair(&m_before, &datums.before), std::pair(&m_after, &datums.after)})
+            if (hasPlot(*one))
+                one->curves = deviationCurves(one->reported->measurement, one->figures, *datum);
+    }
+
     [[nodiscard]] Text title() const
     {
         if (m_content.corrected.empty())
@@ -234,11 +248,6 @@ private:
         row(AXISCOMP_TEXT("Report", "Left out"),
             [&](const ReportMeasurement& one) { return exclusionsText(one.measurement); });
         m_document.blocks.emplace_back(std::move(table));
-    }
-
-    [[nodiscard]] static Text listText(std::vector<Text> items)
-    {
-        return Text({"", "{items}", nullptr}, {{"items", std::move(items)}});
     }
 
     [[nodiscard]] static Text environmentText(const Measurement& measurement)
@@ -667,18 +676,21 @@ private:
 
     void addTargets(const TextPattern& name, const TextPattern& nameOfAll, const Judged& one)
     {
-        addTargets(name, one.figures);
+        addTargets(name, one.figures, one.curves.datum);
         if (auto list = exclusions(one.reported->measurement); !list.empty())
             paragraph(
                 AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
         if (one.ofAllValues)
-            addTargets(nameOfAll, *one.ofAllValues);
+            addTargets(nameOfAll, *one.ofAllValues, one.curves.datum);
     }
 
-    void addTargets(const TextPattern& name, const Iso230Figures& figures)
+    void addTargets(const TextPattern& name, const Iso230Figures& measured,
+        const std::optional<PlacedDeviation>& datum)
     {
+        const Iso230Figures figures = fromDatum(measured, datum);
         const FineUnit unit = fineUnit(valuesOfTargets(figures), m_content.isAngular);
-        m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{unit.symbol})});
+        m_document.blocks.emplace_back(
+            ReportHeading{name.with("unit", deviationUnitText(unit, datum, m_content.isAngular))});
         ReportTable table;
         table.hasNumbers = true;
         table.header = {AXISCOMP_TEXT("Report", "target in {unit}")

@@ -30,6 +30,8 @@ struct ReportMeasurement {
     bool areCorrectionsKnown = false;
     /// CRC-32 of the table that was active as a person has stated it; nothing: nobody has.
     std::optional<std::uint32_t> statedTable = {};
+    /// Position, in mm, that was stated as the datum; nothing: none.
+    std::optional<double> datum = {};
 };
 
 struct ReportPrediction {

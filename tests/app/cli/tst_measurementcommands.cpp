@@ -88,6 +88,32 @@ private Q_SLOTS:
             text.contains("0.700 nm 5.000 nm uncertainty not stated passed"), run.out.constData());
     }
 
+    /// Set to zero 12.5 mm away. Documents have the values as they were read.
+    void theZeroOfTheInstrumentIsInNoList()
+    {
+        const Sandbox box;
+        const QString file = box.file("zero.csv",
+            "target [mm],direction,run,deviation [um]\n0,+,1,12500\n10,+,1,12502\n"
+            "0,-,1,12501\n10,-,1,12505\n");
+        const ProgramRun judged = box.run({"judge", file});
+        VERIFY_CODE(judged, 0);
+        const QString targets = QString::fromUtf8(judged.out).simplified();
+        QVERIFY2(targets.contains("Targets, in um, 0 = mean at 0 mm"), judged.out.constData());
+        QVERIFY2(targets.contains("1 0 1 -0.500 - 1 0.500 - 0.000 -1.000 - "
+                                  "2 10 1 1.500 - 1 4.500 - 3.000 -3.000 -"),
+            judged.out.constData());
+        const ProgramRun compared = box.run({"compare", file, file});
+        VERIFY_CODE(compared, 0);
+        const QString left = QString::fromUtf8(compared.out).simplified();
+        QVERIFY2(
+            left.contains("What is left at the targets, in um, 0 = mean at 0 mm target [mm] left "
+                          "standard error 0 0.000 - 10 3.000 -"),
+            compared.out.constData());
+        const QJsonObject json = box.run({"compare", file, file, "--json"}).json();
+        const auto first = json.value("residual").toArray().at(0).toObject();
+        QVERIFY(std::abs(first.value("value").toDouble() - 12.5005) < 1e-9);
+    }
+
     void aComparisonHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;

@@ -79,6 +79,21 @@ private Q_SLOTS:
         QVERIFY2(said.find("second one from 10") != std::string::npos, said.c_str());
     }
 
+    void theDatumOfACorrectionIsThatOfThePlots()
+    {
+        CalibrationRecord record = plainRecord();
+        TemperatureCorrection& temperature = record.before->corrections.temperature.emplace();
+        temperature.expansionPerKelvin = 11.5e-6;
+        temperature.isConfirmed = true;
+        temperature.datum = 35.4;
+        record.after = {RecordedAfter{*record.before, {}}};
+        record.after[0].measurement.corrections.temperature.reset();
+        const auto content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->before->datum, std::optional(35.4));
+        QVERIFY(!content->after->datum);
+    }
+
     /// Of the last measurement: a report is what an acceptance is filed with.
     void aVerdictThatAllValuesWouldChangeIsSaid()
     {

@@ -390,12 +390,13 @@ private Q_SLOTS:
         const Svg svg = svgOf(htmlOf(content), 0);
         QVERIFY(svg.ticks.size() >= 3);
         const QList<double> means{2.25, 0.394, 2.084, -9.02, 6.032}; // of the five runs up, in um
+        const double datum = 3.226; // the mean of both directions at the first target
         bool hasThem = false;
         for (const QString& line : svg.lines) {
             const QList<double> heights = heightsOf(line);
             bool isSame = heights.size() == means.size();
             for (qsizetype i = 0; isSame && i < means.size(); ++i)
-                isSame = std::abs(svg.deviation(heights[i]) - means[i]) < 0.02;
+                isSame = std::abs(svg.deviation(heights[i]) - (means[i] - datum)) < 0.02;
             hasThem = hasThem || isSame;
         }
         QVERIFY(hasThem);
@@ -425,6 +426,27 @@ private Q_SLOTS:
         const Svg before = svgOf(html, 0);
         QVERIFY(before.ticks.size() >= 3);
         QCOMPARE(svgOf(html, 1).ticks, before.ticks);
+    }
+
+    /// A compensation that has done nothing looked like one that took 12.5 mm away.
+    void theZeroOfTheInstrumentIsNotDrawn()
+    {
+        ReportContent content = wholeContent();
+        const auto plots = [&content] {
+            const QString html = htmlOf(content);
+            return QStringList() << svgOf(html, 0).lines << svgOf(html, 1).lines;
+        };
+        const QStringList without = plots();
+        QVERIFY(without.size() > 20);
+        for (RunValue& value : content.after->measurement.values)
+            value.deviation += 12.5;
+        QCOMPARE(plots(), without);
+        QCOMPARE(htmlOf(content).count(QStringLiteral("Deviation in µm, 0 = mean at 15 mm")), 2);
+        content.before->datum = 45.6;
+        const QString html = htmlOf(content, {true});
+        QCOMPARE(html.count(QStringLiteral("Deviation in µm, 0 = mean at 45.6 mm")), 2);
+        QVERIFY(html.contains(QStringLiteral("Targets after, in µm, 0 = mean at 45.6 mm")));
+        QVERIFY(!html.contains(QStringLiteral("12500.")));
     }
 
     void allOfACurveIsWithinItsFrame()
