@@ -2,6 +2,7 @@
 #include "core/metrology/judge/judgement.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/joined_files.h"
 
 #include <algorithm>
 #include <iterator>
@@ -48,6 +49,18 @@ void warnOfUndecided(Judgement& result, const DirectionOutliers& outliers, Appro
         {"OutliersNotTested", pattern.with("direction", approachText(direction))});
 }
 
+/// "M1 (file 1)", "M2 (file 3)"
+std::vector<Text> statementTexts(const TextsOfFiles& said)
+{
+    std::vector<Text> texts;
+    for (const auto& each : said)
+        if (!each.said.empty())
+            texts.push_back(AXISCOMP_TEXT("Measurement", "{said} (file {file})")
+                                .with("said", each.said)
+                                .with("file", each.files.front() + 1));
+    return texts;
+}
+
 Text verdictOfAllText(const Verdict& verdict, bool isAngular, UnitLetters letters)
 {
     const double limit = verdict.tolerance.value;
@@ -85,6 +98,22 @@ Text excludedText(std::size_t count)
         .with("count", count);
 }
 
+std::vector<JudgeWarning> otherMachines(const Measurement& measurement)
+{
+    std::vector<JudgeWarning> warnings;
+    const auto machines = saidByFiles(measurement, &MeasurementHeader::machine);
+    if (areDifferent(machines))
+        warnings.push_back({"OtherMachine",
+            AXISCOMP_TEXT("Measurement", "the files are of different machines: {machines}")
+                .with("machines", statementTexts(machines))});
+    const auto serials = saidByFiles(measurement, &MeasurementHeader::serial);
+    if (areDifferent(serials))
+        warnings.push_back({"OtherSerial",
+            AXISCOMP_TEXT("Measurement", "the files have different serial numbers: {numbers}")
+                .with("numbers", statementTexts(serials))});
+    return warnings;
+}
+
 std::vector<JudgeWarning> otherVerdicts(std::span<const Verdict> inUse,
     std::span<const Verdict> ofAllValues, bool isAngular, UnitLetters letters)
 {
@@ -105,6 +134,7 @@ bool Judgement::isWithinTolerances() const
 Judgement judge(const Measurement& measurement, const JudgeOptions& options)
 {
     Judgement result;
+    result.warnings = otherMachines(measurement);
     result.figures = iso230Figures(measurement);
     const Measurement whole = withAllValues(measurement);
     const std::size_t excluded = measurement.excludedCount();

@@ -27,6 +27,10 @@ struct JudgeWarning {
 /// "9 values excluded, not an evaluation by ISO 230-2"
 [[nodiscard]] Text excludedText(std::size_t count);
 
+/// "OtherMachine" and "OtherSerial" of joined files that state different ones: what people write of
+/// a machine is no proof that it is another one.
+[[nodiscard]] std::vector<JudgeWarning> otherMachines(const Measurement& measurement);
+
 /// A tolerance that only the values in use meet is met by what was chosen: "OtherVerdict" for each
 /// of which all values say otherwise. Both lists are of the same tolerances.
 [[nodiscard]] std::vector<JudgeWarning> otherVerdicts(std::span<const Verdict> inUse,

@@ -2,6 +2,7 @@
 #include "core/metrology/report/record_report.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/joined_files.h"
 #include "core/metrology/record/comparison.h"
 #include "core/metrology/record/reference_reading.h"
 #include "core/metrology/report/report_text.h"
@@ -43,6 +44,8 @@ Result<ReportMeasurement> measured(const RecordedMeasurement& recorded, const Fi
     result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
     result.datum = statedDatum(recorded.corrections.temperature);
+    for (const RecordedFile& file : recorded.files)
+        result.files.push_back(file.file);
     return result;
 }
 
@@ -169,6 +172,24 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
     }
 }
 
+/// "M1 (a.csv), M2 (b.csv)" where joined files say different things.
+std::string saidOfMachine(const ReportMeasurement& one, std::string MeasurementHeader::*text)
+{
+    const auto said = saidByFiles(one.measurement, text);
+    if (!areDifferent(said))
+        return one.measurement.header.*text;
+    std::string all;
+    for (const auto& each : said) {
+        if (each.said.empty())
+            continue;
+        std::string names;
+        for (const std::size_t file : each.files)
+            names += (names.empty() ? "" : ", ") + one.files.at(file);
+        all += (all.empty() ? "" : ", ") + each.said + " (" + names + ")";
+    }
+    return all;
+}
+
 /// What the first measurement does not state may be in the second one.
 void takeMachine(ReportContent& content)
 {
@@ -181,9 +202,9 @@ void takeMachine(ReportContent& content)
             continue;
         const Measurement& measurement = (*one)->measurement;
         content.isAngular = measurement.isAngular;
-        take(measurement.header.machine, content.machine);
+        take(saidOfMachine(**one, &MeasurementHeader::machine), content.machine);
         take(measurement.header.axis, content.axis);
-        take(measurement.header.serial, content.serial);
+        take(saidOfMachine(**one, &MeasurementHeader::serial), content.serial);
     }
 }
 
@@ -217,8 +238,23 @@ void warnOfOtherVerdict(ReportContent& content, const Measurement& last)
         std::back_inserter(content.warnings));
 }
 
+void warnOfOtherMachines(ReportContent& content)
+{
+    if (content.before)
+        for (const JudgeWarning& warning : otherMachines(content.before->measurement))
+            content.warnings.push_back({warning.name,
+                AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
+                    .with("remark", warning.text)});
+    if (content.after)
+        for (const JudgeWarning& warning : otherMachines(content.after->measurement))
+            content.warnings.push_back({warning.name,
+                AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
+                    .with("remark", warning.text)});
+}
+
 void addWarnings(ReportContent& content)
 {
+    warnOfOtherMachines(content);
     if (content.before && content.after)
         warnOfOtherTargets(content, content.before->measurement, content.after->measurement);
     const auto& last = content.after ? content.after : content.before;

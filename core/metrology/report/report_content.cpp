@@ -3,6 +3,7 @@
 
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/metrology/joined_files.h"
 #include "core/metrology/report/deviation_plot.h"
 #include "core/metrology/report/report_text.h"
 #include "core/metrology/run_selection.h"
@@ -23,6 +24,7 @@ constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
 constexpr std::size_t mostInputs = 4;
 constexpr std::size_t mostExclusions = 6;
 constexpr std::size_t mostTables = 4;
+constexpr std::size_t mostStatements = 4; // of joined files, and of those with the same
 
 /// A measurement as the page needs it.
 struct Judged {
@@ -225,20 +227,18 @@ private:
                 cells.push_back(one->reported ? text(*one->reported) : notStated());
             table.rows.push_back(std::move(cells));
         };
-        const auto header = [](const ReportMeasurement& one) -> const MeasurementHeader& {
-            return one.measurement.header;
-        };
+        using Header = MeasurementHeader;
         row(AXISCOMP_TEXT("Report", "Date"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).date); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::date); });
         row(AXISCOMP_TEXT("Report", "Operator"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).operatorName); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::operatorName); });
         row(AXISCOMP_TEXT("Report", "Instrument"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).instrument); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::instrument); });
         row(AXISCOMP_TEXT("Report", "Feed, dwell"), [&](const ReportMeasurement& one) {
-            return listText({statedText(header(one).feed), statedText(header(one).dwell)});
+            return listText({saidText(one, &Header::feed), saidText(one, &Header::dwell)});
         });
         row(AXISCOMP_TEXT("Report", "Environment"),
-            [&](const ReportMeasurement& one) { return environmentText(one.measurement); });
+            [&](const ReportMeasurement& one) { return environmentText(one); });
         row(AXISCOMP_TEXT("Report", "Compensation"),
             [&](const ReportMeasurement& one) { return stateText(one); });
         row(AXISCOMP_TEXT("Report", "Corrections"),
@@ -250,13 +250,57 @@ private:
         m_document.blocks.emplace_back(std::move(table));
     }
 
-    [[nodiscard]] static Text environmentText(const Measurement& measurement)
+    /// Of a list that may be long.
+    template <typename Item>
+    [[nodiscard]] static Text shortListText(const std::vector<Item>& items, auto textOf)
     {
-        const MeasurementHeader& header = measurement.header;
-        const auto temperature = [](const std::optional<double>& value) {
-            return value ? quantityText(roundedText(*value), "°C") : notStated();
+        std::vector<Text> list;
+        for (std::size_t i = 0; i < std::min(items.size(), mostStatements); ++i)
+            list.push_back(textOf(items[i]));
+        if (items.size() > mostStatements)
+            list.push_back(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                               .with("count", items.size() - mostStatements));
+        return listText(std::move(list));
+    }
+
+    /// "M1 (a.csv), M2 (b.csv)": nobody is to take the statement of one file for that of all.
+    template <typename Statement>
+    [[nodiscard]] static Text byFilesText(
+        const ReportMeasurement& one, const std::vector<SaidByFiles<Statement>>& said, auto textOf)
+    {
+        return shortListText(said, [&](const SaidByFiles<Statement>& each) -> Text {
+            return AXISCOMP_TEXT("Report", "{said} ({files})")
+                .with("said", textOf(each.said))
+                .with("files", shortListText(each.files, [&](std::size_t file) {
+                    return statedText(file < one.files.size() ? one.files[file] : std::string());
+                }));
+        });
+    }
+
+    [[nodiscard]] static Text saidText(
+        const ReportMeasurement& one, std::string MeasurementHeader::*text)
+    {
+        const auto said = saidByFiles(one.measurement, text);
+        return areDifferent(said) ? byFilesText(one, said, statedText)
+                                  : statedText(one.measurement.header.*text);
+    }
+    /// factor: from what a header has to the unit that is shown.
+    [[nodiscard]] static Text saidText(const ReportMeasurement& one,
+        std::optional<double> MeasurementHeader::*number, double factor, const char* unit)
+    {
+        const auto textOf = [&](const std::optional<double>& value) {
+            return value ? quantityText(roundedText(*value * factor), unit) : notStated();
         };
-        const auto values = temperaturesOfValues(measurement);
+        const auto said = saidByFiles(one.measurement, number);
+        return areDifferent(said) ? byFilesText(one, said, textOf)
+                                  : textOf(one.measurement.header.*number);
+    }
+
+    [[nodiscard]] static Text environmentText(const ReportMeasurement& one)
+    {
+        using Header = MeasurementHeader;
+        const auto values = temperaturesOfValues(one.measurement);
         Text text = values ? AXISCOMP_TEXT("Report",
                         "air {air}, material {material}, values measured at {values}, expansion "
                         "{expansion}")
@@ -264,11 +308,9 @@ private:
                            : Text(AXISCOMP_TEXT(
                                "Report", "air {air}, material {material}, expansion {expansion}"));
         return std::move(text)
-            .with("air", temperature(header.airTemperature))
-            .with("material", temperature(header.materialTemperature))
-            .with("expansion",
-                header.expansion ? quantityText(roundedText(*header.expansion * 1e6), "µm/(m·K)")
-                                 : notStated());
+            .with("air", saidText(one, &Header::airTemperature, 1.0, "°C"))
+            .with("material", saidText(one, &Header::materialTemperature, 1.0, "°C"))
+            .with("expansion", saidText(one, &Header::expansion, 1e6, "µm/(m·K)"));
     }
 
     [[nodiscard]] static Text rangeText(const TemperatureRange& range)

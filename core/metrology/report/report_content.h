@@ -32,6 +32,7 @@ struct ReportMeasurement {
     std::optional<std::uint32_t> statedTable = {};
     /// Position, in mm, that was stated as the datum; nothing: none.
     std::optional<double> datum = {};
+    std::vector<std::string> files = {}; ///< names of those that it was joined of, in their order
 };
 
 struct ReportPrediction {
@@ -63,7 +64,7 @@ struct ReportedTable {
 struct ReportContent {
     bool isAngular = false; ///< lengths are degrees
     bool isByTemperature = false; ///< the figures are those of a fit by temperature
-    std::string machine; ///< as a measurement's file says it, likewise axis and serial
+    std::string machine; ///< as a measurement's files say it, likewise axis and serial
     std::string axis;
     std::string corrected; ///< the axis that the table corrects, where it is not the measured one
     std::string serial;

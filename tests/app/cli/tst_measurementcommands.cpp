@@ -450,6 +450,48 @@ private Q_SLOTS:
         QCOMPARE(verdict.value("result").toString(), "failed");
     }
 
+    void filesThatSayDifferentThingsAreJoinedWithAWarning()
+    {
+        const Sandbox box;
+        const auto file = [&box](const QString& name, const QByteArray& machine,
+                              const QByteArray& celsius, const QByteArray& last) {
+            return box.file(name,
+                "// machine: " + machine + "\n// material temperature: " + celsius
+                    + "\n// corrected: none\n// compensation: off\n"
+                      "target [mm],direction,deviation [um]\n0,+,0.1\n10,+,0.2\n20,+,"
+                    + last + "\n0,-,0.3\n10,-,0.1\n20,-,0.2\n");
+        };
+        const QStringList files{
+            file("j1.csv", "M1", "20.5", "0.4"), file("j2.csv", "M2", "24.5", "0.5")};
+        const QByteArray said = "the files are of different machines: M1 (file 1), M2 (file 2)";
+        const QList<QStringList> commands{{"judge"}, {"runs"}, {"fit", "--lookup-at", "encoder"}};
+        for (const QStringList& command : commands) {
+            const ProgramRun run = box.run(command + files + QStringList{"--json"});
+            VERIFY_CODE(run, 0);
+            const auto warnings = run.json().value("warnings").toArray();
+            QVERIFY2(std::ranges::any_of(warnings,
+                         [&said](const QJsonValue& warning) {
+                             return warning["code"].toString() == "OtherMachine"
+                                 && warning["message"].toString().toUtf8() == said;
+                         }),
+                run.out.constData());
+        }
+        const ProgramRun runs = box.run(QStringList{"runs"} + files);
+        QVERIFY2(runs.err.contains("warning: " + said), runs.err.constData());
+        const ProgramRun judged = box.run(QStringList{"judge"} + files);
+        QVERIFY2(judged.err.contains("warning: " + said), judged.err.constData());
+        const QString conditions = QString::fromUtf8(judged.out).simplified();
+        QVERIFY2(conditions.contains(" met the file states the temperature")
+                && !conditions.contains("not met the file states the temperature"),
+            judged.out.constData());
+        const ProgramRun corrected =
+            box.run(QStringList{"judge"} + files + QStringList{"--expansion", "11.5e-6"});
+        VERIFY_CODE(corrected, 2);
+        QVERIFY2(corrected.err.contains("the files do not agree on the temperature of the scale "
+                                        "(20.5 C in file 1, 24.5 C in file 2): give --temperature"),
+            corrected.err.constData());
+    }
+
     void targetsWriteAPlanOrAProgram()
     {
         const Sandbox box;

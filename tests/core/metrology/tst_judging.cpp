@@ -463,6 +463,49 @@ private Q_SLOTS:
         QCOMPARE(metOf(conditions(good, {}), "bidirectional"), std::optional(false));
     }
 
+    /// That they differ is no reason to say that none is stated.
+    void theTemperatureIsStatedWhereEachJoinedFileStatesOne()
+    {
+        std::array files{noisy(9, 400.0, 5, 1), noisy(9, 400.0, 5, 2)};
+        const auto isStated = [&files] {
+            const Measurement whole = joined(files).value_or(Measurement{});
+            return metOf(complianceOf(whole, iso230Figures(whole), {}), "environment");
+        };
+        QCOMPARE(isStated(), std::optional(false));
+        files[0].header.materialTemperature = 20.5;
+        QCOMPARE(isStated(), std::optional(false));
+        files[1].header.materialTemperature = 24.5;
+        QCOMPARE(isStated(), std::optional(true));
+        files[1].header.materialTemperature.reset();
+        files[1].header.airTemperature = 24.5;
+        QCOMPARE(isStated(), std::optional(true));
+    }
+
+    /// What people write of a machine is no proof.
+    void filesOfDifferentMachinesAreAWarning()
+    {
+        std::array files{noisy(9, 400.0, 5, 1), noisy(9, 400.0, 5, 2), noisy(9, 400.0, 5, 3)};
+        const auto warnings = [&files] {
+            std::vector<std::string> said;
+            for (const JudgeWarning& warning :
+                judge(joined(files).value_or(Measurement{}), {}).warnings)
+                if (warning.name.starts_with("Other"))
+                    said.push_back(std::string(warning.name) + ": " + warning.text.english());
+            return said;
+        };
+        files[0].header.machine = "M1";
+        files[2].header.machine = "m1";
+        QCOMPARE(warnings(), std::vector<std::string>{});
+        files[2].header.machine = "M2";
+        files[0].header.serial = "888";
+        files[1].header.serial = "999";
+        QCOMPARE(warnings(),
+            (std::vector<std::string>{
+                "OtherMachine: the files are of different machines: M1 (file 1), M2 (file 3)",
+                "OtherSerial: the files have different serial numbers: 888 (file 1), 999 (file "
+                "2)"}));
+    }
+
     /// Of every value that figures are made of.
     void temperaturesOfTheValuesAreStated()
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/joined_files.h"
 #include "core/metrology/judge/iso230.h"
 #include "core/metrology/run_selection.h"
 #include "core/text/number_text.h"
@@ -1151,6 +1152,33 @@ private Q_SLOTS:
     }
 
     /// Repeatability would be that of half as many runs.
+    /// In the order of the files. What is not said is no contradiction, but for a number.
+    void whatJoinedFilesSayIsToldOfEach()
+    {
+        const Measurement one = publicRuns("bifrost.csv");
+        std::array three{one, measuredAgain(one, 1e-4), measuredAgain(one, 2e-4)};
+        const auto whole = [&] { return joined(three).value_or(Measurement{}); };
+        using Header = MeasurementHeader;
+        QVERIFY(joined({three.data(), 1})->joined.empty());
+        QCOMPARE(saidByFiles(one, &Header::machine).size(), std::size_t{1});
+        three[0].header.machine = "M1";
+        three[1].header.machine = " m1";
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::machine)));
+        three[1].header.machine = "M2";
+        three[2].header.machine = "m1 ";
+        const TextsOfFiles machines = saidByFiles(whole(), &Header::machine);
+        QVERIFY(areDifferent(machines));
+        QCOMPARE(machines.size(), std::size_t{2});
+        QCOMPARE(machines[0].said, std::string("M1"));
+        QCOMPARE(machines[0].files, (std::vector<std::size_t>{0, 2}));
+        QCOMPARE(machines[1].said, std::string("M2"));
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+        three[1].header.airTemperature = 20.5;
+        QVERIFY(areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+        three[0].header.airTemperature = three[2].header.airTemperature = 20.5;
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+    }
+
     void theSameMeasurementIsNotJoinedTwice()
     {
         const Measurement one = publicRuns("bifrost.csv");

@@ -333,6 +333,30 @@ private Q_SLOTS:
         QCOMPARE(currentRow(bench, "runDrift"), 6);
     }
 
+    /// Each file would need its own.
+    void aTemperatureThatNotAllFilesSayIsNotProposed()
+    {
+        PageFixture bench;
+        const auto file = [&bench](const QString& name, const QByteArray& celsius,
+                              const QByteArray& value) {
+            return bench.file(name,
+                "// material temperature: " + celsius
+                    + "\n// expansion: 11.5e-6\ntarget [mm],direction,run,deviation [um]\n"
+                      "0,+,1,0\n500,+,1,"
+                    + value + "\n0,-,1,0\n500,-,1,0\n");
+        };
+        QVERIFY(judgeFile(
+            bench, file(QStringLiteral("cold.csv"), QByteArray("20.5"), QByteArray("1"))));
+        QVERIFY(judgeFile(
+            bench, file(QStringLiteral("warm.csv"), QByteArray("24.5"), QByteArray("2"))));
+        QTRY_COMPARE(cell(bench, "targetFigures", 0, 2), QStringLiteral("2"));
+        QVERIFY(bench.user.click("corrections"));
+        QTRY_VERIFY(bench.user.sees("correctionsDialog"));
+        QVERIFY(bench.user.the<QLineEdit>("materialTemperature").text().isEmpty());
+        QCOMPARE(bench.user.the<QLineEdit>("materialExpansion").text(), QStringLiteral("11.5"));
+        QVERIFY(bench.user.click("rejectCorrections"));
+    }
+
     void valuesAreBroughtTo20DegreesWhenAskedFor()
     {
         PageFixture bench;
