@@ -165,6 +165,8 @@ struct Measurement {
     /// How finely the file prints a value: half of its last digit, in mm or deg. 0: not rounded.
     double halfPrintedUnit = 0.0;
     AgainstFile againstFile = {};
+    /// What each of the files says that it was joined of, in their order; empty: it is of one.
+    std::vector<MeasurementHeader> joined = {};
 
     [[nodiscard]] bool hasTargets() const
     {

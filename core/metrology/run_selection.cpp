@@ -349,6 +349,7 @@ Result<Measurement> joined(std::span<const Measurement> measurements)
     whole.values.clear();
     whole.published.clear();
     for (const Measurement& measurement : measurements) {
+        whole.joined.push_back(measurement.header);
         const int runs[] = {whole.lastRun(Approach::Up), whole.lastRun(Approach::Down)};
         for (RunValue value : measurement.values) {
             value.target = targetIndex(whole.targets, measurement.targets[value.target]);

@@ -39,7 +39,8 @@ struct Exclusion {
 void swapDirections(Measurement& measurement);
 
 /// One measurement with the runs of all: those of the later files are numbered after those of the
-/// earlier ones. Headers are the first one's; what others say differently becomes a note. The axis
+/// earlier ones. Headers are the first one's; what others say differently becomes a note, and
+/// stands in Measurement::joined. The axis
 /// is the first that is said; temperature and expansion of the scale are those that all say. At
 /// least one. Errors: InvalidArgument for other kinds than runs, for lengths with angles, for
 /// different axes, drives, states of the drive and corrections to 20 deg C, and for the same

@@ -69,7 +69,7 @@ struct DeviationCanvas::Private {
     std::vector<DeviationSeries> series;
     std::optional<DeviationPlace> selected;
     FineUnit unit;
-    /// What may be clicked but is in no graph; with positions as they were read.
+    /// What may be clicked but is in no graph.
     struct Mark {
         PlacedDeviation place;
         bool isExcluded = false; ///< or proposed
@@ -266,7 +266,8 @@ void DeviationCanvas::addSeries(std::size_t number)
                 findValue(*series.measurement, direction, outlier.target, outlier.run);
             if (value && value->isUsed)
                 d->marks.push_back(
-                    {{series.measurement->targets[value->target], value->deviation}, false});
+                    {{series.measurement->targets[value->target], series.shown(value->deviation)},
+                        false});
         }
     }
 }
@@ -395,7 +396,10 @@ void DeviationCanvas::retranslate()
 {
     const bool isAngular = !d->series.empty() && d->series[0].measurement->isAngular;
     d->plot->xAxis->setLabel(withUnit(tr("Target"), isAngular ? "°" : "mm"));
-    d->plot->yAxis->setLabel(withUnit(tr("Deviation"), d->unit.symbol));
+    QStringList deviation{withUnit(tr("Deviation"), d->unit.symbol)};
+    if (!d->series.empty() && d->series[0].curves->datum)
+        deviation += translated(datumText(*d->series[0].curves->datum, isAngular));
+    d->plot->yAxis->setLabel(listText(deviation));
     d->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -443,7 +447,8 @@ std::optional<DeviationPlace> DeviationCanvas::placeAt(const QPointF& pixel) con
         nearest = meant;
     };
     for (std::size_t number = 0; number < d->series.size(); ++number) {
-        const Measurement& measurement = *d->series[number].measurement;
+        const DeviationSeries& series = d->series[number];
+        const Measurement& measurement = *series.measurement;
         const auto& targets = measurement.targets;
         auto at = std::ranges::lower_bound(targets, from);
         // Where they cannot be told apart it does not matter which ones are near.
@@ -452,20 +457,20 @@ std::optional<DeviationPlace> DeviationCanvas::placeAt(const QPointF& pixel) con
             const auto target = static_cast<std::size_t>(at - targets.begin());
             for (const Approach direction : {Approach::Up, Approach::Down})
                 for (const RunValue& value : valuesAt(measurement, direction, target)) {
-                    QPointF place = d->pixel(*at, value.deviation);
+                    QPointF place = d->pixel(*at, series.shown(value.deviation));
                     if (!value.isUsed)
                         place = d->heldInSight(place);
                     offer(place, {number, {value.direction, value.target + 1, value.run}});
                 }
         }
-        const auto& figures = d->series[number].figures->targets;
+        const auto& figures = series.figures->targets;
         auto figure = std::ranges::lower_bound(figures, from, {}, &TargetFigures::position);
         for (std::size_t count = 0;
              figure != figures.end() && figure->position <= to && count < mostNear;
              ++figure, ++count)
             for (const DirectionFigures* one : {&figure->up, &figure->down})
                 if (one->mean)
-                    offer(d->pixel(figure->position, *one->mean),
+                    offer(d->pixel(figure->position, series.shown(*one->mean)),
                         {number, {{}, figure->target + 1, {}}});
     }
     return nearest;
@@ -598,7 +603,7 @@ void DeviationCanvas::Private::paintSelection(QCPPainter& painter, const QRectF&
     for (std::size_t target = first; target < end; target += step)
         if (const RunValue* value =
                 findValue(measurement, *values.direction, target, *values.run)) {
-            const QPointF place = pixel(targets[target], value->deviation);
+            const QPointF place = pixel(targets[target], shown.shown(value->deviation));
             line.append(value->isUsed ? place : heldInSight(place));
         }
     painter.setPen(QPen(inks.selected, 3.0));

@@ -63,7 +63,8 @@ QString concern(const Judgement& judgement, bool isAngular)
         if (found != judgement.verdicts.end())
             return ofVerdict(*found, isAngular);
     }
-    for (const char* name : {"DriftSuspected", "PublishedContradiction", "ValuesExcluded"})
+    for (const char* name :
+        {"OtherVerdict", "DriftSuspected", "PublishedContradiction", "ValuesExcluded"})
         if (const QString text = warningOf(name); !text.isEmpty())
             return text;
     for (const JudgeWarning& warning : judgement.warnings)

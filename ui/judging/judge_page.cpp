@@ -236,7 +236,14 @@ void JudgePage::askForCorrections()
     const Measurement* measurement = files.empty() ? nullptr : files.front().measurement();
     if (!measurement)
         return;
-    m_correctionsDialog = new CorrectionsDialog(*measurement, m_record.record().corrections, this);
+    Measurement stated;
+    stated.header = measurement->header;
+    stated.isAngular = measurement->isAngular;
+    if (const auto& whole = m_record.state().measurement) { // numbers that not all files say
+        stated.header.materialTemperature = whole->header.materialTemperature;
+        stated.header.expansion = whole->header.expansion;
+    }
+    m_correctionsDialog = new CorrectionsDialog(stated, m_record.record().corrections, this);
     connect(m_correctionsDialog, &CorrectionsDialog::deadPathRequested, this,
         &JudgePage::deadPathRequested);
     connect(

@@ -174,9 +174,11 @@ QString DeviationPlot::placeText(const DeviationPlace& place) const
     if (isOneValue(values)) {
         const RunValue* value =
             findValue(*series.measurement, *values.direction, *values.target - 1, *values.run);
-        return value
-            ? name + runValueText(*value, FineScale(m_canvas->unit()), isProposed(series, *value))
-            : QString();
+        if (!value)
+            return {};
+        RunValue shown = *value;
+        shown.deviation = series.shown(value->deviation);
+        return name + runValueText(shown, FineScale(m_canvas->unit()), isProposed(series, *value));
     }
     if (values.target) {
         const auto& targets = series.measurement->targets;
@@ -202,11 +204,11 @@ QString DeviationPlot::targetText(const DeviationSeries& series, double position
         --nearest;
     const FineScale scale(m_canvas->unit());
     const QString unit = series.measurement->isAngular ? QStringLiteral("°") : QStringLiteral("mm");
-    QString text =
-        tr("target %1 %2, ↑ %3, ↓ %4 %5, B %6 %5")
-            .arg(numberText(nearest->position), unit, signedOrNothing(scale, nearest->up.mean),
-                signedOrNothing(scale, nearest->down.mean), scale.symbol(),
-                signedOrNothing(scale, nearest->reversal));
+    QString text = tr("target %1 %2, ↑ %3, ↓ %4 %5, B %6 %5")
+                       .arg(numberText(nearest->position), unit,
+                           signedOrNothing(scale, series.shown(nearest->up.mean)),
+                           signedOrNothing(scale, series.shown(nearest->down.mean)), scale.symbol(),
+                           signedOrNothing(scale, nearest->reversal));
     return series.name.isEmpty() ? text : series.name + QStringLiteral(": ") + text;
 }
 

@@ -42,7 +42,17 @@ Result<std::shared_ptr<const Measurement>> firstOf(const Sides& sides)
     return std::make_shared<const Measurement>(std::move(used));
 }
 
-FineUnit unitOf(const Comparison& comparison, bool isAngular)
+/// By the datum that was stated for the first measurement, else that of the second.
+TwoDatums datumsOf(const Sides& sides, const Comparison& comparison)
+{
+    const bool isOnRecord = sides.calibration && sides.calibration->before;
+    const auto first = statedDatum(isOnRecord ? sides.calibration->before->corrections.temperature
+                                              : sides.corrections.temperature);
+    return deviationDatums(comparison.before, comparison.after,
+        first ? first : statedDatum(sides.after.record.corrections.temperature));
+}
+
+FineUnit unitOf(const Comparison& comparison, const TwoDatums& datums, bool isAngular)
 {
     std::vector<std::optional<double>> shown;
     for (const Iso230Figures* one : {&comparison.before, &comparison.after})
@@ -50,9 +60,10 @@ FineUnit unitOf(const Comparison& comparison, bool isAngular)
     for (const auto* all : {&comparison.beforeOfAllValues, &comparison.afterOfAllValues})
         if (*all)
             std::ranges::copy(figureValues(**all).values, std::back_inserter(shown));
-    for (const auto* errors : {&comparison.errorBefore, &comparison.residual})
-        for (const RemainingError& error : *errors)
-            shown.emplace_back(error.value);
+    for (const RemainingError& error : comparison.errorBefore)
+        shown.emplace_back(fromDatum(error.value, datums.before));
+    for (const RemainingError& error : comparison.residual)
+        shown.emplace_back(fromDatum(error.value, datums.after));
     return fineUnit(shown, isAngular);
 }
 
@@ -119,7 +130,8 @@ ComparisonState compared(const Sides& sides, const std::stop_token& stop)
         state.refusal = comparison.error();
         return state;
     }
-    state.unit = unitOf(*comparison, after->isAngular);
+    state.datums = datumsOf(sides, *comparison);
+    state.unit = unitOf(*comparison, state.datums, after->isAngular);
     state.comparison = std::make_shared<const Comparison>(std::move(*comparison));
     state.isKept = isKept(sides);
     state.isCorrectedOtherwise = alike != CorrectedAlike::Yes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/judge/deviation_curves.h"
 #include "core/metrology/record/comparison.h"
 #include "ui/async/background_job.h"
 
@@ -23,6 +24,7 @@ struct ComparisonState {
     bool isKept = false; ///< the second measurement is in the record
     std::string date; ///< of the second measurement, as its file has it
     FineUnit unit; ///< in which figures and deviations are shown
+    TwoDatums datums = {}; ///< from which deviations are shown
 };
 
 /// Compares the measurement of the table in use with a second one, on another thread, whenever one

@@ -17,10 +17,11 @@ void setCurves(DeviationSeries& series, DeviationCurves curves)
 } // namespace
 
 DeviationSeries deviationSeries(std::shared_ptr<const Measurement> measurement,
-    std::shared_ptr<const Iso230Figures> figures, std::shared_ptr<const Outliers> outliers)
+    std::shared_ptr<const Iso230Figures> figures, std::shared_ptr<const Outliers> outliers,
+    const std::optional<double>& datum)
 {
     DeviationSeries series;
-    setCurves(series, deviationCurves(*measurement, *figures));
+    setCurves(series, deviationCurves(*measurement, *figures, deviationDatum(*figures, datum)));
     series.measurement = std::move(measurement);
     series.figures = std::move(figures);
     series.outliers = std::move(outliers);
@@ -30,7 +31,8 @@ DeviationSeries deviationSeries(std::shared_ptr<const Measurement> measurement,
 DeviationSeries seriesOfAllValues(
     const DeviationSeries& used, std::shared_ptr<const Iso230Figures> figures)
 {
-    DeviationCurves curves = deviationCurves(withAllValues(*used.measurement), *figures);
+    DeviationCurves curves =
+        deviationCurves(withAllValues(*used.measurement), *figures, used.curves->datum);
     curves.excluded = used.curves->excluded;
     DeviationSeries all = used;
     setCurves(all, std::move(curves));

@@ -23,16 +23,27 @@ struct DeviationSeries {
     std::shared_ptr<const DeviationCurves> curves; ///< with all points
     std::shared_ptr<const DeviationCurves> overview; ///< for a view of all of them
 
+    /// A deviation as it was measured, as plot and tables show it. With a measurement.
+    [[nodiscard]] double shown(double deviation) const
+    {
+        return fromDatum(deviation, curves->datum);
+    }
+    [[nodiscard]] std::optional<double> shown(const std::optional<double>& deviation) const
+    {
+        return deviation ? std::optional(shown(*deviation)) : std::nullopt;
+    }
     /// Whether it is the same, not whether it says the same.
     friend bool operator==(const DeviationSeries&, const DeviationSeries&) = default;
 };
 
-/// measurement: with targets; figures: of its values in use. Takes as long as there are values: not
-/// for the window's thread.
+/// measurement: with targets; figures: of its values in use; datum: position that was stated. Takes
+/// as long as there are values: not for the window's thread.
 [[nodiscard]] DeviationSeries deviationSeries(std::shared_ptr<const Measurement> measurement,
-    std::shared_ptr<const Iso230Figures> figures, std::shared_ptr<const Outliers> outliers = {});
+    std::shared_ptr<const Iso230Figures> figures, std::shared_ptr<const Outliers> outliers = {},
+    const std::optional<double>& datum = {});
 
-/// The same as if nothing were excluded, but for the mark on what is. figures: of all values.
+/// The same as if nothing were excluded, but for the mark on what is, from the same datum. figures:
+/// of all values.
 [[nodiscard]] DeviationSeries seriesOfAllValues(
     const DeviationSeries& used, std::shared_ptr<const Iso230Figures> figures);
 

@@ -217,7 +217,8 @@ QString TargetFiguresModel::heading(int column) const
 
 QString TargetFiguresModel::text(int row, int column) const
 {
-    const TargetFigures& target = shown().series.figures->targets[static_cast<std::size_t>(row)];
+    const DeviationSeries& series = shown().series;
+    const TargetFigures& target = series.figures->targets[static_cast<std::size_t>(row)];
     const FineUnit& unit = shown().unit;
     switch (column) {
     case 0:
@@ -227,22 +228,32 @@ QString TargetFiguresModel::text(int row, int column) const
     case 2:
         return countText(target.up.n);
     case 3:
-        return shownOrNothing(unit, target.up.mean);
+        return shownOrNothing(unit, series.shown(target.up.mean));
     case 4:
         return shownOrNothing(unit, target.up.s);
     case 5:
         return countText(target.down.n);
     case 6:
-        return shownOrNothing(unit, target.down.mean);
+        return shownOrNothing(unit, series.shown(target.down.mean));
     case 7:
         return shownOrNothing(unit, target.down.s);
     case 8:
-        return shownOrNothing(unit, target.mean);
+        return shownOrNothing(unit, series.shown(target.mean));
     case 9:
         return shownOrNothing(unit, target.reversal);
     default:
         return shownOrNothing(unit, target.repeatability);
     }
+}
+
+/// What is 0 among the means.
+QVariant TargetFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    const bool isOfMean = section == 3 || section == 6 || section == 8;
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && isOfMean && state().judgement)
+        if (const auto& datum = shown().series.curves->datum)
+            return translated(datumText(*datum, state().measurement->isAngular));
+    return JudgementTableModel::headerData(section, orientation, role);
 }
 
 bool TargetFiguresModel::isNumber(int) const

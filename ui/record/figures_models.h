@@ -31,7 +31,8 @@ private:
     [[nodiscard]] QString vdiText(int row, Cell cell) const;
 };
 
-/// Means, spreads and reversal at each target: of the values in use, or of all.
+/// Means, spreads and reversal at each target: of the values in use, or of all. Means are from the
+/// datum, as in the plot.
 class TargetFiguresModel : public JudgementTableModel {
     Q_OBJECT
 
@@ -39,6 +40,8 @@ public:
     explicit TargetFiguresModel(const RecordModel& record, QObject* parent = nullptr);
 
     void setShowsAll(bool showsAll);
+    [[nodiscard]] QVariant headerData(
+        int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] std::optional<Exclusion> valuesOf(int row) const override;
     [[nodiscard]] int rowOf(const Exclusion& values) const override;
 

@@ -173,7 +173,8 @@ JudgeOptions judgeOptionsOf(const Record& record, const Measurement& measurement
 
 JudgedValues judgedValues(DeviationSeries series)
 {
-    const FineUnit unit = fineUnit(valuesOfTargets(*series.figures), series.measurement->isAngular);
+    const Iso230Figures shown = fromDatum(*series.figures, series.curves->datum);
+    const FineUnit unit = fineUnit(valuesOfTargets(shown), series.measurement->isAngular);
     return {std::move(series), unit};
 }
 
@@ -192,8 +193,8 @@ void judgeInto(RecordState& state)
     const auto figuresOf = [&](const Iso230Figures& figures) {
         return std::shared_ptr<const Iso230Figures>(judgement, &figures);
     };
-    state.used =
-        judgedValues(deviationSeries(measurement, figuresOf(judgement->figures), outliers));
+    state.used = judgedValues(deviationSeries(measurement, figuresOf(judgement->figures), outliers,
+        statedDatum(state.record.corrections.temperature)));
     state.all = judgement->ofAllValues
         ? judgedValues(seriesOfAllValues(state.used.series, figuresOf(*judgement->ofAllValues)))
         : state.used;

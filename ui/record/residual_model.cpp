@@ -3,6 +3,7 @@
 
 #include "ui/record/comparison_model.h"
 #include "ui/text/fine_scale.h"
+#include "ui/text/translated_text.h"
 #include "ui/text/value_text.h"
 
 namespace axiscomp::ui {
@@ -42,7 +43,7 @@ QString ResidualModel::text(int row, int column) const
     if (column == Target)
         return numberText(error.position);
     if (column == Left)
-        return scale.text(error.value);
+        return scale.text(fromDatum(error.value, state.datums.after));
     return error.standardError ? scale.text(*error.standardError) : QStringLiteral("–");
 }
 
@@ -53,7 +54,7 @@ QString ResidualModel::spoken(int row) const
     const RemainingError& error = state.comparison->residual[static_cast<std::size_t>(row)];
     const FineScale scale(state.unit);
     const QString place = numberText(error.position) + unitSuffix(state.isAngular ? "°" : "mm");
-    const QString left = scale.textWithUnit(error.value);
+    const QString left = scale.textWithUnit(fromDatum(error.value, state.datums.after));
     return error.standardError ? tr("at %1: %2, standard error %3")
                                      .arg(place, left, scale.textWithUnit(*error.standardError))
                                : tr("at %1: %2, standard error not defined").arg(place, left);
@@ -84,9 +85,12 @@ QVariant ResidualModel::data(const QModelIndex& index, int role) const
 
 QVariant ResidualModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    const ComparisonState& state = m_comparison.state();
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == Left
+        && state.datums.after)
+        return translated(datumText(*state.datums.after, state.isAngular));
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    const ComparisonState& state = m_comparison.state();
     if (section == Target)
         return withUnit(tr("Target"), state.isAngular ? "°" : "mm");
     const QString name = section == Left ? tr("Left") : tr("Standard error");

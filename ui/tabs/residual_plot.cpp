@@ -5,6 +5,8 @@
 #include "ui/drawing/value_ticker.h"
 #include "ui/style/contrast.h"
 #include "ui/text/fine_scale.h"
+#include "ui/text/translated_text.h"
+#include "ui/text/value_text.h"
 
 #include <QBoxLayout>
 #include <QEvent>
@@ -109,7 +111,8 @@ void ResidualPlot::colour()
     m_plot->legend->setTextColor(text);
 }
 
-void ResidualPlot::fill(const Curve& curve, const std::vector<RemainingError>& errors) const
+void ResidualPlot::fill(const Curve& curve, const std::vector<RemainingError>& errors,
+    const std::optional<PlacedDeviation>& datum) const
 {
     QVector<double> positions;
     QVector<double> values;
@@ -117,10 +120,11 @@ void ResidualPlot::fill(const Curve& curve, const std::vector<RemainingError>& e
     QVector<double> highs;
     for (const RemainingError& error : errors) {
         const double half = error.standardError.value_or(0.0);
+        const double value = fromDatum(error.value, datum);
         positions += error.position;
-        values += error.value;
-        lows += error.value - half;
-        highs += error.value + half;
+        values += value;
+        lows += value - half;
+        highs += value + half;
     }
     curve.mean->setData(positions, values, true);
     curve.low->setData(positions, lows, true);
@@ -132,8 +136,8 @@ void ResidualPlot::show(const ComparisonState& state)
     m_state = state;
     const bool isThere = state.comparison != nullptr;
     const std::vector<RemainingError> nothing;
-    fill(m_before, isThere ? state.comparison->errorBefore : nothing);
-    fill(m_after, isThere ? state.comparison->residual : nothing);
+    fill(m_before, isThere ? state.comparison->errorBefore : nothing, state.datums.before);
+    fill(m_after, isThere ? state.comparison->residual : nothing, state.datums.after);
     m_ticker->setFactor(state.unit.factor);
     m_plot->yAxis->setNumberFormat(QStringLiteral("gb"));
     m_plot->setVisible(isThere);
@@ -153,8 +157,11 @@ void ResidualPlot::nameAxes()
     m_after.mean->setName(tr("after, with its standard error"));
     m_plot->xAxis->setLabel(QStringLiteral("%1 [%2]").arg(
         tr("Position"), m_state.isAngular ? QStringLiteral("°") : QStringLiteral("mm")));
-    m_plot->yAxis->setLabel(
-        QStringLiteral("%1 [%2]").arg(tr("Deviation"), FineScale(m_state.unit).symbol()));
+    QStringList deviation{
+        QStringLiteral("%1 [%2]").arg(tr("Deviation"), FineScale(m_state.unit).symbol())};
+    if (const auto& datum = m_state.datums.after)
+        deviation += translated(datumText(*datum, m_state.isAngular));
+    m_plot->yAxis->setLabel(listText(deviation));
 }
 
 /// For those who do not see it; the numbers stand in the tables.
@@ -165,8 +172,10 @@ void ResidualPlot::describe()
         const auto [low, high] =
             std::ranges::minmax_element(m_state.comparison->residual, {}, &RemainingError::value);
         const FineScale scale(m_state.unit);
-        description = tr("What is left lies between %1 and %2.")
-                          .arg(scale.textWithUnit(low->value), scale.textWithUnit(high->value));
+        const auto shown = [&](const RemainingError& error) {
+            return scale.textWithUnit(fromDatum(error.value, m_state.datums.after));
+        };
+        description = tr("What is left lies between %1 and %2.").arg(shown(*low), shown(*high));
     }
     setAccessibleName(tr("Mean deviation before and after"));
     setAccessibleDescription(description);

@@ -37,7 +37,8 @@ private:
         QCPGraph* high = nullptr;
     };
     void build();
-    void fill(const Curve& curve, const std::vector<RemainingError>& errors) const;
+    void fill(const Curve& curve, const std::vector<RemainingError>& errors,
+        const std::optional<PlacedDeviation>& datum) const;
     void colour();
     void nameAxes();
     void describe();

@@ -173,6 +173,13 @@ ComparisonRequest requestOf(
     return request;
 }
 
+/// The position that both are shown from, where one was stated.
+std::optional<double> datumOfBoth(const Side& before, const Side& after)
+{
+    const auto stated = statedDatum(before.corrections.corrections.temperature);
+    return stated ? stated : statedDatum(after.corrections.corrections.temperature);
+}
+
 /// What a person reads, and what a program does.
 void tellComparison(Environment& environment, const Side& before, const Side& after,
     const Comparison& comparison, Json uncertainty)
@@ -182,7 +189,8 @@ void tellComparison(Environment& environment, const Side& before, const Side& af
         environment.warn(warning.text.english());
     environment.print("Before: " + sourcesText(before.input.sources) + "\n"
         + before.corrections.text + "After:  " + sourcesText(after.input.sources) + "\n"
-        + after.corrections.text + "\n" + comparisonText(second, comparison));
+        + after.corrections.text + "\n"
+        + comparisonText(second, comparison, datumOfBoth(before, after)));
     Json document = comparisonJson(second, comparison);
     document["source"] = bothSources(before.input, after.input);
     document["corrections"] = after.corrections.document;

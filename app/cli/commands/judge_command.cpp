@@ -42,7 +42,8 @@ Result<ExitCode> runJudge(Environment& environment, const JudgeCommandOptions& o
     for (const JudgeWarning& warning : judgement.warnings)
         environment.warn(warning.text.english());
     environment.print(sourcesText(input.sources) + ": " + measurementSummary(measurement) + "\n"
-        + corrections.text + "\n" + judgementText(measurement, judgement));
+        + corrections.text + "\n"
+        + judgementText(measurement, judgement, statedDatum(corrections.corrections.temperature)));
     Json document = judgementJson(measurement, judgement);
     document["source"] = sourcesJson(input.sources);
     document["corrections"] = std::move(corrections.document);

@@ -49,6 +49,15 @@ Json figuresOrNull(const ReportContent& content, const std::optional<ReportMeasu
         : Json(nullptr);
 }
 
+Json figuresOfAllOrNull(
+    const ReportContent& content, const std::optional<ReportMeasurement>& measured)
+{
+    if (!measured || !measured->measurement.hasTargets())
+        return nullptr;
+    const auto figures = figuresOfAllValues(content, measured->measurement);
+    return figures ? axisFiguresJson(*figures) : Json(nullptr);
+}
+
 Json predictedJson(const std::optional<ReportPrediction>& prediction)
 {
     if (!prediction)
@@ -74,17 +83,26 @@ Json reportJson(const ReportCommandOptions& options, const ReportContent& conten
         sources.push_back(
             {{"file", input.file}, {"format", input.format}, {"sha256", input.sha256}});
     const auto& last = content.after ? content.after : content.before;
+    const auto verdictJson = [&content](const Iso230Figures& figures) {
+        return verdictsJson(verdicts(figures, content.tolerances, content.uncertainty));
+    };
     Json verdict = Json::array();
-    if (last && last->measurement.hasTargets())
-        verdict = verdictsJson(verdicts(
-            figuresBy(content, last->measurement), content.tolerances, content.uncertainty));
+    Json verdictOfAllValues = Json::array();
+    if (last && last->measurement.hasTargets()) {
+        verdict = verdictJson(figuresBy(content, last->measurement));
+        if (const auto ofAllValues = figuresOfAllValues(content, last->measurement))
+            verdictOfAllValues = verdictJson(*ofAllValues);
+    }
     return {{"record", options.record}, {"output", options.output}, {"language", options.language},
         {"unit", content.isAngular ? "deg" : "mm"},
         {"before", figuresOrNull(content, content.before)},
         {"predicted", predictedJson(content.prediction)},
         {"heldOut", heldOutJson(content.prediction)},
         {"after", figuresOrNull(content, content.after)}, {"verdict", std::move(verdict)},
-        {"source", std::move(sources)}};
+        {"beforeOfAllValues", figuresOfAllOrNull(content, content.before)},
+        {"afterOfAllValues", figuresOfAllOrNull(content, content.after)},
+        {"verdictOfAllValues", std::move(verdictOfAllValues)}, {"source", std::move(sources)},
+        {"warnings", warningsJson(content.warnings)}};
 }
 
 Result<ExitCode> runReport(Environment& environment, const ReportCommandOptions& options)

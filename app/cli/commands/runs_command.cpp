@@ -115,6 +115,8 @@ Json runsJson(const MeasurementInput& input)
     Json warnings = Json::array();
     for (const Diagnostic& diagnostic : input.warnings)
         warnings.push_back(toJson(diagnostic));
+    for (Json& warning : warningsJson(otherMachines(measurement)))
+        warnings.push_back(std::move(warning));
     return {{"source", sourcesJson(input.sources)}, {"kind", measurementKindName(measurement.kind)},
         {"unit", positionUnit(measurement)}, {"targets", measurement.targets},
         {"runs",
@@ -145,6 +147,8 @@ Result<ExitCode> runRuns(Environment& environment, const RunsOptions& options)
         AXISCOMP_CHECK(checkOutput(environment, output, true));
     AXISCOMP_CHECK(checkNoInput(output, options.input.files));
     AXISCOMP_TRY(const auto input, readMeasurements(environment, options.input));
+    for (const JudgeWarning& warning : otherMachines(input.measurement))
+        environment.warn(warning.text.english());
     if (options.output.empty()) {
         environment.print(runsText(input));
     } else {

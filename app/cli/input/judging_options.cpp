@@ -4,7 +4,9 @@
 #include "app/cli/output/environment.h"
 #include "app/common/arguments.h"
 #include "app/common/number_checks.h"
+#include "app/common/number_text.h"
 #include "core/io/local_file.h"
+#include "core/metrology/joined_files.h"
 #include "core/metrology/record/calibration_record.h"
 
 namespace axiscomp::app {
@@ -42,6 +44,21 @@ Result<Json> readUncertainty(const Measurement& measurement, const ToleranceOpti
     return uncertaintyJson(terms);
 }
 
+/// Why there is no such number of the scale: no file says it, or not all of them the same.
+std::string whyNotKnown(const Measurement& measurement,
+    std::optional<double> MeasurementHeader::*number, const std::string& name, const char* unit)
+{
+    const auto said = saidByFiles(measurement, number);
+    if (!areDifferent(said))
+        return "the " + name + " of the scale is not known";
+    std::string list;
+    for (const auto& each : said)
+        list += (list.empty() ? "" : ", ")
+            + (each.said ? withUnit(shortText(*each.said), unit) : std::string("not stated"))
+            + " in file " + std::to_string(each.files.front() + 1);
+    return "the files do not agree on the " + name + " of the scale (" + list + ")";
+}
+
 /// Nothing: not asked for.
 Result<std::optional<TemperatureCorrection>> temperatureOf(
     const Measurement& measurement, const CorrectionOptions& options, const std::string& command)
@@ -52,10 +69,14 @@ Result<std::optional<TemperatureCorrection>> temperatureOf(
         options.temperature ? options.temperature : measurement.header.materialTemperature;
     const auto expansion = options.expansion ? options.expansion : measurement.header.expansion;
     if (!temperature)
-        return wrongUsage("the temperature of the scale is not known: give --temperature", command);
+        return wrongUsage(
+            whyNotKnown(measurement, &MeasurementHeader::materialTemperature, "temperature", "C")
+                + ": give --temperature",
+            command);
     if (!expansion)
-        return wrongUsage("the coefficient of expansion of the scale is not known: give "
-                          "--expansion; for steel it is about 11.5e-6",
+        return wrongUsage(whyNotKnown(measurement, &MeasurementHeader::expansion,
+                              "coefficient of expansion", "1/K")
+                + ": give --expansion; for steel it is about 11.5e-6",
             command);
     return TemperatureCorrection{*temperature, *expansion,
         options.referenceTemperature.value_or(20.0), options.referenceExpansion.value_or(0.0),

@@ -114,17 +114,23 @@ std::string promiseText(bool isAngular, const Comparison& comparison)
         + " held out, and what cannot be told)\n";
 }
 
-std::string residualText(const Measurement& after, const Comparison& comparison)
+/// From the datum.
+std::string residualText(
+    const Measurement& after, const Comparison& comparison, const std::optional<double>& position)
 {
+    const auto datum = deviationDatums(comparison.before, comparison.after, position).after;
     std::vector<Value> shown;
     for (const RemainingError& error : comparison.residual)
-        shown.insert(shown.end(), {Value(error.value), Value(error.standardError)});
+        shown.insert(
+            shown.end(), {Value(fromDatum(error.value, datum)), Value(error.standardError)});
     const FineText fine(shown, after.isAngular);
     TextTable table(
         {">target [" + std::string(positionUnit(after)) + "]", ">left", ">standard error"});
     for (const RemainingError& error : comparison.residual)
-        table.add({shortText(error.position), fine(error.value), fine(error.standardError)});
-    return "\nWhat is left at the targets, in " + fine.unit() + "\n" + table.text();
+        table.add({shortText(error.position), fine(fromDatum(error.value, datum)),
+            fine(error.standardError)});
+    return "\nWhat is left at the targets, in " + fine.unit() + datumPhrase(datum, after.isAngular)
+        + "\n" + table.text();
 }
 
 std::string hintsText(const Comparison& comparison)
@@ -151,13 +157,14 @@ Json numberOrNothing(const Value& value)
 
 } // namespace
 
-std::string comparisonText(const Measurement& after, const Comparison& comparison)
+std::string comparisonText(
+    const Measurement& after, const Comparison& comparison, const std::optional<double>& datum)
 {
     const std::string verdict = verdictsText(after, comparison.verdicts)
-        + verdictsText(after, comparison.verdictsOfAllValues, "Verdict of all values");
+        + verdictsText(after, comparison.verdictsOfAllValues, verdictOfAllValuesHeading);
     return warningsText(comparison) + sideBySide(after.isAngular, comparison)
         + allValuesText(after.isAngular, comparison) + promiseText(after.isAngular, comparison)
-        + hintsText(comparison) + residualText(after, comparison) + verdict;
+        + hintsText(comparison) + residualText(after, comparison, datum) + verdict;
 }
 
 Json comparisonJson(const Measurement& after, const Comparison& comparison)

@@ -11,8 +11,10 @@ namespace axiscomp::app {
 // What is said of a machine before and after a compensation, for people and as documents of --json
 // (docs/cli.md). Documents have mm and degrees, unrounded. after: the second measurement.
 
-/// Figures side by side, what was promised, what is left at the targets, hints, verdict.
-[[nodiscard]] std::string comparisonText(const Measurement& after, const Comparison& comparison);
+/// Figures side by side, what was promised, what is left at the targets, hints, verdict. datum:
+/// position that was stated.
+[[nodiscard]] std::string comparisonText(const Measurement& after, const Comparison& comparison,
+    const std::optional<double>& datum = {});
 
 /// Everything of it but sources and uncertainty, which the command knows.
 [[nodiscard]] Json comparisonJson(const Measurement& after, const Comparison& comparison);

@@ -52,8 +52,12 @@ std::string figuresText(
     return heading + ", in " + fine.unit() + "\n" + table.text();
 }
 
-std::string targetsText(const Measurement& measurement, const Iso230Figures& figures)
+/// The means from the datum.
+std::string targetsText(const Measurement& measurement, const Iso230Figures& measured,
+    const std::optional<double>& position)
 {
+    const auto datum = deviationDatum(measured, position);
+    const Iso230Figures figures = fromDatum(measured, datum);
     const FineText fine(valuesOfTargets(figures), measurement.isAngular);
     TextTable table({">number", ">target [" + std::string(positionUnit(measurement)) + "]", ">n up",
         ">mean up", ">s up", ">n down", ">mean down", ">s down", ">mean", ">B", ">R"});
@@ -62,7 +66,8 @@ std::string targetsText(const Measurement& measurement, const Iso230Figures& fig
             std::to_string(target.up.n), fine(target.up.mean), fine(target.up.s),
             std::to_string(target.down.n), fine(target.down.mean), fine(target.down.s),
             fine(target.mean), fine(target.reversal), fine(target.repeatability)});
-    return "Targets, in " + fine.unit() + "\n" + table.text();
+    return "Targets, in " + fine.unit() + datumPhrase(datum, measurement.isAngular) + "\n"
+        + table.text();
 }
 
 std::string fineOrNothing(const std::optional<double>& value, bool isAngular)
@@ -317,7 +322,14 @@ Json excludedJson(const Measurement& measurement)
     return list;
 }
 
-std::string judgementText(const Measurement& measurement, const Judgement& judgement)
+std::string datumPhrase(const std::optional<PlacedDeviation>& datum, bool isAngular)
+{
+    return datum ? ", " + datumText(*datum, isAngular, UnitLetters::Ascii).english()
+                 : std::string();
+}
+
+std::string judgementText(
+    const Measurement& measurement, const Judgement& judgement, const std::optional<double>& datum)
 {
     const std::size_t excluded = measurement.excludedCount();
     std::string text = figuresText(measurement, judgement.figures,
@@ -327,13 +339,14 @@ std::string judgementText(const Measurement& measurement, const Judgement& judge
         text += "\n"
             + figuresText(
                 measurement, *judgement.ofAllValues, "Figures of ISO 230-2:2014, of all values");
-    text += "\n" + targetsText(measurement, judgement.figures);
+    text += "\n" + targetsText(measurement, judgement.figures, datum);
     text += driftText(measurement, judgement);
     text += outliersText(measurement, judgement.outliers);
     if (judgement.vdi)
         text += vdiText(measurement, *judgement.vdi);
     text += conditionsText(judgement.compliance);
-    return text + verdictsText(measurement, judgement.verdicts);
+    return text + verdictsText(measurement, judgement.verdicts)
+        + verdictsText(measurement, judgement.verdictsOfAllValues, verdictOfAllValuesHeading);
 }
 
 Json axisFiguresJson(const Iso230Figures& figures)
@@ -374,6 +387,7 @@ Json judgementJson(const Measurement& measurement, const Judgement& judgement)
         {"contradictions", textsJson(judgement.published.contradictions)},
         {"compliance", complianceJson(judgement.compliance)},
         {"verdict", verdictsJson(judgement.verdicts)},
+        {"verdictOfAllValues", verdictsJson(judgement.verdictsOfAllValues)},
         {"warnings", warningsJson(judgement.warnings)}};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/output/json.h"
+#include "core/metrology/judge/deviation_curves.h"
 #include "core/metrology/judge/judgement.h"
 
 #include <string>
@@ -14,11 +15,16 @@ namespace axiscomp::app {
 /// "9 targets from -20 to 20 mm, 5 runs up, 5 runs down"
 [[nodiscard]] std::string measurementSummary(const Measurement& measurement);
 
-/// Figures, targets, drift, outliers, conditions, verdict.
-[[nodiscard]] std::string judgementText(const Measurement& measurement, const Judgement& judgement);
+/// ", 0 = mean at 15 mm"; empty without a datum.
+[[nodiscard]] std::string datumPhrase(const std::optional<PlacedDeviation>& datum, bool isAngular);
+
+/// Figures, targets, drift, outliers, conditions, verdict. datum: position that was stated.
+[[nodiscard]] std::string judgementText(const Measurement& measurement, const Judgement& judgement,
+    const std::optional<double>& datum = {});
 
 /// {"B", "Bmean", "M", "EUp", ...}; null: not defined.
 [[nodiscard]] Json axisFiguresJson(const Iso230Figures& figures);
+inline constexpr const char* verdictOfAllValuesHeading = "Verdict of all values";
 /// A table of them with a heading; empty without any.
 [[nodiscard]] std::string verdictsText(const Measurement& measurement,
     const std::vector<Verdict>& verdicts, const std::string& heading = "Verdict");

@@ -524,8 +524,8 @@ Text atTemperature(double temperature, Text sentence)
         .with("sentence", std::move(sentence));
 }
 
-/// The runs of a state alone, with what was excluded of them. What the file says of results is of
-/// all runs.
+/// The runs of a state alone, with what was excluded of them. What the file says of results, and
+/// files of their machines, is of all runs.
 Measurement runsOfState(const Measurement& measurement, const ThermalState& state)
 {
     Measurement runs = measurement;
@@ -533,6 +533,7 @@ Measurement runsOfState(const Measurement& measurement, const ThermalState& stat
         return !state.runs.contains({value.direction, value.run});
     });
     runs.published.clear();
+    runs.joined.clear();
     return runs;
 }
 
@@ -541,6 +542,8 @@ void addRemarksOfStates(const FitInput& input, const StateCurves& curves, FitRep
 {
     JudgeOptions judging;
     judging.outlierRule = input.settings.outlierRule;
+    for (JudgeWarning& warning : otherMachines(input.measurement))
+        addRemark(report, warning.name, std::move(warning.text), true);
     std::size_t outliers = 0;
     for (const ThermalState& state : curves.states) {
         const Judgement judgement = judge(runsOfState(input.measurement, state), judging);

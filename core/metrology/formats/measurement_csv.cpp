@@ -19,23 +19,17 @@ namespace axiscomp {
 
 namespace {
 
-constexpr std::array unitEndings{std::string_view("_mm"), std::string_view("_um"),
-    std::string_view("_deg"), std::string_view("_arcsec")};
-
-/// "target_mm" is "target" with the unit mm.
+/// "target_mm" is "target" with the unit mm; "error_rev" is a direction and no turn.
 csv::ColumnName withUnitOfName(csv::ColumnName column)
 {
-    if (!column.unit.empty())
+    const std::size_t line = column.name.rfind('_');
+    if (!column.unit.empty() || line == std::string::npos || line == 0)
         return column;
-    for (const std::string_view ending : unitEndings) {
-        const std::size_t length = column.name.size();
-        if (length <= ending.size()
-            || !sameLetters(std::string_view(column.name).substr(length - ending.size()), ending))
-            continue;
-        column.unit = std::string(ending.substr(1));
-        column.name.resize(length - ending.size());
+    std::string ending = column.name.substr(line + 1);
+    if (!isPositionUnit(ending) || approachOf(ending))
         return column;
-    }
+    column.unit = std::move(ending);
+    column.name.resize(line);
     return column;
 }
 
@@ -189,7 +183,7 @@ std::size_t MeasurementCsv::column(
 {
     m_askedRoles.push_back(lowerCase(std::string(role)));
     const auto isCalled = [](const csv::ColumnName& column, std::string_view name) {
-        return sameLetters(column.name, name);
+        return sameLetters(column.name, name) || sameLetters(column.name + "_" + column.unit, name);
     };
     const auto mapping = std::ranges::find_if(m_options.columns,
         [role](const ColumnMapping& one) { return sameLetters(one.role, role); });

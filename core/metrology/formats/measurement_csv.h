@@ -62,8 +62,8 @@ public:
     void markKnown(std::size_t column) { m_isKnown[column - 1] = true; }
     [[nodiscard]] bool isKnown(std::size_t column) const { return m_isKnown[column - 1]; }
 
-    /// The unit of a column: stated, or in brackets behind the name, or "_mm" at its end. Nothing
-    /// when it is missing or unknown, which is reported.
+    /// The unit of a column: stated, or in brackets behind the name, or "_mm" at its end (any unit
+    /// that the brackets may have). Nothing when it is missing or unknown, which is reported.
     std::optional<MeasurementUnit> unit(std::size_t column, const std::string& stated);
     /// Reports columns of which one is a length and the other an angle.
     void checkSameKind(const std::optional<MeasurementUnit>& a,

@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 3> rules{
     "are missing. A direction without a number is run 1 where no other column is.",
     "The file says // values: deviation, or // values: reference; without that it is asked "
     "(--values), since both are common.",
-    "Units stand in brackets or behind the name (target_mm); the columns of runs need one, too.",
+    "Units stand in brackets or behind the name (target_mm, up1_um); the columns of runs need one, "
+    "too.",
 };
 
 /// "up_3" and "up3" are run 3 in positive direction.

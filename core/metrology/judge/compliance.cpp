@@ -33,8 +33,7 @@ public:
         checkDirections();
         checkPeriod();
         checkRecord("environment", AXISCOMP_TEXT("Measurement", "the file states the temperature"),
-            m_measurement.header.airTemperature || m_measurement.header.materialTemperature
-                || temperaturesOfValues(m_measurement));
+            isTemperatureStated());
         checkRecord("instrument", AXISCOMP_TEXT("Measurement", "the file states the instrument"),
             !m_measurement.header.instrument.empty());
         checkRecord("feed", AXISCOMP_TEXT("Measurement", "the file states the feed"),
@@ -48,6 +47,16 @@ private:
     void add(std::string_view rule, Text text, std::optional<bool> isMet, bool isAssumed = false)
     {
         m_lines.push_back({rule, std::move(text), isMet, isAssumed});
+    }
+    /// By each of the files that were joined, whether it is one for all or not.
+    [[nodiscard]] bool isTemperatureStated() const
+    {
+        const auto isIn = [](const MeasurementHeader& header) {
+            return header.airTemperature || header.materialTemperature;
+        };
+        const auto& files = m_measurement.joined;
+        return isIn(m_measurement.header) || temperaturesOfValues(m_measurement)
+            || (!files.empty() && std::ranges::all_of(files, isIn));
     }
     [[nodiscard]] Quantity range() const
     {

@@ -102,6 +102,11 @@ double datumOf(const TemperatureCorrection& correction, const Measurement& measu
         measurement.targets.empty() ? 0.0 : measurement.targets.front());
 }
 
+std::optional<double> statedDatum(const std::optional<TemperatureCorrection>& correction)
+{
+    return correction ? correction->datum : std::nullopt;
+}
+
 Result<Measurement> correctedForTemperature(
     Measurement measurement, const TemperatureCorrection& correction)
 {

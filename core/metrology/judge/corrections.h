@@ -33,6 +33,10 @@ struct TemperatureCorrection {
 [[nodiscard]] double datumOf(
     const TemperatureCorrection& correction, const Measurement& measurement);
 
+/// The datum that a person has stated; nothing: none.
+[[nodiscard]] std::optional<double> statedDatum(
+    const std::optional<TemperatureCorrection>& correction);
+
 /// As it would be at 20 deg C: positions from the datum are multiplied by
 /// (1 + a_r (T_r - 20)) / (1 + a (T - 20)). Errors: InvalidArgument when the file says that the
 /// values are corrected already, when it does not say it and nobody confirms it, for angles, and

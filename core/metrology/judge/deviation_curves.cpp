@@ -68,12 +68,26 @@ void addToEnvelope(DeviationCurves::Direction& direction, const PlacedDeviation&
     largest = std::max(largest, value.deviation);
 }
 
+void moveBy(std::optional<double>& deviation, double by)
+{
+    if (deviation)
+        *deviation += by;
+}
+
+std::optional<double> meanInUse(const TargetFigures& target)
+{
+    if (target.mean)
+        return target.mean;
+    return target.up.mean ? target.up.mean : target.down.mean;
+}
+
 /// The values stand by direction, target and run.
 void addValues(DeviationCurves& curves, const Measurement& measurement)
 {
     std::map<std::pair<Approach, int>, DeviationCurves::Run> runs;
     for (const RunValue& value : measurement.values) {
-        const PlacedDeviation placed{measurement.targets[value.target], value.deviation};
+        const PlacedDeviation placed{
+            measurement.targets[value.target], fromDatum(value.deviation, curves.datum)};
         if (!value.isUsed) {
             curves.excluded.push_back(placed);
             continue;
@@ -81,7 +95,7 @@ void addValues(DeviationCurves& curves, const Measurement& measurement)
         DeviationCurves::Run& run = runs[{value.direction, value.run}];
         run.values.push_back(placed);
         addToEnvelope(value.direction == Approach::Up ? curves.up : curves.down, placed);
-        widen(curves.all, value.deviation);
+        widen(curves.all, placed.deviation);
         ++curves.valueCount;
     }
     for (auto& [key, run] : runs) {
@@ -116,6 +130,61 @@ DeviationRange united(const DeviationRange& a, const DeviationRange& b)
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
+std::optional<PlacedDeviation> deviationDatum(
+    const Iso230Figures& figures, const std::optional<double>& position)
+{
+    std::vector<PlacedDeviation> means;
+    for (const TargetFigures& target : figures.targets)
+        append(means, target.position, meanInUse(target));
+    if (means.empty())
+        return std::nullopt;
+    const double first = means.front().position;
+    const double at = std::clamp(position.value_or(first), first, means.back().position);
+    const auto next = std::ranges::lower_bound(means, at, {}, &PlacedDeviation::position);
+    if (next->position == at)
+        return *next;
+    const PlacedDeviation& before = *std::prev(next);
+    const double share = (at - before.position) / (next->position - before.position);
+    return PlacedDeviation{at, before.deviation + share * (next->deviation - before.deviation)};
+}
+
+TwoDatums deviationDatums(
+    const Iso230Figures& before, const Iso230Figures& after, const std::optional<double>& position)
+{
+    TwoDatums datums;
+    datums.before = deviationDatum(before, position);
+    const bool isOfFirst = !position && datums.before;
+    datums.after =
+        deviationDatum(after, isOfFirst ? std::optional(datums.before->position) : position);
+    return datums;
+}
+
+double fromDatum(double deviation, const std::optional<PlacedDeviation>& datum)
+{
+    return datum ? deviation - datum->deviation : deviation;
+}
+
+Iso230Figures fromDatum(Iso230Figures figures, const std::optional<PlacedDeviation>& datum)
+{
+    const double by = fromDatum(0.0, datum);
+    for (TargetFigures& target : figures.targets) {
+        moveBy(target.mean, by);
+        for (DirectionFigures* direction : {&target.up, &target.down})
+            for (auto* place : {&direction->mean, &direction->low, &direction->high})
+                moveBy(*place, by);
+    }
+    return figures;
+}
+
+Text datumText(const PlacedDeviation& datum, bool isAngular, UnitLetters letters)
+{
+    Quantity position = placeOf(datum.position, isAngular);
+    if (isAngular && letters == UnitLetters::Page)
+        position.unit = "°";
+    return AXISCOMP_TEXT("Measurement", "0 = mean at {position}")
+        .with("position", std::move(position));
+}
+
 TextPattern deviationLineText(DeviationLine line)
 {
     switch (line) {
@@ -135,10 +204,12 @@ TextPattern deviationLineText(DeviationLine line)
     return AXISCOMP_TEXT("Report", "single run");
 }
 
-DeviationCurves deviationCurves(const Measurement& measurement, const Iso230Figures& figures)
+DeviationCurves deviationCurves(const Measurement& measurement, const Iso230Figures& figures,
+    const std::optional<PlacedDeviation>& datum)
 {
     DeviationCurves curves;
-    addFigures(curves, figures);
+    curves.datum = datum;
+    addFigures(curves, fromDatum(figures, datum));
     addValues(curves, measurement);
     return curves;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/iso230.h"
 
 namespace axiscomp {
@@ -24,6 +25,32 @@ struct PlacedDeviation {
 
     friend bool operator==(const PlacedDeviation&, const PlacedDeviation&) = default;
 };
+
+/// What a picture or a list takes for zero, since that of an instrument is arbitrary: the mean
+/// deviation at a position, of both directions or of the one that there is. Without a position it
+/// is that of the first target. A position is held within the targets; between two of them the mean
+/// is on the line through theirs. Nothing: there are no targets.
+[[nodiscard]] std::optional<PlacedDeviation> deviationDatum(
+    const Iso230Figures& figures, const std::optional<double>& position = {});
+
+/// Of two measurements that are read side by side: at one position, as far as both have it.
+struct TwoDatums {
+    std::optional<PlacedDeviation> before;
+    std::optional<PlacedDeviation> after;
+};
+/// Either may be without targets.
+[[nodiscard]] TwoDatums deviationDatums(const Iso230Figures& before, const Iso230Figures& after,
+    const std::optional<double>& position = {});
+
+/// A deviation as it is shown; without a datum as it was measured.
+[[nodiscard]] double fromDatum(double deviation, const std::optional<PlacedDeviation>& datum);
+/// The means of all targets and their limits as they are shown; what is a range or a difference is
+/// the same.
+[[nodiscard]] Iso230Figures fromDatum(
+    Iso230Figures figures, const std::optional<PlacedDeviation>& datum);
+/// "0 = mean at 15 mm"
+[[nodiscard]] Text datumText(
+    const PlacedDeviation& datum, bool isAngular, UnitLetters letters = UnitLetters::Page);
 
 /// The lines of the plot.
 enum class DeviationLine { MeanUp, MeanDown, Mean, BandUp, BandDown, Run };
@@ -66,11 +93,12 @@ struct DeviationCurves {
     std::optional<DeviationRange> meanRange;
     std::optional<Reversal> reversal;
     std::optional<DeviationRange> all; ///< values and limits of 2 s; nothing without a value in use
+    std::optional<PlacedDeviation> datum; ///< from which all of these are (fromDatum)
 };
 
-/// measurement: with targets. figures: of its values in use.
-[[nodiscard]] DeviationCurves deviationCurves(
-    const Measurement& measurement, const Iso230Figures& figures);
+/// measurement: with targets. figures: of its values in use, as they were measured.
+[[nodiscard]] DeviationCurves deviationCurves(const Measurement& measurement,
+    const Iso230Figures& figures, const std::optional<PlacedDeviation>& datum = {});
 
 /// At most this many points of each curve over the targets: of neighbours the lowest and the
 /// highest ones, so that in a picture of fewer columns nothing is missed. Without runs where there

@@ -2,8 +2,10 @@
 #include "core/metrology/judge/judgement.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/joined_files.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -47,6 +49,45 @@ void warnOfUndecided(Judgement& result, const DirectionOutliers& outliers, Appro
         {"OutliersNotTested", pattern.with("direction", approachText(direction))});
 }
 
+/// "M1 (file 1)", "M2 (file 3)"
+std::vector<Text> statementTexts(const TextsOfFiles& said)
+{
+    std::vector<Text> texts;
+    for (const auto& each : said)
+        if (!each.said.empty())
+            texts.push_back(AXISCOMP_TEXT("Measurement", "{said} (file {file})")
+                                .with("said", each.said)
+                                .with("file", each.files.front() + 1));
+    return texts;
+}
+
+Text verdictOfAllText(const Verdict& verdict, bool isAngular, UnitLetters letters)
+{
+    const double limit = verdict.tolerance.value;
+    const double value = verdict.value.value_or(limit);
+    const ComparedDigits shown = comparedDigits(value, limit, isAngular);
+    const auto quantity = [&](const FineUnit& unit, double amount) {
+        return Quantity{unit.digits(amount, shown.decimals),
+            letters == UnitLetters::Ascii ? unit.name : unit.symbol};
+    };
+    return AXISCOMP_TEXT(
+        "Measurement", "of all values {figure} is {value} (tolerance {tolerance}: {result})")
+        .with("figure", figureText(verdict.tolerance.figure))
+        .with("value", quantity(shown.value, value))
+        .with("tolerance", quantity(shown.limit, limit))
+        .with("result", verdictText(verdict.result));
+}
+
+void judgeAll(Judgement& result, const JudgeOptions& options, bool isAngular)
+{
+    if (!result.ofAllValues)
+        return;
+    result.verdictsOfAllValues =
+        verdicts(*result.ofAllValues, options.tolerances, options.uncertainty);
+    std::ranges::move(otherVerdicts(result.verdicts, result.verdictsOfAllValues, isAngular),
+        std::back_inserter(result.warnings));
+}
+
 } // namespace
 
 Text excludedText(std::size_t count)
@@ -55,6 +96,33 @@ Text excludedText(std::size_t count)
         "{count} values excluded, not an evaluation by ISO 230-2",
         "1 value excluded, not an evaluation by ISO 230-2")
         .with("count", count);
+}
+
+std::vector<JudgeWarning> otherMachines(const Measurement& measurement)
+{
+    std::vector<JudgeWarning> warnings;
+    const auto machines = saidByFiles(measurement, &MeasurementHeader::machine);
+    if (areDifferent(machines))
+        warnings.push_back({"OtherMachine",
+            AXISCOMP_TEXT("Measurement", "the files are of different machines: {machines}")
+                .with("machines", statementTexts(machines))});
+    const auto serials = saidByFiles(measurement, &MeasurementHeader::serial);
+    if (areDifferent(serials))
+        warnings.push_back({"OtherSerial",
+            AXISCOMP_TEXT("Measurement", "the files have different serial numbers: {numbers}")
+                .with("numbers", statementTexts(serials))});
+    return warnings;
+}
+
+std::vector<JudgeWarning> otherVerdicts(std::span<const Verdict> inUse,
+    std::span<const Verdict> ofAllValues, bool isAngular, UnitLetters letters)
+{
+    std::vector<JudgeWarning> warnings;
+    for (std::size_t n = 0; n < inUse.size(); ++n)
+        if (ofAllValues[n].value && ofAllValues[n].result != inUse[n].result)
+            warnings.push_back(
+                {"OtherVerdict", verdictOfAllText(ofAllValues[n], isAngular, letters)});
+    return warnings;
 }
 
 bool Judgement::isWithinTolerances() const
@@ -66,6 +134,7 @@ bool Judgement::isWithinTolerances() const
 Judgement judge(const Measurement& measurement, const JudgeOptions& options)
 {
     Judgement result;
+    result.warnings = otherMachines(measurement);
     result.figures = iso230Figures(measurement);
     const Measurement whole = withAllValues(measurement);
     const std::size_t excluded = measurement.excludedCount();
@@ -94,6 +163,7 @@ Judgement judge(const Measurement& measurement, const JudgeOptions& options)
     if (options.wantsVdi)
         result.vdi = vdi3441Figures(result.figures);
     result.verdicts = verdicts(result.figures, options.tolerances, options.uncertainty);
+    judgeAll(result, options, measurement.isAngular);
     return result;
 }
 

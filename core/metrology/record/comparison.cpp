@@ -2,7 +2,6 @@
 #include "core/metrology/record/comparison.h"
 
 #include "core/curve/smoothing_spline.h"
-#include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/measurement_fit.h"
 #include "core/store/backup_json.h"
 #include "core/table/target_axis.h"
@@ -12,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -493,19 +493,6 @@ std::optional<Iso230Figures> figuresOfAll(const Measurement& measurement, bool i
     return figuresOfFit(withAllValues(measurement), isByTemperature);
 }
 
-Text verdictWords(const Verdict& verdict, bool isAngular)
-{
-    const double limit = verdict.tolerance.value;
-    const auto shown = comparedQuantities(verdict.value.value_or(limit), limit, isAngular);
-    return AXISCOMP_TEXT(
-        "Measurement", "of all values {figure} is {value} (tolerance {tolerance}: {result})")
-        .with("figure", figureText(verdict.tolerance.figure))
-        .with("value", shown.value)
-        .with("tolerance", shown.limit)
-        .with("result", verdictText(verdict.result));
-}
-
-/// A tolerance that only the values in use meet is met by what was chosen.
 void judgeAllValues(Comparison& comparison, const Measurement& before, const Measurement& after,
     const ComparisonRequest& request)
 {
@@ -522,11 +509,9 @@ void judgeAllValues(Comparison& comparison, const Measurement& before, const Mea
             .with("remark", excludedText(after.excludedCount()))});
     comparison.verdictsOfAllValues =
         verdicts(*comparison.afterOfAllValues, request.tolerances, request.uncertainty);
-    for (std::size_t n = 0; n < comparison.verdicts.size(); ++n) {
-        const Verdict& ofAll = comparison.verdictsOfAllValues[n];
-        if (ofAll.value && ofAll.result != comparison.verdicts[n].result)
-            comparison.warnings.push_back({"OtherVerdict", verdictWords(ofAll, after.isAngular)});
-    }
+    std::ranges::move(
+        otherVerdicts(comparison.verdicts, comparison.verdictsOfAllValues, after.isAngular),
+        std::back_inserter(comparison.warnings));
 }
 
 bool isByTemperature(const CalibrationRecord& record)

@@ -122,7 +122,8 @@ private:
                  {m_x.end, m_y.end}, {m_x.begin, m_y.end}},
             PlotInk::Frame, 0.2);
         m_plot.labels.push_back({{2.6, (m_y.begin + m_y.end) / 2.0},
-            AXISCOMP_TEXT("Report", "Deviation in {unit}").with("unit", Verbatim{m_unit.symbol}),
+            AXISCOMP_TEXT("Report", "Deviation in {unit}")
+                .with("unit", deviationUnitText(m_unit, m_curves.datum, m_measurement.isAngular)),
             PlotLabel::Side::Centre, true, smallFont});
         m_plot.labels.push_back({{(m_x.begin + m_x.end) / 2.0, m_plot.height - 1.2},
             AXISCOMP_TEXT("Report", "Position in {unit}")

@@ -2,6 +2,7 @@
 #include "core/metrology/report/record_report.h"
 
 #include "core/metrology/fine_quantity.h"
+#include "core/metrology/joined_files.h"
 #include "core/metrology/record/comparison.h"
 #include "core/metrology/record/reference_reading.h"
 #include "core/metrology/report/report_text.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 
 namespace axiscomp {
 
@@ -41,6 +43,9 @@ Result<ReportMeasurement> measured(const RecordedMeasurement& recorded, const Fi
     result.corrections = correctionsOnRecord(recorded.corrections, made, fit);
     result.measurement = std::move(made.measurement);
     result.areCorrectionsKnown = true;
+    result.datum = statedDatum(recorded.corrections.temperature);
+    for (const RecordedFile& file : recorded.files)
+        result.files.push_back(file.file);
     return result;
 }
 
@@ -167,6 +172,24 @@ void addTable(ReportContent& content, const CalibrationRecord& record)
     }
 }
 
+/// "M1 (a.csv), M2 (b.csv)" where joined files say different things.
+std::string saidOfMachine(const ReportMeasurement& one, std::string MeasurementHeader::*text)
+{
+    const auto said = saidByFiles(one.measurement, text);
+    if (!areDifferent(said))
+        return one.measurement.header.*text;
+    std::string all;
+    for (const auto& each : said) {
+        if (each.said.empty())
+            continue;
+        std::string names;
+        for (const std::size_t file : each.files)
+            names += (names.empty() ? "" : ", ") + one.files.at(file);
+        all += (all.empty() ? "" : ", ") + each.said + " (" + names + ")";
+    }
+    return all;
+}
+
 /// What the first measurement does not state may be in the second one.
 void takeMachine(ReportContent& content)
 {
@@ -179,9 +202,9 @@ void takeMachine(ReportContent& content)
             continue;
         const Measurement& measurement = (*one)->measurement;
         content.isAngular = measurement.isAngular;
-        take(measurement.header.machine, content.machine);
+        take(saidOfMachine(**one, &MeasurementHeader::machine), content.machine);
         take(measurement.header.axis, content.axis);
-        take(measurement.header.serial, content.serial);
+        take(saidOfMachine(**one, &MeasurementHeader::serial), content.serial);
     }
 }
 
@@ -193,15 +216,50 @@ void addTolerances(ReportContent& content, const CalibrationRecord& record)
 }
 
 /// Records of older programs have measurements that compareMeasurements refuses by now.
+void warnOfOtherTargets(ReportContent& content, const Measurement& before, const Measurement& after)
+{
+    const auto lesser = lesserRange(before, after);
+    if (lesser)
+        content.warnings.push_back({"LesserRange", lesserRangeText(*lesser, content.isAngular)});
+    if (auto wider = widerTargetsText(before, after))
+        content.warnings.push_back({"WiderTargets", std::move(*wider)});
+}
+
+void warnOfOtherVerdict(ReportContent& content, const Measurement& last)
+{
+    const auto ofAllValues = figuresOfAllValues(content, last);
+    if (!ofAllValues)
+        return;
+    const auto verdictsOf = [&content](const Iso230Figures& figures) {
+        return verdicts(figures, content.tolerances, content.uncertainty);
+    };
+    std::ranges::move(otherVerdicts(verdictsOf(figuresBy(content, last)), verdictsOf(*ofAllValues),
+                          content.isAngular, UnitLetters::Page),
+        std::back_inserter(content.warnings));
+}
+
+void warnOfOtherMachines(ReportContent& content)
+{
+    if (content.before)
+        for (const JudgeWarning& warning : otherMachines(content.before->measurement))
+            content.warnings.push_back({warning.name,
+                AXISCOMP_TEXT("Measurement", "first measurement: {remark}")
+                    .with("remark", warning.text)});
+    if (content.after)
+        for (const JudgeWarning& warning : otherMachines(content.after->measurement))
+            content.warnings.push_back({warning.name,
+                AXISCOMP_TEXT("Measurement", "second measurement: {remark}")
+                    .with("remark", warning.text)});
+}
+
 void addWarnings(ReportContent& content)
 {
-    if (!content.before || !content.after)
-        return;
-    const auto lesser = lesserRange(content.before->measurement, content.after->measurement);
-    if (lesser)
-        content.warnings.push_back(lesserRangeText(*lesser, content.isAngular));
-    if (auto wider = widerTargetsText(content.before->measurement, content.after->measurement))
-        content.warnings.push_back(std::move(*wider));
+    warnOfOtherMachines(content);
+    if (content.before && content.after)
+        warnOfOtherTargets(content, content.before->measurement, content.after->measurement);
+    const auto& last = content.after ? content.after : content.before;
+    if (last && last->measurement.hasTargets())
+        warnOfOtherVerdict(content, last->measurement);
 }
 
 } // namespace
@@ -222,7 +280,6 @@ Result<ReportContent> reportContent(
         addInputs(content.inputs, after->measurement);
     }
     takeMachine(content);
-    addWarnings(content);
     if (record.drive) {
         content.drive = record.drive->name;
         content.driveSerial = std::to_string(record.drive->serialNumber);
@@ -242,6 +299,7 @@ Result<ReportContent> reportContent(
     content.isByTemperature = record.fit && record.fit->settings.isByTemperature;
     addTable(content, record);
     addTolerances(content, record);
+    addWarnings(content);
     for (const std::string& note : record.notes)
         content.notes.push_back(statedText(note));
     return content;

@@ -3,8 +3,10 @@
 
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/metrology/joined_files.h"
 #include "core/metrology/report/deviation_plot.h"
 #include "core/metrology/report/report_text.h"
+#include "core/metrology/run_selection.h"
 #include "core/text/number_text.h"
 
 #include <algorithm>
@@ -22,12 +24,19 @@ constexpr std::size_t mostNotes = 3; // on the first page, as the rest of a list
 constexpr std::size_t mostInputs = 4;
 constexpr std::size_t mostExclusions = 6;
 constexpr std::size_t mostTables = 4;
+constexpr std::size_t mostStatements = 4; // of joined files, and of those with the same
 
 /// A measurement as the page needs it.
 struct Judged {
     const ReportMeasurement* reported = nullptr; ///< null: not on record
     Iso230Figures figures;
+    std::optional<Iso230Figures> ofAllValues; ///< only where values are left out
     DeviationCurves curves;
+
+    [[nodiscard]] const Iso230Figures& ofAll() const
+    {
+        return ofAllValues ? *ofAllValues : figures;
+    }
 };
 
 Judged judged(const ReportContent& content, const std::optional<ReportMeasurement>& reported)
@@ -38,7 +47,7 @@ Judged judged(const ReportContent& content, const std::optional<ReportMeasuremen
     result.reported = &*reported;
     if (reported->measurement.hasTargets()) {
         result.figures = figuresBy(content, reported->measurement);
-        result.curves = deviationCurves(reported->measurement, result.figures);
+        result.ofAllValues = figuresOfAllValues(content, reported->measurement);
     }
     return result;
 }
@@ -51,6 +60,7 @@ public:
         , m_before(judged(content, content.before))
         , m_after(judged(content, content.after))
     {
+        placeCurves();
     }
 
     ReportDocument written()
@@ -71,6 +81,20 @@ public:
     }
 
 private:
+    /// The zero of an instrument is arbitrary, and may be another one in each measurement.
+    void placeCurves()
+    {
+        std::optional<double> stated;
+        for (const Judged* one : {&m_before, &m_after})
+            if (one->reported && !stated)
+                stated = one->reported->datum;
+        const TwoDatums datums = deviationDatums(m_before.figures, m_after.figures, stated);
+        for (const auto& [one, datum] :
+            {std::pair(&m_before, &datums.before), std::pair(&m_after, &datums.after)})
+            if (hasPlot(*one))
+                one->curves = deviationCurves(one->reported->measurement, one->figures, *datum);
+    }
+
     [[nodiscard]] Text title() const
     {
         if (m_content.corrected.empty())
@@ -141,9 +165,10 @@ private:
             paragraph(AXISCOMP_TEXT("Report", "The accuracy A before is not defined."), true);
         if (m_after.reported && !(before && after))
             addDefinedOutcome();
-        for (const Text& warning : m_content.warnings)
+        addOutcomeOfAllValues();
+        for (const JudgeWarning& warning : m_content.warnings)
             paragraph(
-                AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning), true);
+                AXISCOMP_TEXT("Report", "Warning: {warning}.").with("warning", warning.text), true);
     }
 
     /// With one run alone A is not defined, and what is systematic still is; of runs in both
@@ -164,6 +189,30 @@ private:
             return;
         }
     }
+
+    /// Who reads that sentence alone has to know that values were chosen.
+    void addOutcomeOfAllValues()
+    {
+        const auto& before = m_before.ofAll()[Iso230Figure::A].value;
+        const auto& after = m_after.ofAll()[Iso230Figure::A].value;
+        if (!hasExcluded() || !(before || after))
+            return;
+        if (m_after.reported)
+            paragraph(AXISCOMP_TEXT("Report",
+                          "Accuracy A of all values, with those that are left out: {before} "
+                          "before, {after} after.")
+                          .with("before", fine(before))
+                          .with("after", fine(after)),
+                true);
+        else
+            paragraph(AXISCOMP_TEXT("Report",
+                          "Accuracy A of all values, with those that are left out: {before} "
+                          "before.")
+                          .with("before", fine(before)),
+                true);
+    }
+
+    [[nodiscard]] bool hasExcluded() const { return m_before.ofAllValues || m_after.ofAllValues; }
 
     void addMachine()
     {
@@ -192,20 +241,18 @@ private:
                 cells.push_back(one->reported ? text(*one->reported) : notStated());
             table.rows.push_back(std::move(cells));
         };
-        const auto header = [](const ReportMeasurement& one) -> const MeasurementHeader& {
-            return one.measurement.header;
-        };
+        using Header = MeasurementHeader;
         row(AXISCOMP_TEXT("Report", "Date"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).date); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::date); });
         row(AXISCOMP_TEXT("Report", "Operator"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).operatorName); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::operatorName); });
         row(AXISCOMP_TEXT("Report", "Instrument"),
-            [&](const ReportMeasurement& one) { return statedText(header(one).instrument); });
+            [&](const ReportMeasurement& one) { return saidText(one, &Header::instrument); });
         row(AXISCOMP_TEXT("Report", "Feed, dwell"), [&](const ReportMeasurement& one) {
-            return listText({statedText(header(one).feed), statedText(header(one).dwell)});
+            return listText({saidText(one, &Header::feed), saidText(one, &Header::dwell)});
         });
         row(AXISCOMP_TEXT("Report", "Environment"),
-            [&](const ReportMeasurement& one) { return environmentText(one.measurement); });
+            [&](const ReportMeasurement& one) { return environmentText(one); });
         row(AXISCOMP_TEXT("Report", "Compensation"),
             [&](const ReportMeasurement& one) { return stateText(one); });
         row(AXISCOMP_TEXT("Report", "Corrections"),
@@ -217,18 +264,57 @@ private:
         m_document.blocks.emplace_back(std::move(table));
     }
 
-    [[nodiscard]] static Text listText(std::vector<Text> items)
+    /// Of a list that may be long.
+    template <typename Item>
+    [[nodiscard]] static Text shortListText(const std::vector<Item>& items, auto textOf)
     {
-        return Text({"", "{items}", nullptr}, {{"items", std::move(items)}});
+        std::vector<Text> list;
+        for (std::size_t i = 0; i < std::min(items.size(), mostStatements); ++i)
+            list.push_back(textOf(items[i]));
+        if (items.size() > mostStatements)
+            list.push_back(AXISCOMP_COUNTED(
+                "Report", "and {count} more in the record", "and 1 more in the record")
+                               .with("count", items.size() - mostStatements));
+        return listText(std::move(list));
     }
 
-    [[nodiscard]] static Text environmentText(const Measurement& measurement)
+    /// "M1 (a.csv), M2 (b.csv)": nobody is to take the statement of one file for that of all.
+    template <typename Statement>
+    [[nodiscard]] static Text byFilesText(
+        const ReportMeasurement& one, const std::vector<SaidByFiles<Statement>>& said, auto textOf)
     {
-        const MeasurementHeader& header = measurement.header;
-        const auto temperature = [](const std::optional<double>& value) {
-            return value ? quantityText(roundedText(*value), "°C") : notStated();
+        return shortListText(said, [&](const SaidByFiles<Statement>& each) -> Text {
+            return AXISCOMP_TEXT("Report", "{said} ({files})")
+                .with("said", textOf(each.said))
+                .with("files", shortListText(each.files, [&](std::size_t file) {
+                    return statedText(file < one.files.size() ? one.files[file] : std::string());
+                }));
+        });
+    }
+
+    [[nodiscard]] static Text saidText(
+        const ReportMeasurement& one, std::string MeasurementHeader::*text)
+    {
+        const auto said = saidByFiles(one.measurement, text);
+        return areDifferent(said) ? byFilesText(one, said, statedText)
+                                  : statedText(one.measurement.header.*text);
+    }
+    /// factor: from what a header has to the unit that is shown.
+    [[nodiscard]] static Text saidText(const ReportMeasurement& one,
+        std::optional<double> MeasurementHeader::*number, double factor, const char* unit)
+    {
+        const auto textOf = [&](const std::optional<double>& value) {
+            return value ? quantityText(roundedText(*value * factor), unit) : notStated();
         };
-        const auto values = temperaturesOfValues(measurement);
+        const auto said = saidByFiles(one.measurement, number);
+        return areDifferent(said) ? byFilesText(one, said, textOf)
+                                  : textOf(one.measurement.header.*number);
+    }
+
+    [[nodiscard]] static Text environmentText(const ReportMeasurement& one)
+    {
+        using Header = MeasurementHeader;
+        const auto values = temperaturesOfValues(one.measurement);
         Text text = values ? AXISCOMP_TEXT("Report",
                         "air {air}, material {material}, values measured at {values}, expansion "
                         "{expansion}")
@@ -236,11 +322,9 @@ private:
                            : Text(AXISCOMP_TEXT(
                                "Report", "air {air}, material {material}, expansion {expansion}"));
         return std::move(text)
-            .with("air", temperature(header.airTemperature))
-            .with("material", temperature(header.materialTemperature))
-            .with("expansion",
-                header.expansion ? quantityText(roundedText(*header.expansion * 1e6), "µm/(m·K)")
-                                 : notStated());
+            .with("air", saidText(one, &Header::airTemperature, 1.0, "°C"))
+            .with("material", saidText(one, &Header::materialTemperature, 1.0, "°C"))
+            .with("expansion", saidText(one, &Header::expansion, 1e6, "µm/(m·K)"));
     }
 
     [[nodiscard]] static Text rangeText(const TemperatureRange& range)
@@ -395,12 +479,20 @@ private:
         table.header = {Text(), AXISCOMP_TEXT("Report", "before"),
             AXISCOMP_TEXT("Report", "predicted"), AXISCOMP_TEXT("Report", "held out"),
             AXISCOMP_TEXT("Report", "after")};
+        if (hasExcluded())
+            table.header.insert(table.header.end(),
+                {AXISCOMP_TEXT("Report", "before, all values"),
+                    AXISCOMP_TEXT("Report", "after, all values")});
         for (const Iso230Figure figure : shownIso230Figures()) {
-            const auto measured = [&](const Judged& one) {
-                return one.reported ? cell(unit, one.figures[figure].value) : notStated();
+            const auto measured = [&](const Judged& one, const Iso230Figures& figures) {
+                return one.reported ? cell(unit, figures[figure].value) : notStated();
             };
-            table.rows.push_back({figureText(figure), measured(m_before),
-                predictedCell(unit, figure), heldOutCell(unit, figure), measured(m_after)});
+            auto& row = table.rows.emplace_back(std::vector<Text>{figureText(figure),
+                measured(m_before, m_before.figures), predictedCell(unit, figure),
+                heldOutCell(unit, figure), measured(m_after, m_after.figures)});
+            if (hasExcluded())
+                for (const Judged* one : {&m_before, &m_after})
+                    row.push_back(measured(*one, one->ofAll()));
         }
         m_document.blocks.emplace_back(std::move(table));
         if (m_content.isByTemperature)
@@ -424,7 +516,8 @@ private:
         for (const Iso230Figure figure : allIso230Figures()) {
             for (const Judged* one : {&m_before, &m_after})
                 if (one->reported)
-                    shown.push_back(one->figures[figure].value);
+                    shown.insert(
+                        shown.end(), {one->figures[figure].value, one->ofAll()[figure].value});
             if (const auto& prediction = m_content.prediction)
                 shown.push_back(prediction->figures[static_cast<std::size_t>(figure)]);
         }
@@ -482,7 +575,31 @@ private:
                 verdict.uncertainty ? text(shown.uncertainty, *verdict.uncertainty) : notStated(),
                 verdictText(verdict.result)});
         }
+        addVerdictsOfAllValues(table, isAfter ? m_after : m_before);
         m_document.blocks.emplace_back(std::move(table));
+    }
+
+    /// Beside those of the values in use.
+    void addVerdictsOfAllValues(ReportTable& table, const Judged& judged) const
+    {
+        if (!judged.ofAllValues)
+            return;
+        table.header.insert(table.header.end(),
+            {AXISCOMP_TEXT("Report", "all values"),
+                AXISCOMP_TEXT("Report", "verdict, all values")});
+        const auto ofAll =
+            verdicts(*judged.ofAllValues, m_content.tolerances, m_content.uncertainty);
+        for (std::size_t n = 0; n < ofAll.size(); ++n) {
+            const auto& value = ofAll[n].value;
+            const double limit = ofAll[n].tolerance.value;
+            const auto shown =
+                comparedDigits(value.value_or(limit), limit, m_content.isAngular, figureDecimals);
+            table.rows[n].insert(table.rows[n].end(),
+                {value ? quantityText(
+                     shown.value.digits(*value, shown.decimals), shown.value.symbol)
+                       : fine(value),
+                    verdictText(ofAll[n].result)});
+        }
     }
 
     void addTable()
@@ -612,15 +729,30 @@ private:
     {
         m_document.blocks.emplace_back(ReportPageBreak{});
         if (hasPlot(m_before))
-            addTargets(AXISCOMP_TEXT("Report", "Targets before, in {unit}"), m_before);
+            addTargets(AXISCOMP_TEXT("Report", "Targets before, in {unit}"),
+                AXISCOMP_TEXT("Report", "Targets before, all values, in {unit}"), m_before);
         if (hasPlot(m_after))
-            addTargets(AXISCOMP_TEXT("Report", "Targets after, in {unit}"), m_after);
+            addTargets(AXISCOMP_TEXT("Report", "Targets after, in {unit}"),
+                AXISCOMP_TEXT("Report", "Targets after, all values, in {unit}"), m_after);
     }
 
-    void addTargets(const TextPattern& name, const Judged& one)
+    void addTargets(const TextPattern& name, const TextPattern& nameOfAll, const Judged& one)
     {
-        const FineUnit unit = fineUnit(valuesOfTargets(one.figures), m_content.isAngular);
-        m_document.blocks.emplace_back(ReportHeading{name.with("unit", Verbatim{unit.symbol})});
+        addTargets(name, one.figures, one.curves.datum);
+        if (auto list = exclusions(one.reported->measurement); !list.empty())
+            paragraph(
+                AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
+        if (one.ofAllValues)
+            addTargets(nameOfAll, *one.ofAllValues, one.curves.datum);
+    }
+
+    void addTargets(const TextPattern& name, const Iso230Figures& measured,
+        const std::optional<PlacedDeviation>& datum)
+    {
+        const Iso230Figures figures = fromDatum(measured, datum);
+        const FineUnit unit = fineUnit(valuesOfTargets(figures), m_content.isAngular);
+        m_document.blocks.emplace_back(
+            ReportHeading{name.with("unit", deviationUnitText(unit, datum, m_content.isAngular))});
         ReportTable table;
         table.hasNumbers = true;
         table.header = {AXISCOMP_TEXT("Report", "target in {unit}")
@@ -629,16 +761,13 @@ private:
             AXISCOMP_TEXT("Report", "s ↑"), AXISCOMP_TEXT("Report", "values ↓"),
             AXISCOMP_TEXT("Report", "mean ↓"), AXISCOMP_TEXT("Report", "s ↓"), Verbatim{"B"},
             Verbatim{"R"}};
-        for (const TargetFigures& target : one.figures.targets)
+        for (const TargetFigures& target : figures.targets)
             table.rows.push_back({quantityText(roundedText(target.position), ""),
                 numberText(static_cast<double>(target.up.n), 0), cell(unit, target.up.mean),
                 cell(unit, target.up.s), numberText(static_cast<double>(target.down.n), 0),
                 cell(unit, target.down.mean), cell(unit, target.down.s),
                 cell(unit, target.reversal), cell(unit, target.repeatability)});
         m_document.blocks.emplace_back(std::move(table));
-        if (auto list = exclusions(one.reported->measurement); !list.empty())
-            paragraph(
-                AXISCOMP_TEXT("Report", "Left out: {values}").with("values", std::move(list)));
     }
 
     const ReportContent& m_content;
@@ -653,6 +782,14 @@ private:
 Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement)
 {
     return figuresOfFit(measurement, content.isByTemperature);
+}
+
+std::optional<Iso230Figures> figuresOfAllValues(
+    const ReportContent& content, const Measurement& measurement)
+{
+    if (measurement.excludedCount() == 0)
+        return std::nullopt;
+    return figuresBy(content, withAllValues(measurement));
 }
 
 ReportDocument reportDocument(const ReportContent& content, const ReportOptions& options)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/metrology/judge/iso230.h"
-#include "core/metrology/judge/uncertainty.h"
+#include "core/metrology/judge/judgement.h"
 #include "core/metrology/report/report_document.h"
 #include "core/table/grid.h"
 
@@ -31,6 +30,9 @@ struct ReportMeasurement {
     bool areCorrectionsKnown = false;
     /// CRC-32 of the table that was active as a person has stated it; nothing: nobody has.
     std::optional<std::uint32_t> statedTable = {};
+    /// Position, in mm, that was stated as the datum; nothing: none.
+    std::optional<double> datum = {};
+    std::vector<std::string> files = {}; ///< names of those that it was joined of, in their order
 };
 
 struct ReportPrediction {
@@ -62,7 +64,7 @@ struct ReportedTable {
 struct ReportContent {
     bool isAngular = false; ///< lengths are degrees
     bool isByTemperature = false; ///< the figures are those of a fit by temperature
-    std::string machine; ///< as a measurement's file says it, likewise axis and serial
+    std::string machine; ///< as a measurement's files say it, likewise axis and serial
     std::string axis;
     std::string corrected; ///< the axis that the table corrects, where it is not the measured one
     std::string serial;
@@ -76,7 +78,7 @@ struct ReportContent {
     Text sign; ///< what the drive will add where, in numbers
     std::vector<Tolerance> tolerances;
     std::optional<double> uncertainty; ///< U with k = 2, in mm or deg
-    std::vector<Text> warnings; ///< without which no figure is to be read
+    std::vector<JudgeWarning> warnings; ///< without which no figure is to be read
     std::vector<Text> notes;
     std::vector<ReportInput> inputs;
     std::string programVersion;
@@ -89,6 +91,9 @@ struct ReportOptions {
 
 /// The figures of one of its measurements by the rule that those of the prediction are made by.
 [[nodiscard]] Iso230Figures figuresBy(const ReportContent& content, const Measurement& measurement);
+/// As if nothing were left out. Nothing: nothing is.
+[[nodiscard]] std::optional<Iso230Figures> figuresOfAllValues(
+    const ReportContent& content, const Measurement& measurement);
 
 /// The page: one of A4 without lists, however much is on record.
 [[nodiscard]] ReportDocument reportDocument(

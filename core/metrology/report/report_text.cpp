@@ -29,6 +29,18 @@ Text quantityText(const std::string& digits, const char* unit)
     return Text({"", "{number}", nullptr}, {{"number", Quantity{digits, unit}}});
 }
 
+Text deviationUnitText(
+    const FineUnit& unit, const std::optional<PlacedDeviation>& datum, bool isAngular)
+{
+    const Text symbol = Verbatim{unit.symbol};
+    return datum ? listText({symbol, datumText(*datum, isAngular)}) : symbol;
+}
+
+Text listText(std::vector<Text> items)
+{
+    return Text({"", "{items}", nullptr}, {{"items", std::move(items)}});
+}
+
 Text notStated()
 {
     return AXISCOMP_TEXT("Report", "not stated");

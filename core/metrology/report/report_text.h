@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/base/text.h"
+#include "core/metrology/judge/deviation_curves.h"
 
 #include <string>
 
@@ -17,6 +17,11 @@ inline constexpr int figureDecimals = 2; ///< of deviations and figures on a pag
 [[nodiscard]] Text numberText(double value, int decimals);
 /// With its unit.
 [[nodiscard]] Text quantityText(const std::string& digits, const char* unit);
+/// The unit of deviations, and what is 0 among them: "µm, 0 = mean at 15 mm".
+[[nodiscard]] Text deviationUnitText(
+    const FineUnit& unit, const std::optional<PlacedDeviation>& datum, bool isAngular);
+/// With commas between them.
+[[nodiscard]] Text listText(std::vector<Text> items);
 [[nodiscard]] Text notStated();
 /// What a file said, made fit for a page, or that it did not say it.
 [[nodiscard]] Text statedText(const std::string& text);

@@ -88,6 +88,32 @@ private Q_SLOTS:
             text.contains("0.700 nm 5.000 nm uncertainty not stated passed"), run.out.constData());
     }
 
+    /// Set to zero 12.5 mm away. Documents have the values as they were read.
+    void theZeroOfTheInstrumentIsInNoList()
+    {
+        const Sandbox box;
+        const QString file = box.file("zero.csv",
+            "target [mm],direction,run,deviation [um]\n0,+,1,12500\n10,+,1,12502\n"
+            "0,-,1,12501\n10,-,1,12505\n");
+        const ProgramRun judged = box.run({"judge", file});
+        VERIFY_CODE(judged, 0);
+        const QString targets = QString::fromUtf8(judged.out).simplified();
+        QVERIFY2(targets.contains("Targets, in um, 0 = mean at 0 mm"), judged.out.constData());
+        QVERIFY2(targets.contains("1 0 1 -0.500 - 1 0.500 - 0.000 -1.000 - "
+                                  "2 10 1 1.500 - 1 4.500 - 3.000 -3.000 -"),
+            judged.out.constData());
+        const ProgramRun compared = box.run({"compare", file, file});
+        VERIFY_CODE(compared, 0);
+        const QString left = QString::fromUtf8(compared.out).simplified();
+        QVERIFY2(
+            left.contains("What is left at the targets, in um, 0 = mean at 0 mm target [mm] left "
+                          "standard error 0 0.000 - 10 3.000 -"),
+            compared.out.constData());
+        const QJsonObject json = box.run({"compare", file, file, "--json"}).json();
+        const auto first = json.value("residual").toArray().at(0).toObject();
+        QVERIFY(std::abs(first.value("value").toDouble() - 12.5005) < 1e-9);
+    }
+
     void aComparisonHasEveryKeyOfTheDocumentation()
     {
         const Sandbox box;
@@ -369,8 +395,8 @@ private Q_SLOTS:
         QCOMPARE(json.keys(),
             (QStringList{"axis", "axisOfAllValues", "compliance", "contradictions", "corrections",
                 "drift", "excluded", "outliers", "perTarget", "published", "runs", "source",
-                "standard", "targets", "uncertainty", "unit", "vdi3441", "verdict", "warnings",
-                "where"}));
+                "standard", "targets", "uncertainty", "unit", "vdi3441", "verdict",
+                "verdictOfAllValues", "warnings", "where"}));
         const QJsonObject axis = json.value("axis").toObject();
         QVERIFY(std::abs(axis.value("A").toDouble() - 0.1352711) < 1e-6);
         QCOMPARE(json.value("where").toObject().value("B").toInt(), 5);
@@ -427,14 +453,63 @@ private Q_SLOTS:
     void excludedValuesAreSaidWithBothVersions()
     {
         const Sandbox box;
-        const ProgramRun run =
-            box.run({"judge", publicFile("ess_mcu1025.csv"), "--exclude", "down:1:1,down:2:1"});
+        const QStringList words{"judge", publicFile("ess_mcu1025.csv"), "--exclude",
+            "down:1:1,down:2:1", "--tolerance", "A=100um"};
+        const ProgramRun run = box.run(words);
         VERIFY_CODE(run, 0);
         QVERIFY2(run.out.contains("2 values excluded, not an evaluation by ISO 230-2"),
             run.out.constData());
         QVERIFY(run.out.contains("89.265"));
         QVERIFY(run.out.contains("204.759"));
         QVERIFY2(run.err.contains("warning: 2 values excluded"), run.err.constData());
+        QVERIFY2(run.err.contains("warning: of all values accuracy A is 204.759 um"),
+            run.err.constData());
+        QVERIFY2(run.out.contains("Verdict of all values"), run.out.constData());
+        const QJsonObject json = box.run(words + QStringList{"--json"}).json();
+        const auto verdict = json.value("verdictOfAllValues").toArray().at(0).toObject();
+        QCOMPARE(verdict.value("result").toString(), "failed");
+    }
+
+    void filesThatSayDifferentThingsAreJoinedWithAWarning()
+    {
+        const Sandbox box;
+        const auto file = [&box](const QString& name, const QByteArray& machine,
+                              const QByteArray& celsius, const QByteArray& last) {
+            return box.file(name,
+                "// machine: " + machine + "\n// material temperature: " + celsius
+                    + "\n// corrected: none\n// compensation: off\n"
+                      "target [mm],direction,deviation [um]\n0,+,0.1\n10,+,0.2\n20,+,"
+                    + last + "\n0,-,0.3\n10,-,0.1\n20,-,0.2\n");
+        };
+        const QStringList files{
+            file("j1.csv", "M1", "20.5", "0.4"), file("j2.csv", "M2", "24.5", "0.5")};
+        const QByteArray said = "the files are of different machines: M1 (file 1), M2 (file 2)";
+        const QList<QStringList> commands{{"judge"}, {"runs"}, {"fit", "--lookup-at", "encoder"}};
+        for (const QStringList& command : commands) {
+            const ProgramRun run = box.run(command + files + QStringList{"--json"});
+            VERIFY_CODE(run, 0);
+            const auto warnings = run.json().value("warnings").toArray();
+            QVERIFY2(std::ranges::any_of(warnings,
+                         [&said](const QJsonValue& warning) {
+                             return warning["code"].toString() == "OtherMachine"
+                                 && warning["message"].toString().toUtf8() == said;
+                         }),
+                run.out.constData());
+        }
+        const ProgramRun runs = box.run(QStringList{"runs"} + files);
+        QVERIFY2(runs.err.contains("warning: " + said), runs.err.constData());
+        const ProgramRun judged = box.run(QStringList{"judge"} + files);
+        QVERIFY2(judged.err.contains("warning: " + said), judged.err.constData());
+        const QString conditions = QString::fromUtf8(judged.out).simplified();
+        QVERIFY2(conditions.contains(" met the file states the temperature")
+                && !conditions.contains("not met the file states the temperature"),
+            judged.out.constData());
+        const ProgramRun corrected =
+            box.run(QStringList{"judge"} + files + QStringList{"--expansion", "11.5e-6"});
+        VERIFY_CODE(corrected, 2);
+        QVERIFY2(corrected.err.contains("the files do not agree on the temperature of the scale "
+                                        "(20.5 C in file 1, 24.5 C in file 2): give --temperature"),
+            corrected.err.constData());
     }
 
     void targetsWriteAPlanOrAProgram()

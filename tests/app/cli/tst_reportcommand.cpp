@@ -7,6 +7,7 @@
 #include "tests/support/verify.h"
 
 #include <QFile>
+#include <QJsonArray>
 #include <QTest>
 
 namespace tst_reportcommand {
@@ -184,11 +185,37 @@ private Q_SLOTS:
         VERIFY_CODE(run, 0);
         const QJsonObject json = run.json();
         QCOMPARE(json.keys(),
-            (QStringList{"after", "before", "heldOut", "language", "output", "predicted", "record",
-                "source", "unit", "verdict"}));
+            (QStringList{"after", "afterOfAllValues", "before", "beforeOfAllValues", "heldOut",
+                "language", "output", "predicted", "record", "source", "unit", "verdict",
+                "verdictOfAllValues", "warnings"}));
         QVERIFY(std::abs(json["before"].toObject()["A"].toDouble() - 0.0185713) < 1e-6);
         QVERIFY(std::abs(json["after"].toObject()["A"].toDouble() - 0.00185713) < 1e-6);
         QVERIFY(json["predicted"].toObject()["R"].isNull());
+        QVERIFY(json["afterOfAllValues"].isNull() && json["warnings"].toArray().isEmpty());
+    }
+
+    void whatIsLeftOutIsOnTheReportWithTheVerdictOfAllValues()
+    {
+        const Sandbox box;
+        CalibrationRecord record = wholeRecord();
+        record.after[0].measurement.files[0].measurement.values[7].deviation = 0.05;
+        record.after[0].measurement.exclusions = {{Approach::Up, 2, 3}};
+        const ProgramRun run = box.run({"report", recordIn(box, record), "-o", "r.pdf", "--json"});
+        VERIFY_CODE(run, 0);
+        const QJsonObject json = run.json();
+        QVERIFY(json["beforeOfAllValues"].isNull());
+        QVERIFY(json["afterOfAllValues"].toObject()["A"].toDouble() > 0.05);
+        const auto result = [&json](const char* verdict) {
+            return json[QLatin1String(verdict)].toArray().at(0)["result"].toString();
+        };
+        QCOMPARE(result("verdict"), "passed");
+        QCOMPARE(result("verdictOfAllValues"), "failed");
+        QCOMPARE(json["warnings"].toArray().at(0)["code"].toString(), "OtherVerdict");
+        const QByteArray text = textOfPdf(box, "r.pdf");
+        QVERIFY2(text.contains("Warning: of all values accuracy A is "), text.constData());
+        QVERIFY2(text.contains("all values"), text.constData());
+        QVERIFY(
+            box.runProgram("pdfinfo", {box.path("r.pdf")}).out.contains("Pages:           1\n"));
     }
 
     /// U+0378 is assigned to no character, so that no font has it.

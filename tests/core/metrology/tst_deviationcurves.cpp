@@ -97,6 +97,91 @@ private Q_SLOTS:
         QVERIFY(curves.all->high < 0.0931843);
     }
 
+    /// A laser that was set to zero 12.5 mm away shows the same curves.
+    void theZeroOfTheInstrumentMovesNoCurve()
+    {
+        const auto shown = [](double zero) {
+            Measurement measurement = measurementOf("bifrost.csv");
+            for (RunValue& value : measurement.values)
+                value.deviation += zero;
+            measurement.values[7].isUsed = false;
+            const Iso230Figures figures = iso230Figures(measurement);
+            return deviationCurves(measurement, figures, deviationDatum(figures));
+        };
+        const DeviationCurves here = shown(0.0);
+        const DeviationCurves away = shown(12.5);
+        QCOMPARE(away.mean.front().deviation, 0.0);
+        QVERIFY(isNear(here.mean[3].deviation, -0.008452 - 0.003226));
+        const auto areSame = [](const std::vector<PlacedDeviation>& a,
+                                 const std::vector<PlacedDeviation>& b) {
+            return !a.empty() && a.size() == b.size()
+                && std::ranges::equal(a, b, [](const auto& one, const auto& other) {
+                       return one.position == other.position
+                           && std::abs(one.deviation - other.deviation) < 1e-12;
+                   });
+        };
+        QVERIFY(areSame(here.mean, away.mean));
+        QVERIFY(areSame(here.up.mean, away.up.mean) && areSame(here.down.low, away.down.low));
+        QVERIFY(areSame(here.up.high, away.up.high));
+        QVERIFY(areSame(here.runs[3].values, away.runs[3].values));
+        QVERIFY(areSame(here.up.largest, away.up.largest));
+        QVERIFY(areSame(here.excluded, away.excluded));
+        const auto isSameRange = [](const auto& a, const auto& b) {
+            return isNear(a->low, b->low) && isNear(a->high, b->high);
+        };
+        QVERIFY(isSameRange(here.all, away.all) && isSameRange(here.accuracy, away.accuracy));
+        QVERIFY(isSameRange(here.meanRange, away.meanRange));
+        QVERIFY(isNear(here.reversal->up, away.reversal->up));
+    }
+
+    void theDatumIsAPositionWithinTheTargets()
+    {
+        const Iso230Figures figures = iso230Figures(measurementOf("bifrost.csv"));
+        const auto at = [&](std::optional<double> position) {
+            return deviationDatum(figures, position).value_or(PlacedDeviation{});
+        };
+        QCOMPARE(at({}).position, 15.0);
+        QVERIFY(isNear(at({}).deviation, 0.003226));
+        QCOMPARE(at(45.6).position, 45.6);
+        QVERIFY(isNear(at(45.6).deviation, -0.008452));
+        QCOMPARE(at(20.1).position, 20.1); // half way between two targets
+        QVERIFY(isNear(at(20.1).deviation, (0.003226 - 0.001888) / 2.0));
+        QCOMPARE(at(-1000.0), at({}));
+        QCOMPARE(at(1000.0).position, 55.8);
+        QVERIFY(!deviationDatum({}));
+        QCOMPARE(datumText(at(20.1), false).english(), std::string("0 = mean at 20.1 mm"));
+        QCOMPARE(datumText(at({}), true).english(), std::string("0 = mean at 15 °"));
+        QCOMPARE(datumText(at({}), true, UnitLetters::Ascii).english(),
+            std::string("0 = mean at 15 deg"));
+    }
+
+    void ofOneDirectionTheDatumIsItsMean()
+    {
+        Measurement measurement = measurementOf("bifrost.csv");
+        std::erase_if(measurement.values,
+            [](const RunValue& value) { return value.direction == Approach::Up; });
+        const auto datum = deviationDatum(iso230Figures(measurement));
+        QVERIFY(datum && isNear(datum->deviation, 0.004202));
+    }
+
+    void twoMeasurementsAreShownFromOnePosition()
+    {
+        const Measurement before = measurementOf("bifrost.csv");
+        Measurement after = before;
+        const auto datums = [&](double by, std::optional<double> position = {}) {
+            for (std::size_t i = 0; i < after.targets.size(); ++i)
+                after.targets[i] = before.targets[i] + by;
+            return deviationDatums(iso230Figures(before), iso230Figures(after), position);
+        };
+        QCOMPARE(datums(-5.1).before->position, 15.0);
+        QCOMPARE(datums(-5.1).after->position, 15.0);
+        QVERIFY(isNear(datums(-5.1).after->deviation, (0.003226 - 0.001888) / 2.0));
+        QCOMPARE(datums(5.0).after->position, 20.0); // the nearest that it has
+        QCOMPARE(datums(0.0, 45.6).after, datums(0.0, 45.6).before);
+        const TwoDatums alone = deviationDatums({}, iso230Figures(before));
+        QVERIFY(!alone.before && alone.after->position == 15.0);
+    }
+
     void aFigureThatIsNotDefinedHasNoMark()
     {
         Measurement measurement = measurementOf("bifrost.csv");

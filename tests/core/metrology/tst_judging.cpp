@@ -2,6 +2,7 @@
 #include "core/metrology/fine_quantity.h"
 #include "core/metrology/judge/corrections.h"
 #include "core/metrology/judge/judgement.h"
+#include "core/metrology/run_selection.h"
 #include "tests/core/metrology/measurement_reading.h"
 #include "tests/support/test_registry.h"
 
@@ -546,6 +547,49 @@ private Q_SLOTS:
         QCOMPARE(metOf(conditions(good, {}), "bidirectional"), std::optional(false));
     }
 
+    /// That they differ is no reason to say that none is stated.
+    void theTemperatureIsStatedWhereEachJoinedFileStatesOne()
+    {
+        std::array files{noisy(9, 400.0, 5, 1), noisy(9, 400.0, 5, 2)};
+        const auto isStated = [&files] {
+            const Measurement whole = joined(files).value_or(Measurement{});
+            return metOf(complianceOf(whole, iso230Figures(whole), {}), "environment");
+        };
+        QCOMPARE(isStated(), std::optional(false));
+        files[0].header.materialTemperature = 20.5;
+        QCOMPARE(isStated(), std::optional(false));
+        files[1].header.materialTemperature = 24.5;
+        QCOMPARE(isStated(), std::optional(true));
+        files[1].header.materialTemperature.reset();
+        files[1].header.airTemperature = 24.5;
+        QCOMPARE(isStated(), std::optional(true));
+    }
+
+    /// What people write of a machine is no proof.
+    void filesOfDifferentMachinesAreAWarning()
+    {
+        std::array files{noisy(9, 400.0, 5, 1), noisy(9, 400.0, 5, 2), noisy(9, 400.0, 5, 3)};
+        const auto warnings = [&files] {
+            std::vector<std::string> said;
+            for (const JudgeWarning& warning :
+                judge(joined(files).value_or(Measurement{}), {}).warnings)
+                if (warning.name.starts_with("Other"))
+                    said.push_back(std::string(warning.name) + ": " + warning.text.english());
+            return said;
+        };
+        files[0].header.machine = "M1";
+        files[2].header.machine = "m1";
+        QCOMPARE(warnings(), std::vector<std::string>{});
+        files[2].header.machine = "M2";
+        files[0].header.serial = "888";
+        files[1].header.serial = "999";
+        QCOMPARE(warnings(),
+            (std::vector<std::string>{
+                "OtherMachine: the files are of different machines: M1 (file 1), M2 (file 3)",
+                "OtherSerial: the files have different serial numbers: 888 (file 1), 999 (file "
+                "2)"}));
+    }
+
     /// Of every value that figures are made of.
     void temperaturesOfTheValuesAreStated()
     {
@@ -683,6 +727,30 @@ private Q_SLOTS:
         QVERIFY(std::abs(value(*judgement.ofAllValues, Figure::A) - 0.1257168) < tolerance);
         QVERIFY(judgement.withoutOffsets.has_value());
         QVERIFY(judgement.isWithinTolerances());
+        QVERIFY(judgement.verdictsOfAllValues.empty());
+    }
+
+    /// Without the two that do not fit, A is 89.27 um in place of 204.76, and R 58.28 um.
+    void aVerdictThatAllValuesWouldChangeIsAWarning()
+    {
+        Measurement measurement = publicRuns("ess_mcu1025.csv");
+        JudgeOptions options;
+        options.tolerances = {{Figure::A, 0.1}, {Figure::R, 0.3}};
+        QVERIFY(judge(measurement, options).verdictsOfAllValues.empty());
+        const std::array unfit{Exclusion{Approach::Down, 1, 1}, Exclusion{Approach::Down, 2, 1}};
+        VERIFY_RESULT(exclude(measurement, unfit));
+        const Judgement judgement = judge(measurement, options);
+        QVERIFY(judgement.isWithinTolerances());
+        QCOMPARE(judgement.verdictsOfAllValues.size(), std::size_t{2});
+        QCOMPARE(judgement.verdictsOfAllValues[0].result, VerdictResult::Failed);
+        QCOMPARE(judgement.verdictsOfAllValues[1].result, VerdictResult::Passed);
+        std::vector<std::string> said;
+        for (const JudgeWarning& warning : judgement.warnings)
+            if (warning.name == "OtherVerdict")
+                said.push_back(warning.text.english());
+        QCOMPARE(said,
+            (std::vector<std::string>{
+                "of all values accuracy A is 204.759 um (tolerance 100.000 um: failed)"}));
     }
 };
 

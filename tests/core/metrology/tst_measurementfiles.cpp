@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/metrology/joined_files.h"
 #include "core/metrology/judge/iso230.h"
 #include "core/metrology/run_selection.h"
 #include "core/text/number_text.h"
@@ -212,6 +213,52 @@ private Q_SLOTS:
         QVERIFY(turn.isAngular);
         QCOMPARE(turn.targets.back(), 3.0 * 180.0 / std::numbers::pi);
         QVERIFY(std::abs(turn.values.front().deviation - 0.001) < 1e-15);
+    }
+
+    void aUnitBehindTheNameIsThatOfBrackets_data()
+    {
+        QTest::addColumn<QByteArray>("target");
+        QTest::addColumn<QByteArray>("deviation");
+        for (const auto& [target, deviation] : {std::pair("mm", "um"), {"m", "nm"}, {"INCH", "uin"},
+                 {"in", "mil"}, {"um", "\u00b5m"}, {"rad", "mrad"}, {"deg", "arcsec"}})
+            QTest::addRow("%s", target) << QByteArray(target) << QByteArray(deviation);
+    }
+    /// Any other one is asked for in brackets, and the name stays what it is.
+    void aUnitBehindTheNameIsThatOfBrackets()
+    {
+        QFETCH(const QByteArray, target);
+        QFETCH(const QByteArray, deviation);
+        const auto file = [&](const char* before, const char* behind) {
+            const auto column = [&](const char* name, const QByteArray& unit) {
+                return name + (before + unit + behind);
+            };
+            return ("// values: deviation\n" + column("target", target) + ","
+                + column("up_1", deviation) + "," + column("down1", deviation)
+                + "\n0,0.1,0.2\n1,0.3,0.4\n2,0.5,0.7\n")
+                .toStdString();
+        };
+        const std::string text = file("_", "");
+        const auto format = chooseMeasurementFormat(text, "w.csv", {});
+        VERIFY_RESULT(format);
+        const MeasurementReading behind = (*format)->read(text, {});
+        const MeasurementReading inBrackets = test::readAs("wide", file(" [", "]"));
+        VERIFY_MEASUREMENT(behind);
+        VERIFY_MEASUREMENT(inBrackets);
+        QVERIFY(*behind.measurement == *inBrackets.measurement);
+    }
+
+    void aDirectionBehindTheNameIsNoUnit()
+    {
+        MeasurementReadOptions options;
+        options.columns = *columnMappingFromText("target=place_mm, direction=way, deviation=e_rev");
+        options.valueUnit = "um";
+        const MeasurementReading reading =
+            test::readAs("runs", "place_mm,way,e_rev\n0,-,1\n10,-,2\n", options);
+        VERIFY_MEASUREMENT(reading);
+        QVERIFY(!reading.measurement->isAngular);
+        QCOMPARE(reading.measurement->targets.back(), 10.0);
+        QCOMPARE(reading.measurement->values.front().deviation, 0.001);
+        QVERIFY(reading.measurement->againstFile.units.empty());
     }
 
     void temperaturesBecomeDegreesCelsius_data()
@@ -1105,6 +1152,33 @@ private Q_SLOTS:
     }
 
     /// Repeatability would be that of half as many runs.
+    /// In the order of the files. What is not said is no contradiction, but for a number.
+    void whatJoinedFilesSayIsToldOfEach()
+    {
+        const Measurement one = publicRuns("bifrost.csv");
+        std::array three{one, measuredAgain(one, 1e-4), measuredAgain(one, 2e-4)};
+        const auto whole = [&] { return joined(three).value_or(Measurement{}); };
+        using Header = MeasurementHeader;
+        QVERIFY(joined({three.data(), 1})->joined.empty());
+        QCOMPARE(saidByFiles(one, &Header::machine).size(), std::size_t{1});
+        three[0].header.machine = "M1";
+        three[1].header.machine = " m1";
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::machine)));
+        three[1].header.machine = "M2";
+        three[2].header.machine = "m1 ";
+        const TextsOfFiles machines = saidByFiles(whole(), &Header::machine);
+        QVERIFY(areDifferent(machines));
+        QCOMPARE(machines.size(), std::size_t{2});
+        QCOMPARE(machines[0].said, std::string("M1"));
+        QCOMPARE(machines[0].files, (std::vector<std::size_t>{0, 2}));
+        QCOMPARE(machines[1].said, std::string("M2"));
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+        three[1].header.airTemperature = 20.5;
+        QVERIFY(areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+        three[0].header.airTemperature = three[2].header.airTemperature = 20.5;
+        QVERIFY(!areDifferent(saidByFiles(whole(), &Header::airTemperature)));
+    }
+
     void theSameMeasurementIsNotJoinedTwice()
     {
         const Measurement one = publicRuns("bifrost.csv");

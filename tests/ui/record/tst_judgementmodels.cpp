@@ -205,10 +205,14 @@ private Q_SLOTS:
         record.addFiles({publicMeasurement("bifrost")});
         QVERIFY(settled(record));
         QCOMPARE(text(model, 3, 1), QStringLiteral("45.6"));
-        QCOMPARE(text(model, 3, 3), QStringLiteral("-9.02"));
-        QCOMPARE(text(model, 3, 6), QStringLiteral("-7.88"));
-        QCOMPARE(text(model, 3, 8), QStringLiteral("-8.45"));
+        // -9.02, -7.88 and -8.45 as they were read.
+        QCOMPARE(text(model, 3, 3), QStringLiteral("-12.25"));
+        QCOMPARE(text(model, 3, 6), QStringLiteral("-11.11"));
+        QCOMPARE(text(model, 3, 8), QStringLiteral("-11.68"));
+        QCOMPARE(text(model, 0, 8), QStringLiteral("0.00"));
         QCOMPARE(text(model, 3, 9), QStringLiteral("-1.14"));
+        QCOMPARE(model.headerData(3, Qt::Horizontal, Qt::ToolTipRole).toString(),
+            QStringLiteral("0 = mean at 15 mm"));
     }
 
     void driftIsSaidInNumbersAndWords()

@@ -175,6 +175,24 @@ private Q_SLOTS:
             QStringLiteral("at -15 mm: 1.00 µm, standard error 0.35 µm"));
     }
 
+    /// Set to zero 0.1 mm away, it would hide the error that is left.
+    void theZeroOfTheInstrumentIsNotShown()
+    {
+        PageFixture bench;
+        const CalibrationRecord record = withTolerance(0.01);
+        QVERIFY(showProve(bench, record));
+        QVERIFY(addAfter(bench,
+            test::afterMeasurement(test::stateOf(record), [](int i) { return 100 + i % 2; })));
+        QVERIFY(hints(bench, QStringLiteral("Within the tolerances")));
+        const auto& left = *bench.user.the<QTableView>("proveResidual").model();
+        QCOMPARE(left.index(1, 0).data(Qt::AccessibleTextRole).toString(),
+            QStringLiteral("at -15 mm: 1.00 µm, standard error 0.35 µm"));
+        QCOMPARE(left.headerData(1, Qt::Horizontal, Qt::ToolTipRole).toString(),
+            QStringLiteral("0 = mean at -20 mm"));
+        QCOMPARE(bench.user.the("residualPlot").accessibleDescription(),
+            QStringLiteral("What is left lies between 0.00 µm and 1.00 µm."));
+    }
+
     void whichTableWasActiveIsSaidByThePersonWhereTheFileDoesNot()
     {
         PageFixture bench;

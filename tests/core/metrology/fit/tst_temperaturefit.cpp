@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/metrology/fit/measurement_fit.h"
+#include "core/metrology/run_selection.h"
 #include "core/table/lookup.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -122,6 +123,21 @@ private Q_SLOTS:
         const auto report = fitted(runs, byTemperature());
         VERIFY_RESULT(report);
         QVERIFY(isSaid(*report, "OutliersLeftIn", "2 values"));
+    }
+
+    void whatJoinedFilesSayOfTheirMachineIsSaidOnce()
+    {
+        Measurement cold = measured({20.0}, &errorAt);
+        Measurement warm = measured({26.0}, &errorAt);
+        cold.header.machine = "M1";
+        warm.header.machine = "M2";
+        const std::array files{cold, warm};
+        const auto whole = joined(files);
+        VERIFY_RESULT(whole);
+        const auto report = fitted(*whole, byTemperature());
+        VERIFY_RESULT(report);
+        QVERIFY(isSaid(*report, "OtherMachine", "the files are of different machines: M1"));
+        QCOMPARE(std::ranges::count(report->remarks, "OtherMachine", &FitRemark::name), 1);
     }
 
     void aLineJoinsUpToFourStates()

@@ -74,8 +74,117 @@ private Q_SLOTS:
         content = reportContent(record, "1");
         VERIFY_RESULT(content);
         QCOMPARE(content->warnings.size(), std::size_t{1});
-        const std::string said = content->warnings[0].english();
+        QCOMPARE(content->warnings[0].name, std::string_view("LesserRange"));
+        const std::string said = content->warnings[0].text.english();
         QVERIFY2(said.find("second one from 10") != std::string::npos, said.c_str());
+    }
+
+    /// Nobody is to take what one file says for what is true of all runs.
+    void whatJoinedFilesSayDifferentlyIsSaidOfEach()
+    {
+        CalibrationRecord record = plainRecord();
+        record.before->files.push_back(record.before->files[0]);
+        RecordedFile& one = record.before->files[0];
+        RecordedFile& two = record.before->files[1];
+        one.file = "j1.csv";
+        two.file = "j2.csv";
+        for (RunValue& value : two.measurement.values)
+            value.deviation += 1e-4;
+        const auto state = [](MeasurementHeader& header, const char* machine, const char* date,
+                               double celsius) {
+            header.machine = machine;
+            header.serial = std::string(machine) + "-88";
+            header.date = date;
+            header.instrument = "XL-80";
+            header.materialTemperature = celsius;
+        };
+        state(one.measurement.header, "M1", "2026-11-01", 20.5);
+        state(two.measurement.header, "M2", "2026-11-03", 24.5);
+        two.measurement.header.airTemperature = 21.0;
+        two.measurement.header.feed = "500 mm/min";
+        const auto page = [&] {
+            const auto content = reportContent(record, "1.0");
+            return content ? reportHtml(reportDocument(*content)) : sentence(content.error());
+        };
+        const std::string differing = page();
+        for (const char* said :
+            {"<dd>M1 (j1.csv), M2 (j2.csv)</dd>", "<dd>M1-88 (j1.csv), M2-88 (j2.csv)</dd>",
+                "<td>2026-11-01 (j1.csv), 2026-11-03 (j2.csv)</td>", "<td>XL-80</td>",
+                "<td>500 mm/min, not stated</td>",
+                "air not stated (j1.csv), 21 °C (j2.csv), material 20.5 °C (j1.csv), 24.5 °C "
+                "(j2.csv), expansion not stated",
+                "Warning: first measurement: the files are of different machines: M1 (file 1), M2 "
+                "(file 2).",
+                "Warning: first measurement: the files have different serial numbers: "})
+            QVERIFY2(differing.find(said) != std::string::npos, said);
+        state(two.measurement.header, "M1", "2026-11-01", 20.5);
+        const std::string alike = page();
+        QVERIFY(alike.find("<dd>M1</dd>") != std::string::npos);
+        QVERIFY(alike.find("material 20.5 °C, expansion") != std::string::npos);
+        QVERIFY(alike.find("Warning") == std::string::npos);
+    }
+
+    /// The page stays one page.
+    void ofManyFilesAFewAreNamed()
+    {
+        CalibrationRecord record = plainRecord();
+        for (int n = 1; n < 7; ++n) {
+            RecordedFile next = record.before->files[0];
+            next.file = "j" + std::to_string(n) + ".csv";
+            next.measurement.header.date = "2026-11-0" + std::to_string(n);
+            for (RunValue& value : next.measurement.values)
+                value.deviation += 1e-4 * n;
+            record.before->files.push_back(next);
+        }
+        const auto content = reportContent(record, "1.0");
+        VERIFY_RESULT(content);
+        const std::string page = reportHtml(reportDocument(*content));
+        QVERIFY(page.find("not stated (before.csv), 2026-11-01 (j1.csv), 2026-11-02 (j2.csv), "
+                          "2026-11-03 (j3.csv), and 3 more in the record")
+            != std::string::npos);
+    }
+
+    void theDatumOfACorrectionIsThatOfThePlots()
+    {
+        CalibrationRecord record = plainRecord();
+        TemperatureCorrection& temperature = record.before->corrections.temperature.emplace();
+        temperature.expansionPerKelvin = 11.5e-6;
+        temperature.isConfirmed = true;
+        temperature.datum = 35.4;
+        record.after = {RecordedAfter{*record.before, {}}};
+        record.after[0].measurement.corrections.temperature.reset();
+        const auto content = reportContent(record, "1");
+        VERIFY_RESULT(content);
+        QCOMPARE(content->before->datum, std::optional(35.4));
+        QVERIFY(!content->after->datum);
+    }
+
+    /// Of the last measurement: a report is what an acceptance is filed with.
+    void aVerdictThatAllValuesWouldChangeIsSaid()
+    {
+        CalibrationRecord record = plainRecord();
+        record.judging.emplace();
+        record.judging->tolerances = {{Iso230Figure::A, 0.02}, {Iso230Figure::R, 1.0}};
+        record.after = {RecordedAfter{*record.before, {}}};
+        const auto warnings = [&] {
+            std::vector<std::string> said;
+            if (const auto content = reportContent(record, "1"))
+                for (const JudgeWarning& warning : content->warnings)
+                    said.push_back(std::string(warning.name) + ": " + warning.text.english());
+            return said;
+        };
+        QCOMPARE(warnings(), std::vector<std::string>{}); // A is 18.571 um
+        record.after[0].measurement.files[0].measurement.values[7].deviation = 0.05;
+        QCOMPARE(warnings(), std::vector<std::string>{}); // it fails, and so it says
+        record.after[0].measurement.exclusions = {{Approach::Up, 2, 3}};
+        const auto said = warnings();
+        QCOMPARE(said.size(), std::size_t{1});
+        QVERIFY2(said[0].find("OtherVerdict: of all values accuracy A is ") == 0
+                && said[0].find("(tolerance 20.000 µm: failed)") != std::string::npos,
+            said[0].c_str());
+        record.before = record.after[0].measurement;
+        record.after.clear();
+        QCOMPARE(warnings(), said);
     }
 
     void theReferenceIsQuotedWhereItWasReadAndNothingElseIsInTheTable_data()

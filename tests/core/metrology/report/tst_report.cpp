@@ -240,11 +240,45 @@ private Q_SLOTS:
     void aWarningStandsBesideTheOutcome()
     {
         ReportContent content = wholeContent();
-        content.warnings = {words("measured over less of the axis")};
+        content.warnings = {{"LesserRange", words("measured over less of the axis")}};
         const QStringList texts = textsOf(htmlOf(content));
         const auto warning =
             texts.indexOf(QStringLiteral("Warning: measured over less of the axis."));
         QVERIFY(warning > 0 && warning < texts.indexOf(QStringLiteral("Measurements")));
+    }
+
+    /// A value that fails the tolerance, and is left out.
+    void figuresAndVerdictOfAllValuesStandBesideTheOthers()
+    {
+        ReportContent content = wholeContent();
+        content.before->measurement.values[3].isUsed = true;
+        QVERIFY(!htmlOf(content, {true}).contains(QStringLiteral("all values")));
+        Measurement& after = content.after->measurement;
+        after.values[7].deviation = 0.05;
+        const Iso230Figures all = iso230Figures(after);
+        after.values[7].isUsed = false;
+        const auto shown = [](const Iso230Figures& figures) {
+            return QString::number(1e3 * figures[Iso230Figure::A].value.value_or(0.0), 'f', 2);
+        };
+        const QString others = shown(iso230Figures(after));
+        const QString html = htmlOf(content);
+        QVERIFY(html.contains(QStringLiteral("Accuracy A of all values, with those that are left "
+                                             "out: 18.57 µm before, %1 µm after.")
+                                  .arg(shown(all))));
+        QVERIFY(html.contains(QStringLiteral("<th scope=\"col\">before, all values</th>"
+                                             "<th scope=\"col\">after, all values</th>")));
+        QCOMPARE(rowOf(html, QStringLiteral("accuracy A")),
+            (QStringList{QStringLiteral("accuracy A"), QStringLiteral("18.57"),
+                QStringLiteral("8.35"), QStringLiteral("–"), others, QStringLiteral("18.57"),
+                shown(all)}));
+        const QString text = textsOf(html).join(u'|');
+        QVERIFY2(
+            text.contains(QStringLiteral("accuracy A|%1 µm|5.00 µm|1.10 µm|passed|%2 µm|failed")
+                              .arg(others, shown(all))),
+            qPrintable(text));
+        QVERIFY(!html.contains(QStringLiteral("Targets after, all values")));
+        QVERIFY(
+            htmlOf(content, {true}).contains(QStringLiteral("Targets after, all values, in µm")));
     }
 
     /// To one scale: from 15 to 111.6 mm, of which the first one measured 15 to 55.8.
@@ -383,12 +417,13 @@ private Q_SLOTS:
         const Svg svg = svgOf(htmlOf(content), 0);
         QVERIFY(svg.ticks.size() >= 3);
         const QList<double> means{2.25, 0.394, 2.084, -9.02, 6.032}; // of the five runs up, in um
+        const double datum = 3.226; // the mean of both directions at the first target
         bool hasThem = false;
         for (const QString& line : svg.lines) {
             const QList<double> heights = heightsOf(line);
             bool isSame = heights.size() == means.size();
             for (qsizetype i = 0; isSame && i < means.size(); ++i)
-                isSame = std::abs(svg.deviation(heights[i]) - means[i]) < 0.02;
+                isSame = std::abs(svg.deviation(heights[i]) - (means[i] - datum)) < 0.02;
             hasThem = hasThem || isSame;
         }
         QVERIFY(hasThem);
@@ -418,6 +453,27 @@ private Q_SLOTS:
         const Svg before = svgOf(html, 0);
         QVERIFY(before.ticks.size() >= 3);
         QCOMPARE(svgOf(html, 1).ticks, before.ticks);
+    }
+
+    /// A compensation that has done nothing looked like one that took 12.5 mm away.
+    void theZeroOfTheInstrumentIsNotDrawn()
+    {
+        ReportContent content = wholeContent();
+        const auto plots = [&content] {
+            const QString html = htmlOf(content);
+            return QStringList() << svgOf(html, 0).lines << svgOf(html, 1).lines;
+        };
+        const QStringList without = plots();
+        QVERIFY(without.size() > 20);
+        for (RunValue& value : content.after->measurement.values)
+            value.deviation += 12.5;
+        QCOMPARE(plots(), without);
+        QCOMPARE(htmlOf(content).count(QStringLiteral("Deviation in µm, 0 = mean at 15 mm")), 2);
+        content.before->datum = 45.6;
+        const QString html = htmlOf(content, {true});
+        QCOMPARE(html.count(QStringLiteral("Deviation in µm, 0 = mean at 45.6 mm")), 2);
+        QVERIFY(html.contains(QStringLiteral("Targets after, in µm, 0 = mean at 45.6 mm")));
+        QVERIFY(!html.contains(QStringLiteral("12500.")));
     }
 
     void allOfACurveIsWithinItsFrame()
