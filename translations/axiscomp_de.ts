@@ -10676,6 +10676,24 @@
         <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
         <translation>zwischen den Zielpositionen ist der Fehler nicht gut genug bekannt: ohne die jeweilige Zielposition vorhergesagt ist E der gemessenen Richtung {heldOut}, vorher war es {before}; messen Sie an mehr Zielpositionen</translation>
     </message>
+    <message>
+        <source>0 = mean at {position}</source>
+        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
+        <translation>0 = Mittel bei {position}</translation>
+    </message>
+    <message>
+        <source>{said} (file {file})</source>
+        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
+        <translation>{said} (Datei {file})</translation>
+    </message>
+    <message>
+        <source>the files are of different machines: {machines}</source>
+        <translation>die Dateien sind von verschiedenen Maschinen: {machines}</translation>
+    </message>
+    <message>
+        <source>the files have different serial numbers: {numbers}</source>
+        <translation>die Dateien nennen verschiedene Seriennummern: {numbers}</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11664,6 +11682,47 @@
     <message>
         <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
         <translation>Ausgelassen: was an Zielpositionen bleibt, ohne die die Tabelle gemacht wurde: {figure} {range}, Effektivwert {rms}, größter Wert {largest}. Von beiden Vorhersagen ist dies die glaubwürdige.</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>Genauigkeit A aus allen Werten, auch den ausgeschlossenen: {before} vorher, {after} nachher.</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
+        <translation>Genauigkeit A aus allen Werten, auch den ausgeschlossenen: {before} vorher.</translation>
+    </message>
+    <message>
+        <source>before, all values</source>
+        <comment>heading of a column</comment>
+        <translation>vorher, alle Werte</translation>
+    </message>
+    <message>
+        <source>after, all values</source>
+        <comment>heading of a column</comment>
+        <translation>nachher, alle Werte</translation>
+    </message>
+    <message>
+        <source>all values</source>
+        <comment>heading of a column: the figure of all values</comment>
+        <translation>alle Werte</translation>
+    </message>
+    <message>
+        <source>verdict, all values</source>
+        <comment>heading of a column</comment>
+        <translation>Urteil, alle Werte</translation>
+    </message>
+    <message>
+        <source>Targets before, all values, in {unit}</source>
+        <translation>Zielpositionen vorher, alle Werte, in {unit}</translation>
+    </message>
+    <message>
+        <source>Targets after, all values, in {unit}</source>
+        <translation>Zielpositionen nachher, alle Werte, in {unit}</translation>
+    </message>
+    <message>
+        <source>{said} ({files})</source>
+        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
+        <translation>{said} ({files})</translation>
     </message>
 </context>
 <context>

@@ -10676,6 +10676,24 @@
         <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
         <translation>entre les positions cibles, l&apos;erreur n&apos;est pas assez bien connue&#xa0;: prévu sans chaque position cible, E du sens mesuré vaut {heldOut}, contre {before} avant&#xa0;; mesurer à plus de positions cibles</translation>
     </message>
+    <message>
+        <source>0 = mean at {position}</source>
+        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
+        <translation>0 = moyenne à {position}</translation>
+    </message>
+    <message>
+        <source>{said} (file {file})</source>
+        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
+        <translation>{said} (fichier {file})</translation>
+    </message>
+    <message>
+        <source>the files are of different machines: {machines}</source>
+        <translation>les fichiers proviennent de machines différentes&#xa0;: {machines}</translation>
+    </message>
+    <message>
+        <source>the files have different serial numbers: {numbers}</source>
+        <translation>les fichiers indiquent des numéros de série différents&#xa0;: {numbers}</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11664,6 +11682,47 @@
     <message>
         <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
         <translation>Hors ajustement&#xa0;: ce qui reste aux positions cibles sans lesquelles la table a été établie&#xa0;: {figure} {range}, RMS {rms}, maximum {largest}. Des deux prévisions, c&apos;est celle à laquelle se fier.</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>Exactitude A sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant, {after} après.</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
+        <translation>Exactitude A sur toutes les valeurs, y compris celles exclues&#xa0;: {before} avant.</translation>
+    </message>
+    <message>
+        <source>before, all values</source>
+        <comment>heading of a column</comment>
+        <translation>avant, toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>after, all values</source>
+        <comment>heading of a column</comment>
+        <translation>après, toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>all values</source>
+        <comment>heading of a column: the figure of all values</comment>
+        <translation>toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>verdict, all values</source>
+        <comment>heading of a column</comment>
+        <translation>verdict, toutes les valeurs</translation>
+    </message>
+    <message>
+        <source>Targets before, all values, in {unit}</source>
+        <translation>Positions cibles avant, toutes les valeurs, en {unit}</translation>
+    </message>
+    <message>
+        <source>Targets after, all values, in {unit}</source>
+        <translation>Positions cibles après, toutes les valeurs, en {unit}</translation>
+    </message>
+    <message>
+        <source>{said} ({files})</source>
+        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
+        <translation>{said} ({files})</translation>
     </message>
 </context>
 <context>

@@ -10625,6 +10625,24 @@
         <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
         <translation>目標位置の間の誤差が十分に把握できていません。各目標位置を使わずに予測した、測定方向の E は {heldOut} で、補正前は {before} です。目標位置を増やして測定してください</translation>
     </message>
+    <message>
+        <source>0 = mean at {position}</source>
+        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
+        <translation>0 = {position} での平均</translation>
+    </message>
+    <message>
+        <source>{said} (file {file})</source>
+        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
+        <translation>{said} (ファイル {file})</translation>
+    </message>
+    <message>
+        <source>the files are of different machines: {machines}</source>
+        <translation>ファイルの機械が異なります: {machines}</translation>
+    </message>
+    <message>
+        <source>the files have different serial numbers: {numbers}</source>
+        <translation>ファイルのシリアル番号が異なります: {numbers}</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11610,6 +11628,47 @@
     <message>
         <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
         <translation>未使用点: テーブルの作成に使わなかった目標位置に残る誤差。{figure} {range}、rms {rms}、最大 {largest}。2 つの予測のうち、信頼できるのはこちらです。</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>除外したデータも含む全データの正確さ A: 補正前 {before}、補正後 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
+        <translation>除外したデータも含む全データの正確さ A: 補正前 {before}。</translation>
+    </message>
+    <message>
+        <source>before, all values</source>
+        <comment>heading of a column</comment>
+        <translation>補正前、全データ</translation>
+    </message>
+    <message>
+        <source>after, all values</source>
+        <comment>heading of a column</comment>
+        <translation>補正後、全データ</translation>
+    </message>
+    <message>
+        <source>all values</source>
+        <comment>heading of a column: the figure of all values</comment>
+        <translation>全データ</translation>
+    </message>
+    <message>
+        <source>verdict, all values</source>
+        <comment>heading of a column</comment>
+        <translation>判定、全データ</translation>
+    </message>
+    <message>
+        <source>Targets before, all values, in {unit}</source>
+        <translation>補正前の目標位置、全データ ({unit})</translation>
+    </message>
+    <message>
+        <source>Targets after, all values, in {unit}</source>
+        <translation>補正後の目標位置、全データ ({unit})</translation>
+    </message>
+    <message>
+        <source>{said} ({files})</source>
+        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
+        <translation>{said} ({files})</translation>
     </message>
 </context>
 <context>

@@ -10625,6 +10625,24 @@
         <source>between the targets the error is not known well enough: foretold without each target, E of the direction that was measured is {heldOut}, before it was {before}; measure at more targets</source>
         <translation>目标位置之间的误差了解不足：逐个留出目标位置的预测，所测方向的 E 为 {heldOut}，而补偿前为 {before}；请测量更多的目标位置</translation>
     </message>
+    <message>
+        <source>0 = mean at {position}</source>
+        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
+        <translation>0 = {position} 处的均值</translation>
+    </message>
+    <message>
+        <source>{said} (file {file})</source>
+        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
+        <translation>{said}（文件 {file}）</translation>
+    </message>
+    <message>
+        <source>the files are of different machines: {machines}</source>
+        <translation>各文件的机床不同：{machines}</translation>
+    </message>
+    <message>
+        <source>the files have different serial numbers: {numbers}</source>
+        <translation>各文件的序列号不同：{numbers}</translation>
+    </message>
 </context>
 <context>
     <name>PictureFile</name>
@@ -11610,6 +11628,47 @@
     <message>
         <source>Held out: what is left at targets that the table was made without: {figure} {range}, rms {rms}, largest {largest}. Of the two predictions this is the one to believe.</source>
         <translation>留出：未用于生成表的目标位置上的残余误差：{figure} {range}，均方根 {rms}，最大 {largest}。两种预测中以此为准。</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before, {after} after.</source>
+        <translation>按所有值（含已排除的值）计算的定位精度 A：补偿前 {before}，补偿后 {after}。</translation>
+    </message>
+    <message>
+        <source>Accuracy A of all values, with those that are left out: {before} before.</source>
+        <translation>按所有值（含已排除的值）计算的定位精度 A：补偿前 {before}。</translation>
+    </message>
+    <message>
+        <source>before, all values</source>
+        <comment>heading of a column</comment>
+        <translation>补偿前，所有值</translation>
+    </message>
+    <message>
+        <source>after, all values</source>
+        <comment>heading of a column</comment>
+        <translation>补偿后，所有值</translation>
+    </message>
+    <message>
+        <source>all values</source>
+        <comment>heading of a column: the figure of all values</comment>
+        <translation>所有值</translation>
+    </message>
+    <message>
+        <source>verdict, all values</source>
+        <comment>heading of a column</comment>
+        <translation>判定，所有值</translation>
+    </message>
+    <message>
+        <source>Targets before, all values, in {unit}</source>
+        <translation>补偿前的目标位置，所有值（{unit}）</translation>
+    </message>
+    <message>
+        <source>Targets after, all values, in {unit}</source>
+        <translation>补偿后的目标位置，所有值（{unit}）</translation>
+    </message>
+    <message>
+        <source>{said} ({files})</source>
+        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
+        <translation>{said}（{files}）</translation>
     </message>
 </context>
 <context>
