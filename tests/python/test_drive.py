@@ -140,6 +140,12 @@ class Drives(unittest.TestCase):
             self.assertEqual([drive["problem"] is None for drive in error.document["drives"]], [True, False])
         self.assertIsNone(self.drive.status("X")["table"])
 
+        for act in (commands.apply, commands.plan):  # a program has found no axis that needs its table
+            with self.assertRaisesRegex(axiscomp.RequestError, "only is an empty list"):
+                act(machine(), only=[])
+        self.assertIsNone(self.drive.status("X")["table"])
+
+        machine(gone + f'sources = ["{SOURCE}"]\n')
         self.assertEqual(commands.plan(file, allow_missing=True).outcome, "Differs")
         self.assertTrue(commands.apply(machine()).ok)
         self.assertTrue(commands.plan(machine()).ok)
@@ -179,6 +185,9 @@ class Drives(unittest.TestCase):
             lambda: away.plan(table(), axis="X", source1=SOURCE, drive=None),
         ):
             with self.assertRaises(axiscomp.NotConnectedError):
+                ask()
+        for ask in (lambda: away.status("X", drive=[]), lambda: commands.status(axis="X", drive=[])):
+            with self.assertRaisesRegex(axiscomp.RequestError, "drive is an empty list"):
                 ask()
 
     def test_the_lock_is_released_while_a_drive_is_waited_for(self):

@@ -142,7 +142,13 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
             raise TypeError(f"{parameter} takes a value: True and False are for options without one")
         return [name] if value else []
     if (isinstance(value, dict) or _is_list(value)) and len(value) == 0:
-        return []
+        if parameter in MAY_BE_EMPTY:
+            return []
+        raise RequestError(
+            "InvalidArgument",
+            f"{parameter} is an empty {type(value).__name__}: give at least one value, or None for what the command "
+            f"does without {name}",
+        )
     if isinstance(value, dict):  # tolerance={"A": "10um"}, set_in={"axis": 1}
         if parameter in ("tolerance", "columns"):
             return [name + "=" + ",".join(f"{key}={_text(element)}" for key, element in value.items())]
@@ -166,6 +172,9 @@ def _positional(place: Any, files: _Files) -> str:
 
 # Options whose values stand in one word, with commas between them.
 LISTS = frozenset(("points", "distance", "period", "zero", "exclude"))
+# Options without which there is none of what they name. Without any other one it is another thing: without only all axes,
+# without drive that of the environment.
+MAY_BE_EMPTY = frozenset(("exclude", "tolerance", "columns", "period", "set_in", "set_out"))
 
 
 class _TableFile:
@@ -286,7 +295,9 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
 
 
 def flat(values: Any) -> list[Any]:
-    """Things, and lists of them, one after the other."""
+    """Things, and lists of them, one after the other. An empty list would shift those behind it to another place."""
+    if any(isinstance(value, (list, tuple)) and not value for value in values):
+        raise RequestError("InvalidArgument", "an empty list is no file and no position")
     things = [element for value in values for element in (value if isinstance(value, (list, tuple)) else [value])]
     if any(thing is None for thing in things):
         raise TypeError("None is no file and no position")
