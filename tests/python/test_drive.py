@@ -190,6 +190,19 @@ class Drives(unittest.TestCase):
             with self.assertRaisesRegex(axiscomp.RequestError, "drive is an empty list"):
                 ask()
 
+    def test_a_password_is_not_shown(self):
+        for address, shown in (
+            ("http://anna:geheim@127.0.0.1:21290", "http://127.0.0.1:21290"),
+            ("https://anna:ge@he/im://x y@mill", "https://mill"),
+            ("anna:geheim@mill", "mill"),
+            ("http://mill:8080", "http://mill:8080"),
+        ):
+            self.assertEqual(repr(axiscomp.Drive(address)), f"<axiscomp.Drive {shown}>")
+        for given in (["http://anna:geheim@mill"], {"http://anna:geheim@mill"}):
+            with self.assertRaises(TypeError) as raised:
+                axiscomp.Drive(given)
+            self.assertNotIn("geheim", str(raised.exception))
+
     def test_the_lock_is_released_while_a_drive_is_waited_for(self):
         longest = 0.0
         done = threading.Event()

@@ -67,8 +67,9 @@ class Drive:
         """profile: file in place of the built-in one. timeout: of one exchange, in s (5). echo: is called with
         what a command says while it works, such as print."""
         if not isinstance(endpoint, (str, os.PathLike)) or not os.fspath(endpoint):
-            # Without an address it would be the drive of AXISCOMP_DRIVE.
-            raise TypeError(f"a drive needs its address as a text, not {endpoint!r}")
+            # Without an address it would be the drive of AXISCOMP_DRIVE. In a list there may be a password.
+            given = "an empty one" if isinstance(endpoint, str) else f"a {type(endpoint).__name__}"
+            raise TypeError(f"a drive needs its address as a text, not {given}")
         self.endpoint = endpoint
         self.echo = echo
         self._connection = {
@@ -79,7 +80,10 @@ class Drive:
         }
 
     def __repr__(self) -> str:
-        return f"<axiscomp.Drive {self.endpoint}>"
+        # Notebooks and logs keep it: without user and password, which end at the last @, whatever stands in them.
+        before, _, host = os.fspath(self.endpoint).rpartition("@")
+        scheme, mark, _ = before.partition("://")
+        return f"<axiscomp.Drive {scheme + mark if mark else ''}{host}>"
 
     def _call(self, command: str, options: dict[str, Any], *positionals: Any) -> Document:
         # In the order of the options, the way to the drive behind them. None takes nothing of it away.
