@@ -195,6 +195,16 @@ class Commands(unittest.TestCase):
             Path("--json").write_bytes(RUNS.read_bytes())
             self.assertEqual(axiscomp.judge("--json")["source"][0]["format"], "runs")
 
+    def test_a_file_whose_name_is_not_utf8_is_read_and_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.fsencode(folder) + b"/Fr\xe4se.csv"
+            for file in (os.fsdecode(name), Path(os.fsdecode(name))):
+                axiscomp.example(dims=1, tables=1, output=file)
+                self.assertEqual(len(axiscomp.read_all(file, dims=1)), 1)
+                os.remove(name)  # the very bytes
+        with self.assertRaisesRegex(ValueError, "half of a surrogate pair"):
+            axiscomp.judge("\ud800.csv")
+
     def test_echo_hears_what_is_said(self):
         said = []
         document = axiscomp.judge(RUNS, echo=said.append)

@@ -112,7 +112,7 @@ class Drives(unittest.TestCase):
         with mock.patch.object(axiscomp._call._axiscomp, "run", side_effect=KeyboardInterrupt) as run:
             with self.assertRaises(KeyboardInterrupt):
                 self.drive.plan(table(), axis="X", source1=SOURCE)
-        self.assertEqual(run.call_args.args[0][:2], ["write", "--dry-run"])
+        self.assertEqual(run.call_args.args[0][:2], [b"write", b"--dry-run"])
 
     def test_what_is_not_written_to_a_machine_is_an_error_with_the_document(self):
         folder = tempfile.TemporaryDirectory()
@@ -202,6 +202,16 @@ class Drives(unittest.TestCase):
             with self.assertRaises(TypeError) as raised:
                 axiscomp.Drive(given)
             self.assertNotIn("geheim", str(raised.exception))
+        guarded = axiscomp.Drive("http://anna:geheim@127.0.0.1:9", timeout=2)
+        for act in (
+            lambda: guarded.write("k\udcff.csv", axis="X"),  # a name that is not UTF-8
+            lambda: guarded.status("\ud800"),
+            lambda: next(guarded.monitor("\ud800")),
+            lambda: guarded.status("\udcff"),
+        ):
+            with self.assertRaises((axiscomp.Error, ValueError)) as raised:
+                act()
+            self.assertNotIn("geheim", repr(raised.exception))
 
     def test_the_lock_is_released_while_a_drive_is_waited_for(self):
         longest = 0.0

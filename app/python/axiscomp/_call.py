@@ -121,6 +121,14 @@ def _text(value: Any) -> str:
     return text
 
 
+def encoded(word: str) -> bytes:
+    """A word as the command line has it: in UTF-8, of a file's name each byte that os.fsdecode() could not read."""
+    try:
+        return word.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        raise ValueError("a text with half of a surrogate pair") from None
+
+
 def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple)) or (hasattr(value, "shape") and getattr(value, "ndim", 0) > 0)
 
@@ -235,8 +243,9 @@ def call(
         for parameter, value in options.items():
             words += _words(parameter, value, files)
         words += [_positional(place, files) for place in positionals if place is not None]
+        names = {encoded(file): encoded(name) for file, name in files.names.items()}
         try:
-            outcome, document, output, notes, told = _axiscomp.run(words, echo, files.names)
+            outcome, document, output, notes, told = _axiscomp.run(list(map(encoded, words)), echo, names)
         except Error as error:
             raise _named(error, files).with_traceback(error.__traceback__) from None
         document, notes = files.named(document), files.named(notes)

@@ -9,7 +9,7 @@ from typing import Any, Iterator
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, Echo, _Files, _words, call, one
+from ._call import Document, Echo, _Files, _words, call, encoded, one
 
 
 class Monitor:
@@ -20,7 +20,7 @@ class Monitor:
     """
 
     def __init__(self, words: list[str]) -> None:
-        self._readings = _axiscomp.Readings(words)
+        self._readings = _axiscomp.Readings(list(map(encoded, words)))
         self._stop = weakref.finalize(self, self._readings.stop)
 
     def __enter__(self) -> "Monitor":
