@@ -164,6 +164,33 @@ Values valuesFrom(const py::object& given)
     return Values(given);
 }
 
+/// Each point once. Errors: TypeError for what is no index; of a mask True and False would be the
+/// points 1 and 0. ValueError for a point that the table does not have.
+std::vector<std::uint32_t> pointsFrom(const py::iterable& given, std::size_t count)
+{
+    std::vector<std::uint32_t> points;
+    for (const py::handle element : given) {
+        const bool isOfMask = py::isinstance<py::bool_>(element)
+            || (py::hasattr(element, "dtype")
+                && element.attr("dtype").attr("kind").cast<std::string>() == "b");
+        if (isOfMask || PyIndex_Check(element.ptr()) == 0)
+            throw py::type_error("filled has indices of points, dimension 1 fastest, not "
+                + py::str(py::type::of(element).attr("__name__")).cast<std::string>()
+                + "; of a mask they are numpy.flatnonzero(mask.ravel(\"F\"))");
+        const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(element.ptr()));
+        if (!index)
+            throw py::error_already_set();
+        int isTooLarge = 0;
+        const long long point = PyLong_AsLongLongAndOverflow(index.ptr(), &isTooLarge);
+        if (isTooLarge != 0 || point < 0 || static_cast<unsigned long long>(point) >= count)
+            throw py::value_error("a point of filled is beyond the table");
+        points.push_back(static_cast<std::uint32_t>(point));
+    }
+    std::ranges::sort(points);
+    points.erase(std::ranges::unique(points).begin(), points.end());
+    return points;
+}
+
 void refuseControls(const TableObject& object)
 {
     const CompensationTable& table = object.table;
@@ -188,7 +215,7 @@ void checkTarget(const std::string& target, py::ssize_t dimensions)
 }
 
 TablePointer makeTable(const py::object& given, const py::sequence& axes, const std::string& name,
-    const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled,
+    const std::string& unit, const std::string& target, const py::iterable& filled,
     const std::vector<std::string>& notes)
 {
     const Values values = valuesFrom(given);
@@ -211,10 +238,7 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     table.target = statedOrInHeader(target, name, sources);
     refuseControls(*object);
     table.values.assign(values.data(), values.data() + values.size());
-    table.filled = filled;
-    std::ranges::sort(table.filled);
-    if (!table.filled.empty() && table.filled.back() >= table.values.size())
-        throw py::value_error("a point of filled is beyond the table");
+    table.filled = pointsFrom(filled, table.values.size());
     static_cast<void>(crcOf(table)); // the rules of a table
     for (const GridAxis& axis : table.grid.axes)
         if (!pointsAreDistinct(axis))
@@ -348,8 +372,7 @@ void addTables(py::module_& module)
     py::class_<TableObject, TablePointer> table(module, "Table");
     table
         .def(py::init(&makeTable), py::arg("values"), py::arg("axes"), py::arg("name") = "Table",
-            py::arg("unit") = "", py::arg("target") = "",
-            py::arg("filled") = std::vector<std::uint32_t>(),
+            py::arg("unit") = "", py::arg("target") = "", py::arg("filled") = py::tuple(),
             py::arg("notes") = std::vector<std::string>())
         .def_property_readonly("values", &valuesView)
         .def_property_readonly("axes", &axesOf)

@@ -127,6 +127,21 @@ class Tables(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, "start and distance of an axis are numbers"):
                 axiscomp.Table([0, 1], [axis])
 
+    def test_what_was_filled_is_said_by_indices(self):
+        values, axes = [0, 0.001, 0.002, 0, 0], [(0, 10, "mm", "X")]
+        mask = numpy.array([True, False, False, False, True])
+        for given in ([4, 0], (0, 4, 4), numpy.flatnonzero(mask.ravel("F"))):
+            table = axiscomp.Table(values, axes, "E", "mm", "X", filled=given)
+            self.assertEqual(table.filled, [0, 4])
+            axiscomp.write(table, self.folder / "filled.csv")
+            self.assertIn("// 2 of 5 points of E are filled", (self.folder / "filled.csv").read_text())
+        for given in (mask, mask.tolist(), [numpy.True_], [1.0], [numpy.float32(1)], "1"):
+            with self.assertRaisesRegex(TypeError, "filled has indices of points", msg=repr(given)):
+                axiscomp.Table(values, axes, filled=given)
+        for given in ([5], [-1], [2**70]):
+            with self.assertRaisesRegex(ValueError, "beyond the table", msg=repr(given)):
+                axiscomp.Table(values, axes, filled=given)
+
     def test_a_table_keeps_the_rules_of_a_table(self):
         for values, axes in (
             ([0, float("nan")], [(0, 1)]),

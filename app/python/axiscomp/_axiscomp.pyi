@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Iterable, Mapping, Sequence
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -31,7 +31,7 @@ class Table:
         name: str = "Table",
         unit: str = "",
         target: str = "",
-        filled: Sequence[int] = (),
+        filled: Iterable[int] | NDArray[numpy.integer[Any]] = (),
         notes: Sequence[str] = (),
     ) -> None: ...
     @property
