@@ -9,12 +9,15 @@
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace axiscomp::app {
@@ -25,7 +28,7 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Dimension 1 fastest, as a table has its values.
-using Values = py::array_t<float, py::array::f_style | py::array::forcecast>;
+using Values = py::array_t<double, py::array::f_style | py::array::forcecast>;
 
 std::uint32_t crcOf(const CompensationTable& table)
 {
@@ -164,6 +167,25 @@ Values valuesFrom(const py::object& given)
     return Values(given);
 }
 
+/// As a table has them. Errors: InvalidArgument for a number that no float32 is; numpy would make
+/// it infinite.
+std::vector<float> roundedValues(const Values& values)
+{
+    constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
+    std::vector<float> rounded(static_cast<std::size_t>(values.size()));
+    const double* const from = values.data();
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+        if (std::isfinite(from[i]) && std::abs(from[i]) > largest)
+            raiseError(fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    "value " + std::to_string(i + 1) + " is " + shortestText(from[i])
+                        + ", which is beyond what a float32 can be (3.4e38)"}})
+                           .value());
+        rounded[i] = static_cast<float>(from[i]);
+    }
+    return rounded;
+}
+
 /// Each point once. Errors: TypeError for what is no index; of a mask True and False would be the
 /// points 1 and 0. ValueError for a point that the table does not have.
 std::vector<std::uint32_t> pointsFrom(const py::iterable& given, std::size_t count)
@@ -237,7 +259,7 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     }
     table.target = statedOrInHeader(target, name, sources);
     refuseControls(*object);
-    table.values.assign(values.data(), values.data() + values.size());
+    table.values = roundedValues(values);
     table.filled = pointsFrom(filled, table.values.size());
     static_cast<void>(crcOf(table)); // the rules of a table
     for (const GridAxis& axis : table.grid.axes)

@@ -162,8 +162,12 @@ class Tables(unittest.TestCase):
         for given in (values, numpy.asfortranarray(values), values.astype(">f8"), values.astype(int), values.tolist()):
             numpy.testing.assert_array_equal(axiscomp.Table(given, axes).values, values)
         numpy.testing.assert_array_equal(axiscomp.Table(values[::2, ::-3], axes).values, values[::2, ::-3])
-        with self.assertRaises(axiscomp.Error):
-            axiscomp.Table([0, 1e39], [(0, 1)])  # no float32
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # none of numpy
+            with self.assertRaisesRegex(axiscomp.RequestError, r"value 2 is 1e\+39, which is beyond .* float32"):
+                axiscomp.Table([0, 1e39], [(0, 1)])
+            with self.assertRaisesRegex(axiscomp.RequestError, "value 2 is inf, a finite number is needed"):
+                axiscomp.Table([0, float("inf")], [(0, 1)])
         with self.assertRaises(ValueError):
             axiscomp.Table(numpy.ma.masked_equal([0, 999], 999), [(0, 1)])
         with self.assertRaises(ValueError):
