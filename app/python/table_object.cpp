@@ -3,6 +3,7 @@
 
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
+#include "app/python/made_object.h"
 #include "core/csv/calibration_csv.h"
 #include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
@@ -60,7 +61,8 @@ std::vector<py::ssize_t> shapeOf(const Grid& grid)
 
 py::array valuesView(const py::object& self)
 {
-    const CompensationTable& table = self.cast<TableObject&>().table;
+    const TablePointer object = madeObject<TableObject>(self);
+    const CompensationTable& table = object->table;
     std::vector<py::ssize_t> strides;
     py::ssize_t stride = sizeof(float);
     for (const GridAxis& axis : table.grid.axes) {
@@ -300,16 +302,17 @@ std::string described(const TableObject& object)
 /// Everything that the object has, for pickle.
 py::tuple stateOf(const py::object& self)
 {
-    const TableObject& object = self.cast<const TableObject&>();
+    const TablePointer object = madeObject<TableObject>(self);
+    const CompensationTable& table = object->table;
     py::list axes;
-    for (const GridAxis& axis : object.table.grid.axes)
+    for (const GridAxis& axis : table.grid.axes)
         axes.append(py::make_tuple(axis.start, axis.distance, axis.unit, axis.name));
     py::list filled;
-    for (const std::uint32_t point : object.table.filled)
+    for (const std::uint32_t point : table.filled)
         filled.append(point);
     // A view must not go into a file.
-    return py::make_tuple(valuesView(self).attr("copy")("F"), axes, object.table.name,
-        object.table.unit, object.table.target, filled, pythonTexts(object.notes));
+    return py::make_tuple(valuesView(self).attr("copy")("F"), axes, table.name, table.unit,
+        table.target, filled, pythonTexts(object->notes));
 }
 
 /// Errors: ValueError, since in one file the notes of one table are those of all.
@@ -331,6 +334,8 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
 {
     if (tables.empty())
         throw py::value_error("there is no table");
+    if (std::ranges::find(tables, nullptr) != tables.end())
+        throw py::type_error("None is no table");
     CalibrationData data{tables.front()->table.grid, {}, {}};
     for (const TablePointer& object : tables) {
         if (object->table.grid != data.grid)
@@ -365,6 +370,8 @@ py::bytes csvOf(const std::vector<TablePointer>& tables)
 /// Of a file that axiscomp has written itself.
 std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
 {
+    if (dimensions < 1 || dimensions > 3)
+        throw py::value_error("a table has 1, 2 or 3 dimensions");
     const auto text = static_cast<std::string_view>(file);
     CsvReading reading;
     {
@@ -397,27 +404,30 @@ void addTables(py::module_& module)
             py::arg("unit") = "", py::arg("target") = "", py::arg("filled") = py::tuple(),
             py::arg("notes") = std::vector<std::string>())
         .def_property_readonly("values", &valuesView)
-        .def_property_readonly("axes", &axesOf)
+        .def_property_readonly("axes", methodOf(&axesOf))
         .def_property_readonly(
-            "name", [](const TableObject& self) { return pythonText(self.table.name); })
+            "name", methodOf(+[](const TableObject& self) { return pythonText(self.table.name); }))
         .def_property_readonly(
-            "unit", [](const TableObject& self) { return pythonText(self.table.unit); })
+            "unit", methodOf(+[](const TableObject& self) { return pythonText(self.table.unit); }))
+        .def_property_readonly("target",
+            methodOf(+[](const TableObject& self) { return pythonText(self.table.target); }))
+        .def_property_readonly("dimensions",
+            methodOf(+[](const TableObject& self) { return self.table.grid.dimensions(); }))
         .def_property_readonly(
-            "target", [](const TableObject& self) { return pythonText(self.table.target); })
+            "filled", methodOf(+[](const TableObject& self) { return self.table.filled; }))
         .def_property_readonly(
-            "dimensions", [](const TableObject& self) { return self.table.grid.dimensions(); })
-        .def_property_readonly("filled", [](const TableObject& self) { return self.table.filled; })
+            "notes", methodOf(+[](const TableObject& self) { return pythonTexts(self.notes); }))
         .def_property_readonly(
-            "notes", [](const TableObject& self) { return pythonTexts(self.notes); })
-        .def_property_readonly("crc", [](const TableObject& self) { return crcOf(self.table); })
-        .def("positions", &positionsOf, py::arg("dimension") = 1)
-        .def("lookup", &lookedUp, py::arg("positions"), py::arg("outside") = "hold")
-        .def("__repr__", &described)
+            "crc", methodOf(+[](const TableObject& self) { return crcOf(self.table); }))
+        .def("positions", methodOf(&positionsOf), py::arg("dimension") = 1)
+        .def("lookup", methodOf(&lookedUp), py::arg("positions"), py::arg("outside") = "hold")
+        .def("__repr__", methodOf(&described))
         .def("__eq__",
-            [](const TableObject& self, const py::object& other) -> py::object {
+            [](const py::object& self, const py::object& other) -> py::object {
                 if (!py::isinstance<TableObject>(other))
                     return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-                return py::bool_(isSame(self, other.cast<const TableObject&>()));
+                return py::bool_(
+                    isSame(*madeObject<TableObject>(self), *madeObject<TableObject>(other)));
             })
         .def("__reduce__", [](const py::object& self) {
             return py::make_tuple(self.attr("__class__"), stateOf(self));

@@ -240,6 +240,16 @@ class Drives(unittest.TestCase):
         next(forgotten)
         del forgotten
 
+    def test_several_threads_may_stop_a_monitor(self):
+        with self.drive.monitor("X", rate=100) as readings:
+            next(readings)
+            threads = [threading.Thread(target=readings._readings.stop) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        self.assertLess(len(list(readings)), 1000)
+
     def test_an_error_ends_a_monitor(self):
         with self.assertRaises(axiscomp.Error) as raised:
             list(self.drive.monitor("Z"))

@@ -340,6 +340,32 @@ class Tables(unittest.TestCase):
         self.assertEqual(table.filled, [1])
         self.assertAlmostEqual(float(table.values[1]), 0.002, places=6)
 
+    def test_what_was_never_made_is_an_error(self):
+        names = ("values", "axes", "name", "unit", "target", "dimensions", "filled", "notes", "crc")
+        acts = [lambda given, name=name: getattr(axiscomp.Table, name).fget(given) for name in names]
+        acts += [
+            axiscomp.Table.positions,
+            lambda given: axiscomp.Table.lookup(given, [0]),
+            axiscomp.Table.__repr__,
+            axiscomp.Table.__reduce__,
+            lambda given: axiscomp._axiscomp.csv_of_tables([given]),
+            lambda given: axiscomp._axiscomp.csv_of_tables([plane(), given]),
+            lambda given: axiscomp.write([plane(), given], self.folder / "x.csv"),
+        ]
+        for given in (axiscomp.Table.__new__(axiscomp.Table), None, 5):
+            for act in acts:
+                with self.assertRaises((TypeError, RuntimeError), msg=repr(type(given))):
+                    act(given)
+        with self.assertRaisesRegex(TypeError, "never initialised"):
+            plane() == axiscomp.Table.__new__(axiscomp.Table)
+        readings = axiscomp._axiscomp.Readings.__new__(axiscomp._axiscomp.Readings)
+        for act in (readings.next, readings.stop, lambda: readings.missed):
+            with self.assertRaisesRegex(TypeError, "never initialised"):
+                act()
+        for dimensions in (0, 4, -1):
+            with self.assertRaises(ValueError):
+                axiscomp._axiscomp.tables_of_csv(b"X,e\n0,1\n1,2\n", dimensions)
+
     def test_a_table_goes_through_pickle(self):
         table = plane()
         self.assertEqual(pickle.loads(pickle.dumps(table)), table)
