@@ -250,6 +250,10 @@ class Drives(unittest.TestCase):
                 thread.join()
         self.assertLess(len(list(readings)), 1000)
 
+    def test_readings_are_handed_out_and_not_dropped(self):
+        with self.assertRaisesRegex(axiscomp.RequestError, r"drive\.monitor\(\) gives its readings"):
+            self.drive.run("monitor", axis="X", count=2)
+
     def test_an_error_ends_a_monitor(self):
         with self.assertRaises(axiscomp.Error) as raised:
             list(self.drive.monitor("Z"))

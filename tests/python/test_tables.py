@@ -194,6 +194,17 @@ class Tables(unittest.TestCase):
         self.assertNotEqual(encoder, other)
         self.assertNotEqual(encoder, none)
 
+    def test_each_position_of_a_file_has_its_result(self):
+        table = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")], unit="mm", target="X")
+        positions = self.folder / "positions.txt"
+        positions.write_text("5\n7\n15\n")
+        for options in ({}, {"as_": "csv"}):
+            results = axiscomp.lookup(table, points=positions, **options)["results"]
+            self.assertEqual([result["position"] for result in results], [[5], [7], [15]])
+            numpy.testing.assert_allclose(
+                [result["value"] for result in results], table.lookup([5, 7, 15]), atol=1e-9
+            )
+
     def test_what_is_written_reads_back(self):
         for name in ("plane.csv", "plane.TAMtbl"):
             file = self.folder / name

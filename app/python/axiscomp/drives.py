@@ -10,6 +10,7 @@ from typing import Any, Iterator
 from . import _axiscomp
 from ._axiscomp import Table
 from ._call import Document, Echo, _Files, _words, call, encoded, one
+from .errors import RequestError
 
 
 class Monitor:
@@ -165,4 +166,6 @@ class Drive:
 
     def run(self, command: str, *positionals: Any, **options: Any) -> Document:
         """Any other command of axiscomp that talks to a drive: drive.run("backup", output="x.json")."""
+        if command == "monitor":  # its readings are no document
+            raise RequestError("InvalidArgument", "monitor has no document: drive.monitor() gives its readings")
         return self._call(command, options, *positionals)
