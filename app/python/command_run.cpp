@@ -314,6 +314,7 @@ void CommandRun::stop()
 {
     const py::gil_scoped_release released;
     m_interrupt.request();
+    const std::lock_guard lock(m_joinMutex);
     if (m_thread.joinable())
         m_thread.join();
 }

@@ -60,6 +60,7 @@ private:
     std::optional<EmbeddedEnd> m_end;
     std::exception_ptr m_exception;
     bool m_isDone = false;
+    std::mutex m_joinMutex; ///< two threads of Python may stop it
     std::thread m_thread;
 };
 

@@ -3,11 +3,14 @@
 #include "app/cli/output/environment.h"
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
+#include "app/python/made_object.h"
 #include "app/python/measurement_object.h"
 #include "app/python/table_object.h"
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+
+#include <memory>
 
 namespace axiscomp::app {
 
@@ -67,11 +70,11 @@ PYBIND11_MODULE(_axiscomp, module)
     module.def("commands", &commandFacts);
     module.def("run", &run, py::arg("arguments"), py::arg("echo") = py::none(),
         py::arg("names") = Environment::Names());
-    py::class_<CommandRun>(module, "Readings")
+    py::class_<CommandRun, std::shared_ptr<CommandRun>>(module, "Readings")
         .def(py::init<std::vector<std::string>>(), py::arg("arguments"))
-        .def("next", &CommandRun::nextReading)
-        .def("stop", &CommandRun::stop)
-        .def_property_readonly("missed", &CommandRun::missed);
+        .def("next", methodOf(+[](CommandRun& self) { return self.nextReading(); }))
+        .def("stop", methodOf(+[](CommandRun& self) { self.stop(); }))
+        .def_property_readonly("missed", methodOf(+[](CommandRun& self) { return self.missed(); }));
     addTables(module);
     addMeasurements(module);
 }

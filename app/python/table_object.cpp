@@ -3,18 +3,22 @@
 
 #include "app/python/command_run.h"
 #include "app/python/json_object.h"
+#include "app/python/made_object.h"
 #include "core/csv/calibration_csv.h"
 #include "core/neutral/drive_note.h"
 #include "core/neutral/lookup_note.h"
 #include "core/table/lookup.h"
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
+#include "core/text/number_text.h"
 #include "drivecomm/profile/profile_loader.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace axiscomp::app {
@@ -25,7 +29,7 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Dimension 1 fastest, as a table has its values.
-using Values = py::array_t<float, py::array::f_style | py::array::forcecast>;
+using Values = py::array_t<double, py::array::f_style | py::array::forcecast>;
 
 std::uint32_t crcOf(const CompensationTable& table)
 {
@@ -57,7 +61,8 @@ std::vector<py::ssize_t> shapeOf(const Grid& grid)
 
 py::array valuesView(const py::object& self)
 {
-    const CompensationTable& table = self.cast<TableObject&>().table;
+    const TablePointer object = madeObject<TableObject>(self);
+    const CompensationTable& table = object->table;
     std::vector<py::ssize_t> strides;
     py::ssize_t stride = sizeof(float);
     for (const GridAxis& axis : table.grid.axes) {
@@ -164,6 +169,52 @@ Values valuesFrom(const py::object& given)
     return Values(given);
 }
 
+/// As a table has them. Errors: InvalidArgument for a number that no float32 is; numpy would make
+/// it infinite.
+std::vector<float> roundedValues(const Values& values)
+{
+    constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
+    std::vector<float> rounded(static_cast<std::size_t>(values.size()));
+    const double* const from = values.data();
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+        if (std::isfinite(from[i]) && std::abs(from[i]) > largest)
+            raiseError(fail(ErrorCode::InvalidArgument,
+                {{"reason",
+                    "value " + std::to_string(i + 1) + " is " + shortestText(from[i])
+                        + ", which is beyond what a float32 can be (3.4e38)"}})
+                           .value());
+        rounded[i] = static_cast<float>(from[i]);
+    }
+    return rounded;
+}
+
+/// Each point once. Errors: TypeError for what is no index; of a mask True and False would be the
+/// points 1 and 0. ValueError for a point that the table does not have.
+std::vector<std::uint32_t> pointsFrom(const py::iterable& given, std::size_t count)
+{
+    std::vector<std::uint32_t> points;
+    for (const py::handle element : given) {
+        const bool isOfMask = py::isinstance<py::bool_>(element)
+            || (py::hasattr(element, "dtype")
+                && element.attr("dtype").attr("kind").cast<std::string>() == "b");
+        if (isOfMask || PyIndex_Check(element.ptr()) == 0)
+            throw py::type_error("filled has indices of points, dimension 1 fastest, not "
+                + py::str(py::type::of(element).attr("__name__")).cast<std::string>()
+                + "; of a mask they are numpy.flatnonzero(mask.ravel(\"F\"))");
+        const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(element.ptr()));
+        if (!index)
+            throw py::error_already_set();
+        int isTooLarge = 0;
+        const long long point = PyLong_AsLongLongAndOverflow(index.ptr(), &isTooLarge);
+        if (isTooLarge != 0 || point < 0 || static_cast<unsigned long long>(point) >= count)
+            throw py::value_error("a point of filled is beyond the table");
+        points.push_back(static_cast<std::uint32_t>(point));
+    }
+    std::ranges::sort(points);
+    points.erase(std::ranges::unique(points).begin(), points.end());
+    return points;
+}
+
 void refuseControls(const TableObject& object)
 {
     const CompensationTable& table = object.table;
@@ -188,7 +239,7 @@ void checkTarget(const std::string& target, py::ssize_t dimensions)
 }
 
 TablePointer makeTable(const py::object& given, const py::sequence& axes, const std::string& name,
-    const std::string& unit, const std::string& target, const std::vector<std::uint32_t>& filled,
+    const std::string& unit, const std::string& target, const py::iterable& filled,
     const std::vector<std::string>& notes)
 {
     const Values values = valuesFrom(given);
@@ -210,11 +261,8 @@ TablePointer makeTable(const py::object& given, const py::sequence& axes, const 
     }
     table.target = statedOrInHeader(target, name, sources);
     refuseControls(*object);
-    table.values.assign(values.data(), values.data() + values.size());
-    table.filled = filled;
-    std::ranges::sort(table.filled);
-    if (!table.filled.empty() && table.filled.back() >= table.values.size())
-        throw py::value_error("a point of filled is beyond the table");
+    table.values = roundedValues(values);
+    table.filled = pointsFrom(filled, table.values.size());
     static_cast<void>(crcOf(table)); // the rules of a table
     for (const GridAxis& axis : table.grid.axes)
         if (!pointsAreDistinct(axis))
@@ -254,16 +302,17 @@ std::string described(const TableObject& object)
 /// Everything that the object has, for pickle.
 py::tuple stateOf(const py::object& self)
 {
-    const TableObject& object = self.cast<const TableObject&>();
+    const TablePointer object = madeObject<TableObject>(self);
+    const CompensationTable& table = object->table;
     py::list axes;
-    for (const GridAxis& axis : object.table.grid.axes)
+    for (const GridAxis& axis : table.grid.axes)
         axes.append(py::make_tuple(axis.start, axis.distance, axis.unit, axis.name));
     py::list filled;
-    for (const std::uint32_t point : object.table.filled)
+    for (const std::uint32_t point : table.filled)
         filled.append(point);
     // A view must not go into a file.
-    return py::make_tuple(valuesView(self).attr("copy")("F"), axes, object.table.name,
-        object.table.unit, object.table.target, filled, pythonTexts(object.notes));
+    return py::make_tuple(valuesView(self).attr("copy")("F"), axes, table.name, table.unit,
+        table.target, filled, pythonTexts(object->notes));
 }
 
 /// Errors: ValueError, since in one file the notes of one table are those of all.
@@ -285,6 +334,8 @@ CalibrationData dataOf(const std::vector<TablePointer>& tables)
 {
     if (tables.empty())
         throw py::value_error("there is no table");
+    if (std::ranges::find(tables, nullptr) != tables.end())
+        throw py::type_error("None is no table");
     CalibrationData data{tables.front()->table.grid, {}, {}};
     for (const TablePointer& object : tables) {
         if (object->table.grid != data.grid)
@@ -319,6 +370,8 @@ py::bytes csvOf(const std::vector<TablePointer>& tables)
 /// Of a file that axiscomp has written itself.
 std::vector<TablePointer> tablesOfCsv(const py::bytes& file, int dimensions)
 {
+    if (dimensions < 1 || dimensions > 3)
+        throw py::value_error("a table has 1, 2 or 3 dimensions");
     const auto text = static_cast<std::string_view>(file);
     CsvReading reading;
     {
@@ -348,31 +401,33 @@ void addTables(py::module_& module)
     py::class_<TableObject, TablePointer> table(module, "Table");
     table
         .def(py::init(&makeTable), py::arg("values"), py::arg("axes"), py::arg("name") = "Table",
-            py::arg("unit") = "", py::arg("target") = "",
-            py::arg("filled") = std::vector<std::uint32_t>(),
+            py::arg("unit") = "", py::arg("target") = "", py::arg("filled") = py::tuple(),
             py::arg("notes") = std::vector<std::string>())
         .def_property_readonly("values", &valuesView)
-        .def_property_readonly("axes", &axesOf)
+        .def_property_readonly("axes", methodOf(&axesOf))
         .def_property_readonly(
-            "name", [](const TableObject& self) { return pythonText(self.table.name); })
+            "name", methodOf(+[](const TableObject& self) { return pythonText(self.table.name); }))
         .def_property_readonly(
-            "unit", [](const TableObject& self) { return pythonText(self.table.unit); })
+            "unit", methodOf(+[](const TableObject& self) { return pythonText(self.table.unit); }))
+        .def_property_readonly("target",
+            methodOf(+[](const TableObject& self) { return pythonText(self.table.target); }))
+        .def_property_readonly("dimensions",
+            methodOf(+[](const TableObject& self) { return self.table.grid.dimensions(); }))
         .def_property_readonly(
-            "target", [](const TableObject& self) { return pythonText(self.table.target); })
+            "filled", methodOf(+[](const TableObject& self) { return self.table.filled; }))
         .def_property_readonly(
-            "dimensions", [](const TableObject& self) { return self.table.grid.dimensions(); })
-        .def_property_readonly("filled", [](const TableObject& self) { return self.table.filled; })
+            "notes", methodOf(+[](const TableObject& self) { return pythonTexts(self.notes); }))
         .def_property_readonly(
-            "notes", [](const TableObject& self) { return pythonTexts(self.notes); })
-        .def_property_readonly("crc", [](const TableObject& self) { return crcOf(self.table); })
-        .def("positions", &positionsOf, py::arg("dimension") = 1)
-        .def("lookup", &lookedUp, py::arg("positions"), py::arg("outside") = "hold")
-        .def("__repr__", &described)
+            "crc", methodOf(+[](const TableObject& self) { return crcOf(self.table); }))
+        .def("positions", methodOf(&positionsOf), py::arg("dimension") = 1)
+        .def("lookup", methodOf(&lookedUp), py::arg("positions"), py::arg("outside") = "hold")
+        .def("__repr__", methodOf(&described))
         .def("__eq__",
-            [](const TableObject& self, const py::object& other) -> py::object {
+            [](const py::object& self, const py::object& other) -> py::object {
                 if (!py::isinstance<TableObject>(other))
                     return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-                return py::bool_(isSame(self, other.cast<const TableObject&>()));
+                return py::bool_(
+                    isSame(*madeObject<TableObject>(self), *madeObject<TableObject>(other)));
             })
         .def("__reduce__", [](const py::object& self) {
             return py::make_tuple(self.attr("__class__"), stateOf(self));

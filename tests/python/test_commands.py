@@ -168,6 +168,25 @@ class Commands(unittest.TestCase):
                 axiscomp.runs(files, output="")
             self.assertEqual(files[0].read_bytes(), RUNS.read_bytes())
 
+    def test_an_empty_list_is_never_what_a_command_takes_without_it(self):
+        for parameter, nothing in (
+            ("only", []),
+            ("only", ()),
+            ("only", numpy.array([])),
+            ("drive", []),
+            ("axis", []),
+            ("table", []),
+            ("target", []),
+            ("points", []),
+            ("map", {}),
+        ):
+            with self.assertRaisesRegex(axiscomp.RequestError, f"^InvalidArgument: {parameter} is an empty") as raised:
+                axiscomp._call.call("apply", ["machine.toml"], {parameter: nothing})
+            self.assertEqual(raised.exception.code, "InvalidArgument")
+        for act in (lambda: axiscomp.judge([]), lambda: axiscomp.compare(RUNS, [], record="x.axcal")):
+            with self.assertRaisesRegex(axiscomp.RequestError, "an empty list is no file"):
+                act()
+
     def test_a_file_named_as_an_option_is_a_file(self):
         with tempfile.TemporaryDirectory() as folder:
             there = os.getcwd()
@@ -175,6 +194,16 @@ class Commands(unittest.TestCase):
             self.addCleanup(os.chdir, there)
             Path("--json").write_bytes(RUNS.read_bytes())
             self.assertEqual(axiscomp.judge("--json")["source"][0]["format"], "runs")
+
+    def test_a_file_whose_name_is_not_utf8_is_read_and_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.fsencode(folder) + b"/Fr\xe4se.csv"
+            for file in (os.fsdecode(name), Path(os.fsdecode(name))):
+                axiscomp.example(dims=1, tables=1, output=file)
+                self.assertEqual(len(axiscomp.read_all(file, dims=1)), 1)
+                os.remove(name)  # the very bytes
+        with self.assertRaisesRegex(ValueError, "half of a surrogate pair"):
+            axiscomp.judge("\ud800.csv")
 
     def test_echo_hears_what_is_said(self):
         said = []

@@ -112,7 +112,7 @@ class Drives(unittest.TestCase):
         with mock.patch.object(axiscomp._call._axiscomp, "run", side_effect=KeyboardInterrupt) as run:
             with self.assertRaises(KeyboardInterrupt):
                 self.drive.plan(table(), axis="X", source1=SOURCE)
-        self.assertEqual(run.call_args.args[0][:2], ["write", "--dry-run"])
+        self.assertEqual(run.call_args.args[0][:2], [b"write", b"--dry-run"])
 
     def test_what_is_not_written_to_a_machine_is_an_error_with_the_document(self):
         folder = tempfile.TemporaryDirectory()
@@ -140,6 +140,12 @@ class Drives(unittest.TestCase):
             self.assertEqual([drive["problem"] is None for drive in error.document["drives"]], [True, False])
         self.assertIsNone(self.drive.status("X")["table"])
 
+        for act in (commands.apply, commands.plan):  # a program has found no axis that needs its table
+            with self.assertRaisesRegex(axiscomp.RequestError, "only is an empty list"):
+                act(machine(), only=[])
+        self.assertIsNone(self.drive.status("X")["table"])
+
+        machine(gone + f'sources = ["{SOURCE}"]\n')
         self.assertEqual(commands.plan(file, allow_missing=True).outcome, "Differs")
         self.assertTrue(commands.apply(machine()).ok)
         self.assertTrue(commands.plan(machine()).ok)
@@ -184,6 +190,32 @@ class Drives(unittest.TestCase):
         ):
             with self.assertRaises(axiscomp.NotConnectedError):
                 ask()
+        for ask in (lambda: away.status("X", drive=[]), lambda: commands.status(axis="X", drive=[])):
+            with self.assertRaisesRegex(axiscomp.RequestError, "drive is an empty list"):
+                ask()
+
+    def test_a_password_is_not_shown(self):
+        for address, shown in (
+            ("http://anna:geheim@127.0.0.1:21290", "http://127.0.0.1:21290"),
+            ("https://anna:ge@he/im://x y@mill", "https://mill"),
+            ("anna:geheim@mill", "mill"),
+            ("http://mill:8080", "http://mill:8080"),
+        ):
+            self.assertEqual(repr(axiscomp.Drive(address)), f"<axiscomp.Drive {shown}>")
+        for given in (["http://anna:geheim@mill"], {"http://anna:geheim@mill"}):
+            with self.assertRaises(TypeError) as raised:
+                axiscomp.Drive(given)
+            self.assertNotIn("geheim", str(raised.exception))
+        guarded = axiscomp.Drive("http://anna:geheim@127.0.0.1:9", timeout=2)
+        for act in (
+            lambda: guarded.write("k\udcff.csv", axis="X"),  # a name that is not UTF-8
+            lambda: guarded.status("\ud800"),
+            lambda: next(guarded.monitor("\ud800")),
+            lambda: guarded.status("\udcff"),
+        ):
+            with self.assertRaises((axiscomp.Error, ValueError)) as raised:
+                act()
+            self.assertNotIn("geheim", repr(raised.exception))
 
     def test_the_lock_is_released_while_a_drive_is_waited_for(self):
         longest = 0.0
@@ -211,6 +243,20 @@ class Drives(unittest.TestCase):
         forgotten = self.drive.monitor("X", rate=100)
         next(forgotten)
         del forgotten
+
+    def test_several_threads_may_stop_a_monitor(self):
+        with self.drive.monitor("X", rate=100) as readings:
+            next(readings)
+            threads = [threading.Thread(target=readings._readings.stop) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+        self.assertLess(len(list(readings)), 1000)
+
+    def test_readings_are_handed_out_and_not_dropped(self):
+        with self.assertRaisesRegex(axiscomp.RequestError, r"drive\.monitor\(\) gives its readings"):
+            self.drive.run("monitor", axis="X", count=2)
 
     def test_an_error_ends_a_monitor(self):
         with self.assertRaises(axiscomp.Error) as raised:

@@ -107,6 +107,21 @@ class Measurements(unittest.TestCase):
         self.assertIsNone(fit["output"])
         self.assertNotIn("/tmp/", fit.text)
 
+    def test_a_table_in_place_of_a_file_leaves_no_folder_behind(self):
+        targets = numpy.arange(0.0, 41.0, 10.0)
+        measurement = axiscomp.Measurement(targets, up=[1e-4 * targets] * 2, axis="X", compensation="on")
+        active = axiscomp.Table([0, 0.002], [(0, 40, "mm", "X")], name="X error", unit="mm", target="X")
+        with tempfile.TemporaryDirectory() as folder:
+            options = {"lookup_at": "encoder", "measured_with": "on", "onto": active, "zero": "keep"}
+            first, second = (
+                axiscomp.fit(measurement, **options, record=Path(folder) / f"{n}.axcal").tables[0] for n in range(2)
+            )
+            self.assertIn("measured with table.csv active", "".join(first.notes))
+            self.assertEqual(first.notes, second.notes)
+            axiscomp.fit(measurement, **options, output=Path(folder) / "x.csv")
+            for name in ("0.axcal", "x.csv"):
+                self.assertNotIn("/axiscomp-", (Path(folder) / name).read_text(), name)
+
     def test_a_fit_says_what_was_filled(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "points.csv"

@@ -127,6 +127,21 @@ class Tables(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, "start and distance of an axis are numbers"):
                 axiscomp.Table([0, 1], [axis])
 
+    def test_what_was_filled_is_said_by_indices(self):
+        values, axes = [0, 0.001, 0.002, 0, 0], [(0, 10, "mm", "X")]
+        mask = numpy.array([True, False, False, False, True])
+        for given in ([4, 0], (0, 4, 4), numpy.flatnonzero(mask.ravel("F"))):
+            table = axiscomp.Table(values, axes, "E", "mm", "X", filled=given)
+            self.assertEqual(table.filled, [0, 4])
+            axiscomp.write(table, self.folder / "filled.csv")
+            self.assertIn("// 2 of 5 points of E are filled", (self.folder / "filled.csv").read_text())
+        for given in (mask, mask.tolist(), [numpy.True_], [1.0], [numpy.float32(1)], "1"):
+            with self.assertRaisesRegex(TypeError, "filled has indices of points", msg=repr(given)):
+                axiscomp.Table(values, axes, filled=given)
+        for given in ([5], [-1], [2**70]):
+            with self.assertRaisesRegex(ValueError, "beyond the table", msg=repr(given)):
+                axiscomp.Table(values, axes, filled=given)
+
     def test_a_table_keeps_the_rules_of_a_table(self):
         for values, axes in (
             ([0, float("nan")], [(0, 1)]),
@@ -147,8 +162,12 @@ class Tables(unittest.TestCase):
         for given in (values, numpy.asfortranarray(values), values.astype(">f8"), values.astype(int), values.tolist()):
             numpy.testing.assert_array_equal(axiscomp.Table(given, axes).values, values)
         numpy.testing.assert_array_equal(axiscomp.Table(values[::2, ::-3], axes).values, values[::2, ::-3])
-        with self.assertRaises(axiscomp.Error):
-            axiscomp.Table([0, 1e39], [(0, 1)])  # no float32
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # none of numpy
+            with self.assertRaisesRegex(axiscomp.RequestError, r"value 2 is 1e\+39, which is beyond .* float32"):
+                axiscomp.Table([0, 1e39], [(0, 1)])
+            with self.assertRaisesRegex(axiscomp.RequestError, "value 2 is inf, a finite number is needed"):
+                axiscomp.Table([0, float("inf")], [(0, 1)])
         with self.assertRaises(ValueError):
             axiscomp.Table(numpy.ma.masked_equal([0, 999], 999), [(0, 1)])
         with self.assertRaises(ValueError):
@@ -174,6 +193,17 @@ class Tables(unittest.TestCase):
         self.assertEqual(encoder, same)
         self.assertNotEqual(encoder, other)
         self.assertNotEqual(encoder, none)
+
+    def test_each_position_of_a_file_has_its_result(self):
+        table = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")], unit="mm", target="X")
+        positions = self.folder / "positions.txt"
+        positions.write_text("5\n7\n15\n")
+        for options in ({}, {"as_": "csv"}):
+            results = axiscomp.lookup(table, points=positions, **options)["results"]
+            self.assertEqual([result["position"] for result in results], [[5], [7], [15]])
+            numpy.testing.assert_allclose(
+                [result["value"] for result in results], table.lookup([5, 7, 15]), atol=1e-9
+            )
 
     def test_what_is_written_reads_back(self):
         for name in ("plane.csv", "plane.TAMtbl"):
@@ -320,6 +350,32 @@ class Tables(unittest.TestCase):
         table = axiscomp.read(file, dims=1, fill="plane")
         self.assertEqual(table.filled, [1])
         self.assertAlmostEqual(float(table.values[1]), 0.002, places=6)
+
+    def test_what_was_never_made_is_an_error(self):
+        names = ("values", "axes", "name", "unit", "target", "dimensions", "filled", "notes", "crc")
+        acts = [lambda given, name=name: getattr(axiscomp.Table, name).fget(given) for name in names]
+        acts += [
+            axiscomp.Table.positions,
+            lambda given: axiscomp.Table.lookup(given, [0]),
+            axiscomp.Table.__repr__,
+            axiscomp.Table.__reduce__,
+            lambda given: axiscomp._axiscomp.csv_of_tables([given]),
+            lambda given: axiscomp._axiscomp.csv_of_tables([plane(), given]),
+            lambda given: axiscomp.write([plane(), given], self.folder / "x.csv"),
+        ]
+        for given in (axiscomp.Table.__new__(axiscomp.Table), None, 5):
+            for act in acts:
+                with self.assertRaises((TypeError, RuntimeError), msg=repr(type(given))):
+                    act(given)
+        with self.assertRaisesRegex(TypeError, "never initialised"):
+            plane() == axiscomp.Table.__new__(axiscomp.Table)
+        readings = axiscomp._axiscomp.Readings.__new__(axiscomp._axiscomp.Readings)
+        for act in (readings.next, readings.stop, lambda: readings.missed):
+            with self.assertRaisesRegex(TypeError, "never initialised"):
+                act()
+        for dimensions in (0, 4, -1):
+            with self.assertRaises(ValueError):
+                axiscomp._axiscomp.tables_of_csv(b"X,e\n0,1\n1,2\n", dimensions)
 
     def test_a_table_goes_through_pickle(self):
         table = plane()

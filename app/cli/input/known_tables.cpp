@@ -42,8 +42,9 @@ Result<KnownTables> tablesOfFile(Environment& environment, const TableInputOptio
         noteReport(environment, made.report);
         data = {made.table.grid, {made.table}, {}};
     }
-    AXISCOMP_TRY(auto known,
-        axiscomp::tablesOfFile(displayName(options.file), data, unit, profile.layout, lookupAt));
+    const std::string name =
+        displayName(environment.nameOf(options.file)); // notes and records keep it
+    AXISCOMP_TRY(auto known, axiscomp::tablesOfFile(name, data, unit, profile.layout, lookupAt));
     noteRemarks(environment, known.remarks);
     return std::move(known.tables);
 }

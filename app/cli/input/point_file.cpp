@@ -112,7 +112,7 @@ private:
         if (!value)
             return wrong(1, "", sentence(value.error()));
         m_environment.print(floatText(*value) + "\n");
-        if (m_environment.json())
+        if (m_environment.takesDocument())
             results.push_back({{"position", position}, {"value", *value}});
         return {};
     }

@@ -44,6 +44,8 @@ public:
 
     /// The one JSON document of the command.
     void document(const Json& json);
+    /// Whether somebody reads it, so that what only it has is worth collecting.
+    [[nodiscard]] bool takesDocument() const { return m_json || m_documents != nullptr; }
     /// Whether somebody takes them.
     [[nodiscard]] bool takesReadings() const { return m_readings != nullptr; }
     void reading(const Json& json) { m_readings(json); }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from typing import Any, Callable, Mapping, Sequence
+from typing import Any, Callable, Iterable, Mapping, Sequence
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -11,11 +11,13 @@ __version__: str
 
 def commands() -> list[dict[str, Any]]: ...
 def run(
-    arguments: Sequence[str], echo: Callable[[str], None] | None = None, names: Mapping[str, str] = {}
+    arguments: Sequence[str | bytes],
+    echo: Callable[[str], None] | None = None,
+    names: Mapping[str | bytes, str | bytes] = {},
 ) -> tuple[str, Any, bytes, list[str], Error | None]: ...
 
 class Readings:
-    def __init__(self, arguments: Sequence[str]) -> None: ...
+    def __init__(self, arguments: Sequence[str | bytes]) -> None: ...
     def next(self) -> dict[str, Any] | None: ...
     def stop(self) -> None: ...
     @property
@@ -29,7 +31,7 @@ class Table:
         name: str = "Table",
         unit: str = "",
         target: str = "",
-        filled: Sequence[int] = (),
+        filled: Iterable[int] | NDArray[numpy.integer[Any]] = (),
         notes: Sequence[str] = (),
     ) -> None: ...
     @property

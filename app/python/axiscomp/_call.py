@@ -121,6 +121,14 @@ def _text(value: Any) -> str:
     return text
 
 
+def encoded(word: str) -> bytes:
+    """A word as the command line has it: in UTF-8, of a file's name each byte that os.fsdecode() could not read."""
+    try:
+        return word.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        raise ValueError("a text with half of a surrogate pair") from None
+
+
 def _is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple)) or (hasattr(value, "shape") and getattr(value, "ndim", 0) > 0)
 
@@ -142,7 +150,13 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
             raise TypeError(f"{parameter} takes a value: True and False are for options without one")
         return [name] if value else []
     if (isinstance(value, dict) or _is_list(value)) and len(value) == 0:
-        return []
+        if parameter in MAY_BE_EMPTY:
+            return []
+        raise RequestError(
+            "InvalidArgument",
+            f"{parameter} is an empty {type(value).__name__}: give at least one value, or None for what the command "
+            f"does without {name}",
+        )
     if isinstance(value, dict):  # tolerance={"A": "10um"}, set_in={"axis": 1}
         if parameter in ("tolerance", "columns"):
             return [name + "=" + ",".join(f"{key}={_text(element)}" for key, element in value.items())]
@@ -166,6 +180,9 @@ def _positional(place: Any, files: _Files) -> str:
 
 # Options whose values stand in one word, with commas between them.
 LISTS = frozenset(("points", "distance", "period", "zero", "exclude"))
+# Options without which there is none of what they name. Without any other one it is another thing: without only all axes,
+# without drive that of the environment.
+MAY_BE_EMPTY = frozenset(("exclude", "tolerance", "columns", "period", "set_in", "set_out"))
 
 
 class _TableFile:
@@ -226,8 +243,9 @@ def call(
         for parameter, value in options.items():
             words += _words(parameter, value, files)
         words += [_positional(place, files) for place in positionals if place is not None]
+        names = {encoded(file): encoded(name) for file, name in files.names.items()}
         try:
-            outcome, document, output, notes, told = _axiscomp.run(words, echo, files.names)
+            outcome, document, output, notes, told = _axiscomp.run(list(map(encoded, words)), echo, names)
         except Error as error:
             raise _named(error, files).with_traceback(error.__traceback__) from None
         document, notes = files.named(document), files.named(notes)
@@ -286,7 +304,9 @@ def call_fit(command: str, positionals: list[Any], options: dict[str, Any], echo
 
 
 def flat(values: Any) -> list[Any]:
-    """Things, and lists of them, one after the other."""
+    """Things, and lists of them, one after the other. An empty list would shift those behind it to another place."""
+    if any(isinstance(value, (list, tuple)) and not value for value in values):
+        raise RequestError("InvalidArgument", "an empty list is no file and no position")
     things = [element for value in values for element in (value if isinstance(value, (list, tuple)) else [value])]
     if any(thing is None for thing in things):
         raise TypeError("None is no file and no position")

@@ -9,7 +9,8 @@ from typing import Any, Iterator
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, Echo, _Files, _words, call, one
+from ._call import Document, Echo, _Files, _words, call, encoded, one
+from .errors import RequestError
 
 
 class Monitor:
@@ -20,7 +21,7 @@ class Monitor:
     """
 
     def __init__(self, words: list[str]) -> None:
-        self._readings = _axiscomp.Readings(words)
+        self._readings = _axiscomp.Readings(list(map(encoded, words)))
         self._stop = weakref.finalize(self, self._readings.stop)
 
     def __enter__(self) -> "Monitor":
@@ -67,8 +68,9 @@ class Drive:
         """profile: file in place of the built-in one. timeout: of one exchange, in s (5). echo: is called with
         what a command says while it works, such as print."""
         if not isinstance(endpoint, (str, os.PathLike)) or not os.fspath(endpoint):
-            # Without an address it would be the drive of AXISCOMP_DRIVE.
-            raise TypeError(f"a drive needs its address as a text, not {endpoint!r}")
+            # Without an address it would be the drive of AXISCOMP_DRIVE. In a list there may be a password.
+            given = "an empty one" if isinstance(endpoint, str) else f"a {type(endpoint).__name__}"
+            raise TypeError(f"a drive needs its address as a text, not {given}")
         self.endpoint = endpoint
         self.echo = echo
         self._connection = {
@@ -79,7 +81,10 @@ class Drive:
         }
 
     def __repr__(self) -> str:
-        return f"<axiscomp.Drive {self.endpoint}>"
+        # Notebooks and logs keep it: without user and password, which end at the last @, whatever stands in them.
+        before, _, host = os.fspath(self.endpoint).rpartition("@")
+        scheme, mark, _ = before.partition("://")
+        return f"<axiscomp.Drive {scheme + mark if mark else ''}{host}>"
 
     def _call(self, command: str, options: dict[str, Any], *positionals: Any) -> Document:
         # In the order of the options, the way to the drive behind them. None takes nothing of it away.
@@ -161,4 +166,6 @@ class Drive:
 
     def run(self, command: str, *positionals: Any, **options: Any) -> Document:
         """Any other command of axiscomp that talks to a drive: drive.run("backup", output="x.json")."""
+        if command == "monitor":  # its readings are no document
+            raise RequestError("InvalidArgument", "monitor has no document: drive.monitor() gives its readings")
         return self._call(command, options, *positionals)

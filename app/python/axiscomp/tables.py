@@ -89,7 +89,7 @@ Table(values, axes, name="Table", unit="", target="", filled=[], notes=[]) copie
     values  shape (n1,), (n1, n2) or (n1, n2, n3), reference - encoder, in `unit`
     axes    one (start, distance[, unit[, name]]) per dimension, distance > 0
     target  the axis that is corrected; empty: what the name says, as in a file: "Y" of "Y error" over X
-    filled  indices, dimension 1 fastest, of values that were made up
+    filled  indices, dimension 1 fastest, of values that were made up, each once; a mask is a TypeError
     notes   comments of the file: "lookup: encoder" or "lookup: set" says for which side a fit made the table, and
             a write to a source on the other side is refused; "drive: NAME, serial number N" says which drive was
             measured, and a write to another one is refused; tables of one file say the same
