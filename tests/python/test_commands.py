@@ -206,6 +206,20 @@ class Commands(unittest.TestCase):
             with self.assertRaisesRegex(axiscomp.RequestError, f"such as -12.5, not {text} "):
                 axiscomp.lookup(table, text)
 
+    def test_a_lookup_takes_every_option(self):
+        table = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")], unit="mm", target="X")
+        unstated = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")])
+        for given, options, value in (
+            (table, {"zero": 10}, -0.0005),
+            (table, {"zero": [10]}, -0.0005),
+            (table, {"target": "#1"}, 0.0005),
+            (table, {"target": ["#1"]}, 0.0005),
+            (table, {"set_in": {"value-unit": "mm"}}, 0.0005),
+            (unstated, {"set_in": {"value-unit": "um", "position-unit": "mm"}, "zero": 10}, -0.0005),
+        ):
+            (result,) = axiscomp.lookup(given, 5, **options)["results"]
+            self.assertAlmostEqual(result["value"], value, places=9, msg=repr(options))
+
     def test_a_file_whose_name_is_not_utf8_is_read_and_written(self):
         with tempfile.TemporaryDirectory() as folder:
             name = os.fsencode(folder) + b"/Fr\xe4se.csv"
