@@ -86,6 +86,18 @@ std::string readableArgument(std::string argument)
     return argument;
 }
 
+/// As CLI11 takes them, the last one first. Behind -- are no options: a file may be called as it
+/// likes.
+std::vector<std::string> reversedWords(std::span<char* const> words)
+{
+    const auto mark = std::ranges::find(words, std::string_view("--"));
+    std::vector<std::string> reversed;
+    for (auto word = words.begin(); word != words.end(); ++word)
+        reversed.push_back(word < mark ? readableArgument(*word) : std::string(*word));
+    std::ranges::reverse(reversed);
+    return reversed;
+}
+
 /// CLI11 would give an option that may be repeated all the words behind it, a file or a position
 /// among them.
 void takeOneWordEach(CLI::App& app)
@@ -143,12 +155,11 @@ void setHelpStyle(CLI::App& app)
 
 Result<bool> parseArguments(CLI::App& app, int argc, char** argv, Console& console)
 {
-    std::vector<std::string> reversed;
-    for (int i = argc - 1; i > 0; --i)
-        reversed.push_back(readableArgument(argv[i]));
-    for (int i = 1; i < argc; ++i)
-        hidePassword(argv[i], argv[i]);
-    AXISCOMP_CHECK(checkValues(app, std::span(argv, static_cast<std::size_t>(argc)).subspan(1)));
+    const auto words = std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1);
+    std::vector<std::string> reversed = reversedWords(words);
+    for (char* const word : words)
+        hidePassword(word, word);
+    AXISCOMP_CHECK(checkValues(app, words));
     takeOneWordEach(app);
     try {
         app.parse(reversed);

@@ -192,8 +192,33 @@ class Commands(unittest.TestCase):
             there = os.getcwd()
             os.chdir(folder)
             self.addCleanup(os.chdir, there)
-            Path("--json").write_bytes(RUNS.read_bytes())
-            self.assertEqual(axiscomp.judge("--json")["source"][0]["format"], "runs")
+            for name in ("--json", "-5", "-.5", "--", "--output="):
+                Path(name).write_bytes(RUNS.read_bytes())
+                source = axiscomp.judge(name)["source"][0]
+                self.assertEqual((source["file"], source["format"]), (name, "runs"))
+
+    def test_a_position_is_a_number_or_its_text(self):
+        table = axiscomp.Table([-0.002, 0, 0.002], [(-10, 10, "mm", "X")], unit="mm", target="X")
+        for position in (-5, "-5", "-5.0", "-.5e1", Decimal("-5"), numpy.float64(-5), [-5], ["-5"]):
+            (result,) = axiscomp.lookup(table, position)["results"]
+            self.assertEqual(result["position"], [-5], repr(position))
+        for text in ("-five", "--json", "--outside=zero", "--help"):
+            with self.assertRaisesRegex(axiscomp.RequestError, f"such as -12.5, not {text} "):
+                axiscomp.lookup(table, text)
+
+    def test_a_lookup_takes_every_option(self):
+        table = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")], unit="mm", target="X")
+        unstated = axiscomp.Table([0, 0.001, 0.003], [(0, 10, "mm", "X")])
+        for given, options, value in (
+            (table, {"zero": 10}, -0.0005),
+            (table, {"zero": [10]}, -0.0005),
+            (table, {"target": "#1"}, 0.0005),
+            (table, {"target": ["#1"]}, 0.0005),
+            (table, {"set_in": {"value-unit": "mm"}}, 0.0005),
+            (unstated, {"set_in": {"value-unit": "um", "position-unit": "mm"}, "zero": 10}, -0.0005),
+        ):
+            (result,) = axiscomp.lookup(given, 5, **options)["results"]
+            self.assertAlmostEqual(result["value"], value, places=9, msg=repr(options))
 
     def test_a_file_whose_name_is_not_utf8_is_read_and_written(self):
         with tempfile.TemporaryDirectory() as folder:

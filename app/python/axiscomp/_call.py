@@ -171,11 +171,7 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
 
 
 def _positional(place: Any, files: _Files) -> str:
-    if hasattr(place, "as_file"):
-        return place.as_file(files)
-    text = _text(place)
-    is_file_like_an_option = isinstance(place, (str, os.PathLike)) and text.startswith("-") and text != "-"
-    return "./" + text if is_file_like_an_option else text
+    return place.as_file(files) if hasattr(place, "as_file") else _text(place)
 
 
 # Options whose values stand in one word, with commas between them.
@@ -242,7 +238,9 @@ def call(
         words = [command]
         for parameter, value in options.items():
             words += _words(parameter, value, files)
-        words += [_positional(place, files) for place in positionals if place is not None]
+        places = [_positional(place, files) for place in positionals if place is not None]
+        if places:
+            words += ["--", *places]  # behind it neither -5 nor a file called --json is an option
         names = {encoded(file): encoded(name) for file, name in files.names.items()}
         try:
             outcome, document, output, notes, told = _axiscomp.run(list(map(encoded, words)), echo, names)

@@ -44,6 +44,8 @@ private Q_SLOTS:
             << line1D << QStringList{"-5e3", "--dims", "1"} << QByteArray("1.5\n");
         QTest::newRow("negative behind the options")
             << line1D << QStringList{"--dims", "1", "--", "-5000"} << QByteArray("1.5\n");
+        QTest::newRow("negative fraction behind the options")
+            << line1D << QStringList{"--dims", "1", "--", "-.5"} << QByteArray("1.99995\n");
         QTest::newRow("2D") << plane << QStringList{"5000", "5000", "--dims", "2"}
                             << QByteArray("2\n");
         QTest::newRow("2D negative")
@@ -60,6 +62,17 @@ private Q_SLOTS:
         const ProgramRun run = box.run(QStringList{"lookup", "t.csv"} + arguments);
         VERIFY_CODE(run, 0);
         QTEST(run.out, "value");
+    }
+
+    void aFileBehindTheOptionsMayBeCalledLikeOne()
+    {
+        for (const char* const name : {"-5", "-.5", "--json"}) {
+            const Sandbox box;
+            box.file(name, line1D);
+            const ProgramRun run = box.run({"lookup", "--dims", "1", "--", name, "5000"});
+            VERIFY_CODE(run, 0);
+            QCOMPARE(run.out, QByteArray("3.5\n"));
+        }
     }
 
     void fileAndPositionMayStandBehindAnOptionThatMayBeRepeated_data()
