@@ -48,6 +48,12 @@ bool hasFocus(const PageFixture& bench, const char* name)
     return focus == &widget || widget.isAncestorOf(focus);
 }
 
+QString nameOfFocus()
+{
+    const QWidget* focus = QApplication::focusWidget();
+    return focus ? focus->objectName() : QStringLiteral("nothing has the focus");
+}
+
 /// Another register than choose2D() takes, which the list of a source proposes.
 const std::string planner = "Axes[0]/Signals/PathPlanner/Position";
 
@@ -226,7 +232,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!user.the<QComboBox>("source1Field").completer()->popup()->isVisible());
         QVERIFY(user.pickFromMenu("menuButton", "pageMenu", Qt::Key_Escape));
         QCOMPARE(source(bench, 1), planner);
-        QVERIFY(hasFocus(bench, "source1Field"));
+        QTRY_VERIFY2(hasFocus(bench, "source1Field"), qPrintable(nameOfFocus()));
     }
 
     void aSourceThatIsRefusedStaysForCorrectionAndNothingIsWritten()
