@@ -281,6 +281,29 @@ class Tables(unittest.TestCase):
         with self.assertRaises(axiscomp.Error):
             axiscomp.resample(table, points=5, distance=2)
 
+    def test_the_end_of_a_table_that_is_lost_is_a_warning(self):
+        table = axiscomp.Table([0, 0.001, 0.005], [(-5, 10, "mm", "X")], name="X error", unit="mm", target="X")
+        file = self.folder / "x.csv"
+        axiscomp.write(table, file)
+        said = "the grid ends at 13 mm, 2 mm before its end"
+        for act in (
+            lambda: axiscomp.resample(table, distance=3),
+            lambda: axiscomp.read(file, dims=1, distance=3),
+            lambda: axiscomp.read_all([table], distance=3)[0],
+        ):
+            with self.assertWarnsRegex(axiscomp.FileWarning, said) as warned:
+                self.assertEqual(act().axes[0].last, 13)
+            self.assertEqual((warned.filename, len(warned.warnings)), (__file__, 1))
+        document = axiscomp.write(table, self.folder / "y.csv", distance=3)
+        self.assertTrue(any(note.startswith("warning: ") and said in note for note in document.notes), document.notes)
+        self.assertNotIn(said, document.text)
+        self.assertTrue(any(said in line for line in document["report"]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(axiscomp.resample(table, distance=3, hold=True).axes[0].last, 16)
+            axiscomp.resample(table, distance=5)
+            axiscomp.resample(table, within=0.001)
+
     def test_all_tables_are_read_whatever_is_changed(self):
         file = self.folder / "two.csv"
         file.write_text("// lookup: set\nX [mm],X error [um],Y error [um]\n0,0,0\n10,1,100\n20,2,200\n")

@@ -17,6 +17,7 @@
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace axiscomp::app {
@@ -272,6 +273,20 @@ std::size_t tablesIn(const TableFormat& to, const Conversion& conversion)
     return columns;
 }
 
+/// Below the result, or noted where that takes standard output; a loss is a warning.
+void tellReport(Environment& environment, const Output& output,
+    const std::vector<std::string>& report, const std::vector<std::string>& losses)
+{
+    for (const std::string& line : report) {
+        if (std::ranges::find(losses, line) != losses.end())
+            environment.warn(line);
+        else if (output.isStandardOutput())
+            environment.console().note(line);
+        else
+            environment.print("  " + line + "\n");
+    }
+}
+
 /// Between the formats of two controllers, or with a change of the numbers.
 Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
     const TableFormat& to, const TableInput& input)
@@ -305,15 +320,11 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         {"from", input.format->facts.name}, {"to", to.facts.name},
         {"dimensions", conversion.written.held.front().axes.size()}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
-    if (output.isStandardOutput()) {
-        noteReport(environment, report);
-        return ExitCode::Done;
-    }
-    environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
-        + plural(tablesIn(to, conversion), "table", "tables") + ", "
-        + plural(bytes.size(), "byte", "bytes") + ".\n");
-    for (const std::string& line : report)
-        environment.print("  " + line + "\n");
+    if (!output.isStandardOutput())
+        environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
+            + plural(tablesIn(to, conversion), "table", "tables") + ", "
+            + plural(bytes.size(), "byte", "bytes") + ".\n");
+    tellReport(environment, output, report, englishOf(conversionLosses(conversion)));
     return ExitCode::Done;
 }
 

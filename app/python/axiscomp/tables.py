@@ -37,6 +37,8 @@ def read_all(file: Any, **options: Any) -> list[Table]:
     tables = _axiscomp.tables_of_csv(output, document["dimensions"])
     given = [file] if isinstance(file, Table) else file
     if isinstance(given, (list, tuple)) and all(isinstance(table, Table) for table in given):
+        # What is said of the file that they became is of no file of the caller.
+        give_warnings([note for note in document.notes if note.startswith("warning: ")])
         return [_with_filled_of(table, n, given, len(tables)) for n, table in enumerate(tables)]
     give_warnings(document.notes)
     # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
@@ -79,7 +81,10 @@ def write(tables: Table | Sequence[Table], file: Any, **options: Any) -> Documen
 
 
 def resample(table: Table, **options: Any) -> Table:
-    """The table on another even grid: points=..., distance=... or within=..., method="cubic", hold=True."""
+    """The table on another even grid: points=..., distance=... or within=..., method="cubic", hold=True.
+
+    Warns (FileWarning) of a distance with which the grid ends before the table.
+    """
     return read(table, **options)
 
 

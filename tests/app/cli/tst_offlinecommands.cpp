@@ -191,6 +191,26 @@ private Q_SLOTS:
         QCOMPARE(run.err.count('\n'), 1);
     }
 
+    void aLostEndOfTheDataIsAWarning()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],E [um]\n0,0\n50,10\n100,-4\n");
+        const QByteArray lost = "the grid ends at 90 mm, 10 mm before its end";
+        const QStringList options{"--dims", "1", "--distance", "30"};
+        for (const char* const to : {"y.csv", "-"}) {
+            const ProgramRun run = box.run(QStringList{"convert", "x.csv", to} + options);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.err.contains("warning: ") && run.err.contains(lost), run.err.constData());
+            QVERIFY2(!run.out.contains(lost), run.out.constData());
+        }
+        const ProgramRun held =
+            box.run(QStringList{"convert", "x.csv", "y.csv", "--hold"} + options);
+        VERIFY_CODE(held, 0);
+        QCOMPARE(held.err, QByteArray());
+        QVERIFY2(
+            held.out.contains("the grid ends at 120 mm, 20 mm behind it"), held.out.constData());
+    }
+
     void aTableForTheDriveIsInTheUnitOfItsPositions()
     {
         const Sandbox box;
