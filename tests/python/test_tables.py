@@ -281,6 +281,36 @@ class Tables(unittest.TestCase):
         with self.assertRaises(axiscomp.Error):
             axiscomp.resample(table, points=5, distance=2)
 
+    def test_a_unit_that_a_file_does_not_say_is_a_warning(self):
+        files = {
+            "open.csv": "X,X error\n0,0.001\n10,0.002\n20,0\n",
+            "values.csv": "X [mm],X error\n0,0.001\n10,0.002\n20,0\n",
+            "stated.csv": "X [mm],X error [um]\n0,1\n10,2\n20,0\n",
+        }
+        for name, content in files.items():
+            (self.folder / name).write_text(content)
+        axiscomp.convert(self.folder / "stated.csv", self.folder / "x.TAMtbl", dims=1)
+        units = {"position-unit": "mm", "value-unit": "mm"}
+        for name, options, count in (
+            ("open.csv", {"dims": 1}, 2),
+            ("open.csv", {"dims": 1, "points": 5}, 2),
+            ("open.csv", {"dims": 1, "set_in": units}, 0),
+            ("values.csv", {"dims": 1}, 1),
+            ("stated.csv", {"dims": 1}, 0),
+            ("x.TAMtbl", {}, 2),
+            ("x.TAMtbl", {"set_in": units}, 0),
+        ):
+            with warnings.catch_warnings(record=True) as warned:
+                warnings.simplefilter("always")
+                table = axiscomp.read(self.folder / name, **options)
+            said = [str(one.message) for one in warned if one.category is axiscomp.FileWarning]
+            self.assertEqual(len(said), count, (name, options, said))
+            self.assertTrue(all(name in one and "(UnitNotGiven)" in one for one in said), said)
+            self.assertEqual(count, [table.unit, table.axes[0].unit].count(""))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # a table that Python has made is of no file
+            axiscomp.resample(axiscomp.Table([0, 0.001, 0], [(0, 10)]), points=5)
+
     def test_the_end_of_a_table_that_is_lost_is_a_warning(self):
         table = axiscomp.Table([0, 0.001, 0.005], [(-5, 10, "mm", "X")], name="X error", unit="mm", target="X")
         file = self.folder / "x.csv"

@@ -328,6 +328,15 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
     return ExitCode::Done;
 }
 
+/// A calibration file has a place for the units that the input does not say, and a .TAMtbl has
+/// none.
+void warnOfOpenUnits(Environment& environment, const ConvertOptions& options, const TableFormat& to,
+    const TableInput& input)
+{
+    if (input.data && &to == &calibration_csv::format())
+        environment.diagnose(displayName(options.input.file), openUnits(*input.data));
+}
+
 /// The layout of a profile decides what a .TAMtbl says.
 Result<void> checkHoldsPersistency(const ConvertOptions& options)
 {
@@ -356,6 +365,7 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     TableInputOptions inputOptions = options.input;
     inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
     AXISCOMP_TRY(auto input, readInput(environment, inputOptions));
+    warnOfOpenUnits(environment, options, *to, input);
     ConvertOptions known = options;
     AXISCOMP_TRY(known.conversion, withSignOfFile(input, options.conversion));
     if (!input.data || !isTriamec(*to) || known.conversion.isAnything())
