@@ -368,6 +368,35 @@ class Tables(unittest.TestCase):
         self.assertEqual([(table.name, table.unit) for table in read], [(axis, "inch") for axis in "XYZ"])
         numpy.testing.assert_allclose(25.4 * read[2].values, tables[2].values, atol=1e-6)
 
+    def test_tables_over_different_positions_are_read_one_after_the_other(self):
+        file = self.folder / "x.mpf"
+        lines = []
+        for axis, distance, values in (("X1", 50, [0, 0.001, 0.002]), ("Y1", 30, [0, 0.003]), ("A1", 90, [0, 0.004, 0])):
+            lines += [f"$AA_ENC_COMP[0,{n},{axis}]={value}\n" for n, value in enumerate(values)]
+            end = distance * (len(values) - 1)
+            for name, number in (("STEP", distance), ("MIN", 0), ("MAX", end), ("IS_MODULO", 0)):
+                lines.append(f"$AA_ENC_COMP_{name}[0,{axis}]={number}\n")
+        file.write_text("%_N_AX_EEC_INI\nCHANDATA(1)\n" + "".join(lines) + "M17\n")
+        options = {"from_": "siemens-eec", "sign": "feedback"}
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            tables = axiscomp.read_all(file, **options)
+        said = [str(one.message) for one in warned]
+        self.assertEqual(len(said), len(set(said)), said)
+        self.assertEqual([len(table.values) for table in tables], [3, 2, 3])
+        self.assertEqual([table.axes[0].last for table in tables], [100, 30, 180])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", axiscomp.FileWarning)
+            self.assertEqual(axiscomp.read_all(file, table=[3, 1], **options), [tables[2], tables[0]])
+            self.assertEqual(axiscomp.read(file, table=2, **options), tables[1])
+            with self.assertRaisesRegex(axiscomp.RequestError, "has 3 tables: choose one with --table: 1 ") as raised:
+                axiscomp.read(file, **options)
+            self.assertEqual(raised.exception.context["tables"], 3)
+            with self.assertRaisesRegex(axiscomp.RequestError, "choose one"):
+                axiscomp.read_all(file, name="E", **options)
+            with self.assertRaisesRegex(axiscomp.Error, "TableNotFound"):
+                axiscomp.read_all(file, table=[1, 4], **options)
+
     def test_what_was_filled_is_known_while_the_points_stay(self):
         file = self.folder / "gaps.csv"
         file.write_text("X [mm],a [um],b [um]\n0,1,1\n10,,2\n20,3,\n30,4,4\n")
@@ -384,6 +413,7 @@ class Tables(unittest.TestCase):
             self.assertEqual(axiscomp.resample(table, **options).filled, filled, options)
         self.assertEqual([one.filled for one in axiscomp.read_all([other, table], scale=2)], [[], [1]])
         self.assertEqual(axiscomp.read([other, table], scale=2, table="E").filled, [1])
+        self.assertEqual([one.filled for one in axiscomp.read_all([other, table], table=["E", 1])], [[1], []])
         file = self.folder / "filled.csv"
         axiscomp.write([other, table], file)
         note = "1 of 3 points of E are filled, not measured"
