@@ -102,4 +102,8 @@ struct StatedTable {
 [[nodiscard]] std::vector<Text> conversionReport(
     const Conversion& conversion, const ConversionRequest& request);
 
+/// Those sentences of the report that are warnings: the source has what the result lacks, which
+/// nobody asked for.
+[[nodiscard]] std::vector<Text> conversionLosses(const Conversion& conversion);
+
 } // namespace axiscomp

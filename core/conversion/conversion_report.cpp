@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/conversion/conversion.h"
+#include "core/formats/units.h"
 #include "core/neutral/table_motion.h"
 #include "core/table/compensation_table.h"
 #include "core/text/number_text.h"
@@ -220,6 +221,16 @@ std::vector<Text> conversionReport(const Conversion& conversion, const Conversio
     }
     lines.insert(lines.end(), conversion.remarks.begin(), conversion.remarks.end());
     return lines;
+}
+
+std::vector<Text> conversionLosses(const Conversion& conversion)
+{
+    std::vector<Text> losses;
+    for (const TableConversion& table : conversion.tables)
+        if (table.resampling)
+            for (const Text& loss : table.resampling->losses)
+                remarkOnce(losses, loss);
+    return losses;
 }
 
 } // namespace axiscomp

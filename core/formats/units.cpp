@@ -166,22 +166,32 @@ void takePositionUnit(
     for (SourceAxis& axis : table.axes)
         axis.unit = settings.text("position-unit");
     if (!settings.has("position-unit"))
-        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
-            AXISCOMP_TEXT("Error", "positions without a unit"),
-            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
-                .with("key", Verbatim{"position-unit"}));
+        warnOfOpenPositionUnit(diagnostics);
 }
 
 void takeValueUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics)
 {
     for (CompensationColumn& column : table.columns)
         column.unit = settings.text("value-unit");
-    // No smaller unit as an example: most values have that of the positions they are added to.
     if (!settings.has("value-unit"))
-        diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
-            AXISCOMP_TEXT("Error", "values without a unit"),
-            AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
-                .with("key", Verbatim{"value-unit"}));
+        warnOfOpenValueUnit(diagnostics);
+}
+
+void warnOfOpenPositionUnit(DiagnosticList& diagnostics)
+{
+    diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+        AXISCOMP_TEXT("Error", "positions without a unit"),
+        AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+            .with("key", Verbatim{"position-unit"}));
+}
+
+void warnOfOpenValueUnit(DiagnosticList& diagnostics)
+{
+    // No smaller unit as an example: most values have that of the positions they are added to.
+    diagnostics.warning(DiagnosticCode::UnitNotGiven, 0, 0,
+        AXISCOMP_TEXT("Error", "values without a unit"),
+        AXISCOMP_TEXT("Error", "the setting {key}, such as mm, where a unit matters")
+            .with("key", Verbatim{"value-unit"}));
 }
 
 std::optional<Diagnostic> unitContradiction(const NeutralTable& table)

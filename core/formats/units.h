@@ -21,6 +21,9 @@ void takeUnits(NeutralTable& table, const SettingValues& settings, DiagnosticLis
 void takePositionUnit(
     NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
 void takeValueUnit(NeutralTable& table, const SettingValues& settings, DiagnosticList& diagnostics);
+/// That warning, of positions and of values (UnitNotGiven).
+void warnOfOpenPositionUnit(DiagnosticList& diagnostics);
+void warnOfOpenValueUnit(DiagnosticList& diagnostics);
 
 /// What is wrong with values for one of the sources in another unit than its positions, where the
 /// controller adds the numbers as they stand. Nothing: there are none.

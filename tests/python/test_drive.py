@@ -108,6 +108,10 @@ class Drives(unittest.TestCase):
         self.drive.plan(table(), axis="X", source1=SOURCE, dry_run=False)
         self.assertIsNone(self.drive.status("X")["table"])
 
+    def test_a_plan_warns_of_an_end_that_is_lost(self):
+        plan = self.drive.plan(table(), axis="X", source1=SOURCE, distance=30)
+        self.assertTrue(any(": warning: " in note and "ends at 80 mm" in note for note in plan.notes), plan.notes)
+
     def test_a_plan_says_first_that_it_is_one(self):
         with mock.patch.object(axiscomp._call._axiscomp, "run", side_effect=KeyboardInterrupt) as run:
             with self.assertRaises(KeyboardInterrupt):

@@ -281,6 +281,59 @@ class Tables(unittest.TestCase):
         with self.assertRaises(axiscomp.Error):
             axiscomp.resample(table, points=5, distance=2)
 
+    def test_a_unit_that_a_file_does_not_say_is_a_warning(self):
+        files = {
+            "open.csv": "X,X error\n0,0.001\n10,0.002\n20,0\n",
+            "values.csv": "X [mm],X error\n0,0.001\n10,0.002\n20,0\n",
+            "stated.csv": "X [mm],X error [um]\n0,1\n10,2\n20,0\n",
+        }
+        for name, content in files.items():
+            (self.folder / name).write_text(content)
+        axiscomp.convert(self.folder / "stated.csv", self.folder / "x.TAMtbl", dims=1)
+        units = {"position-unit": "mm", "value-unit": "mm"}
+        for name, options, count in (
+            ("open.csv", {"dims": 1}, 2),
+            ("open.csv", {"dims": 1, "points": 5}, 2),
+            ("open.csv", {"dims": 1, "set_in": units}, 0),
+            ("values.csv", {"dims": 1}, 1),
+            ("stated.csv", {"dims": 1}, 0),
+            ("x.TAMtbl", {}, 2),
+            ("x.TAMtbl", {"set_in": units}, 0),
+        ):
+            with warnings.catch_warnings(record=True) as warned:
+                warnings.simplefilter("always")
+                table = axiscomp.read(self.folder / name, **options)
+            said = [str(one.message) for one in warned if one.category is axiscomp.FileWarning]
+            self.assertEqual(len(said), count, (name, options, said))
+            self.assertTrue(all(name in one and "(UnitNotGiven)" in one for one in said), said)
+            self.assertEqual(count, [table.unit, table.axes[0].unit].count(""))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")  # a table that Python has made is of no file
+            axiscomp.resample(axiscomp.Table([0, 0.001, 0], [(0, 10)]), points=5)
+
+    def test_the_end_of_a_table_that_is_lost_is_a_warning(self):
+        table = axiscomp.Table([0, 0.001, 0.005], [(-5, 10, "mm", "X")], name="X error", unit="mm", target="X")
+        file = self.folder / "x.csv"
+        axiscomp.write(table, file)
+        said = "the grid ends at 13 mm, 2 mm before its end"
+        for act in (
+            lambda: axiscomp.resample(table, distance=3),
+            lambda: axiscomp.read(file, dims=1, distance=3),
+            lambda: axiscomp.read_all([table], distance=3)[0],
+        ):
+            with self.assertWarnsRegex(axiscomp.FileWarning, said) as warned:
+                self.assertEqual(act().axes[0].last, 13)
+            self.assertEqual((warned.filename, len(warned.warnings)), (__file__, 1))
+        document = axiscomp.write(table, self.folder / "y.csv", distance=3)
+        self.assertTrue(any(note.startswith("warning: ") and said in note for note in document.notes), document.notes)
+        self.assertNotIn(said, document.text)
+        self.assertTrue(any(said in line for line in document["report"]))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(axiscomp.resample(table, distance=3, hold=True).axes[0].last, 16)
+            axiscomp.resample(table, distance=5)
+            axiscomp.resample(table, within=0.001)
+
     def test_all_tables_are_read_whatever_is_changed(self):
         file = self.folder / "two.csv"
         file.write_text("// lookup: set\nX [mm],X error [um],Y error [um]\n0,0,0\n10,1,100\n20,2,200\n")
@@ -315,6 +368,35 @@ class Tables(unittest.TestCase):
         self.assertEqual([(table.name, table.unit) for table in read], [(axis, "inch") for axis in "XYZ"])
         numpy.testing.assert_allclose(25.4 * read[2].values, tables[2].values, atol=1e-6)
 
+    def test_tables_over_different_positions_are_read_one_after_the_other(self):
+        file = self.folder / "x.mpf"
+        lines = []
+        for axis, distance, values in (("X1", 50, [0, 0.001, 0.002]), ("Y1", 30, [0, 0.003]), ("A1", 90, [0, 0.004, 0])):
+            lines += [f"$AA_ENC_COMP[0,{n},{axis}]={value}\n" for n, value in enumerate(values)]
+            end = distance * (len(values) - 1)
+            for name, number in (("STEP", distance), ("MIN", 0), ("MAX", end), ("IS_MODULO", 0)):
+                lines.append(f"$AA_ENC_COMP_{name}[0,{axis}]={number}\n")
+        file.write_text("%_N_AX_EEC_INI\nCHANDATA(1)\n" + "".join(lines) + "M17\n")
+        options = {"from_": "siemens-eec", "sign": "feedback"}
+        with warnings.catch_warnings(record=True) as warned:
+            warnings.simplefilter("always")
+            tables = axiscomp.read_all(file, **options)
+        said = [str(one.message) for one in warned]
+        self.assertEqual(len(said), len(set(said)), said)
+        self.assertEqual([len(table.values) for table in tables], [3, 2, 3])
+        self.assertEqual([table.axes[0].last for table in tables], [100, 30, 180])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", axiscomp.FileWarning)
+            self.assertEqual(axiscomp.read_all(file, table=[3, 1], **options), [tables[2], tables[0]])
+            self.assertEqual(axiscomp.read(file, table=2, **options), tables[1])
+            with self.assertRaisesRegex(axiscomp.RequestError, "has 3 tables: choose one with --table: 1 ") as raised:
+                axiscomp.read(file, **options)
+            self.assertEqual(raised.exception.context["tables"], 3)
+            with self.assertRaisesRegex(axiscomp.RequestError, "choose one"):
+                axiscomp.read_all(file, name="E", **options)
+            with self.assertRaisesRegex(axiscomp.Error, "TableNotFound"):
+                axiscomp.read_all(file, table=[1, 4], **options)
+
     def test_what_was_filled_is_known_while_the_points_stay(self):
         file = self.folder / "gaps.csv"
         file.write_text("X [mm],a [um],b [um]\n0,1,1\n10,,2\n20,3,\n30,4,4\n")
@@ -331,6 +413,7 @@ class Tables(unittest.TestCase):
             self.assertEqual(axiscomp.resample(table, **options).filled, filled, options)
         self.assertEqual([one.filled for one in axiscomp.read_all([other, table], scale=2)], [[], [1]])
         self.assertEqual(axiscomp.read([other, table], scale=2, table="E").filled, [1])
+        self.assertEqual([one.filled for one in axiscomp.read_all([other, table], table=["E", 1])], [[1], []])
         file = self.folder / "filled.csv"
         axiscomp.write([other, table], file)
         note = "1 of 3 points of E are filled, not measured"

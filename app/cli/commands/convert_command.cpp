@@ -17,6 +17,7 @@
 #include "core/table/tam_table.h"
 #include "core/table/target_axis.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace axiscomp::app {
@@ -264,6 +265,20 @@ std::size_t tablesIn(const TableFormat& to, const Conversion& conversion)
     return columns;
 }
 
+/// Below the result, or noted where that takes standard output; a loss is a warning.
+void tellReport(Environment& environment, const Output& output,
+    const std::vector<std::string>& report, const std::vector<std::string>& losses)
+{
+    for (const std::string& line : report) {
+        if (std::ranges::find(losses, line) != losses.end())
+            environment.warn(line);
+        else if (output.isStandardOutput())
+            environment.console().note(line);
+        else
+            environment.print("  " + line + "\n");
+    }
+}
+
 /// Between the formats of two controllers, or with a change of the numbers.
 Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& options,
     const TableFormat& to, const TableInput& input)
@@ -297,16 +312,21 @@ Result<ExitCode> convertOther(Environment& environment, const ConvertOptions& op
         {"from", input.format->facts.name}, {"to", to.facts.name},
         {"dimensions", conversion.written.held.front().axes.size()}, {"tables", std::move(results)},
         {"report", report}, {"bytes", bytes.size()}});
-    if (output.isStandardOutput()) {
-        noteReport(environment, report);
-        return ExitCode::Done;
-    }
-    environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
-        + plural(tablesIn(to, conversion), "table", "tables") + ", "
-        + plural(bytes.size(), "byte", "bytes") + ".\n");
-    for (const std::string& line : report)
-        environment.print("  " + line + "\n");
+    if (!output.isStandardOutput())
+        environment.print("Wrote " + options.output + ": " + std::string(to.facts.name) + ", "
+            + plural(tablesIn(to, conversion), "table", "tables") + ", "
+            + plural(bytes.size(), "byte", "bytes") + ".\n");
+    tellReport(environment, output, report, englishOf(conversionLosses(conversion)));
     return ExitCode::Done;
+}
+
+/// A calibration file has a place for the units that the input does not say, and a .TAMtbl has
+/// none.
+void warnOfOpenUnits(Environment& environment, const ConvertOptions& options, const TableFormat& to,
+    const TableInput& input)
+{
+    if (input.data && &to == &calibration_csv::format())
+        environment.diagnose(displayName(options.input.file), openUnits(*input.data));
 }
 
 /// The layout of a profile decides what a .TAMtbl says.
@@ -337,6 +357,7 @@ Result<ExitCode> runConvert(Environment& environment, const ConvertOptions& opti
     TableInputOptions inputOptions = options.input;
     inputOptions.acceptsUneven = options.conversion.resamples() || format.knots == KnotRule::Any;
     AXISCOMP_TRY(auto input, readInput(environment, inputOptions));
+    warnOfOpenUnits(environment, options, *to, input);
     ConvertOptions known = options;
     AXISCOMP_TRY(known.conversion, withSignOfFile(input, options.conversion));
     if (!input.data || !isTriamec(*to) || known.conversion.isAnything())

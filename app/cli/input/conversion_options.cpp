@@ -10,6 +10,7 @@
 #include "core/neutral/sign_note.h"
 #include "core/text/token_scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -318,8 +319,11 @@ Result<DriveTable> driveTable(
             options, *input.format, calibration_csv::format(), chosen.table.axes.size()));
     request.beside = chosen.beside;
     AXISCOMP_TRY(const auto conversion, convertTables(std::span(&chosen.table, 1), request));
+    const std::vector<Text> losses = conversionLosses(conversion);
     for (const Text& line : conversionReport(conversion, request))
-        result.report.push_back(displayName(inputOptions.file) + ": " + line.english());
+        result.report.push_back(displayName(inputOptions.file)
+            + (std::ranges::find(losses, line) == losses.end() ? ": " : ": warning: ")
+            + line.english());
     AXISCOMP_TRY(auto data, calibrationData(conversion.written.held.front()));
     result.table = std::move(data.tables.front());
     if (const auto lookupAt = conversion.tables.front().lookupAt)

@@ -366,9 +366,11 @@ Result<std::size_t> choose(const std::vector<TableName>& tables, const TableInpu
         return axiscomp::chooseTable(tables, options.table);
     if (tables.size() == 1)
         return std::size_t{0};
-    return wrongUsage(displayName(options.file) + " has " + std::to_string(tables.size())
+    auto several = wrongUsage(displayName(options.file) + " has " + std::to_string(tables.size())
             + " tables: choose one with --table: " + tableList(tables),
         options.command);
+    several.value().context.set("tables", tables.size()); // a program may take one after the other
+    return several;
 }
 
 } // namespace

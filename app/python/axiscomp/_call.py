@@ -129,7 +129,7 @@ def encoded(word: str) -> bytes:
         raise ValueError("a text with half of a surrogate pair") from None
 
 
-def _is_list(value: Any) -> bool:
+def is_list(value: Any) -> bool:
     return isinstance(value, (list, tuple)) or (hasattr(value, "shape") and getattr(value, "ndim", 0) > 0)
 
 
@@ -149,7 +149,7 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
         if name in _options_with_value():
             raise TypeError(f"{parameter} takes a value: True and False are for options without one")
         return [name] if value else []
-    if (isinstance(value, dict) or _is_list(value)) and len(value) == 0:
+    if (isinstance(value, dict) or is_list(value)) and len(value) == 0:
         if parameter in MAY_BE_EMPTY:
             return []
         raise RequestError(
@@ -163,7 +163,7 @@ def _words(parameter: str, value: Any, files: _Files) -> list[str]:
         return [f"{name}={key}={_text(element)}" for key, element in value.items()]
     if hasattr(value, "as_file"):
         return [f"{name}={value.as_file(files)}"]
-    if _is_list(value):
+    if is_list(value):
         if parameter in LISTS:
             return [name + "=" + ",".join(_text(element) for element in value)]
         return [f"{name}={_text(element)}" for element in value]
@@ -201,7 +201,7 @@ def _file_of(given: Any) -> Any:
 
 def _check_data(given: Any) -> None:
     """An empty list as data would be no data: the axis would keep its table, under new sources."""
-    if not _is_list(given) or (len(given) == 1 and isinstance(given[0], (str, os.PathLike))):
+    if not is_list(given) or (len(given) == 1 and isinstance(given[0], (str, os.PathLike))):
         return
     raise RequestError(
         "InvalidArgument",

@@ -7,9 +7,10 @@ from typing import Any
 
 
 class FileWarning(UserWarning):
-    """What a file leaves open and is taken for granted, or what looks wrong in it: a line of `axiscomp` with "warning:".
+    """What a file leaves open and is taken for granted, what looks wrong in it, or what of it is lost: a line of `axiscomp`
+    with "warning:".
 
-    Given by read, read_all and read_measurement, whose answer has no place for it; others have it in their notes.
+    Given by read, read_all, resample and read_measurement, whose answer has no place for it; others have it in their notes.
     """
 
 

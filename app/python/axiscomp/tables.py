@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Sequence
+from typing import Any, Iterable, NamedTuple, Sequence
 
 from . import _axiscomp
 from ._axiscomp import Table
-from ._call import Document, call, give_warnings, one, with_filled, with_points
+from ._call import Document, call, give_warnings, is_list, one, with_filled, with_points
+from .errors import RequestError
 
 
 class Axis(NamedTuple):
@@ -28,22 +29,62 @@ class Axis(NamedTuple):
 
 
 def read_all(file: Any, **options: Any) -> list[Table]:
-    """All tables of a file of any format, in the sign of the drive.
+    """All tables of a file of any format, in the sign of the drive, or those of table=[...], by names or numbers.
 
     options: those of `axiscomp convert`, such as dims=1, from_="softmc", fill="plane", within=0.01. A CSV
     file needs dims. Raises Error, and warns (FileWarning) of what a file leaves open.
     """
-    document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
-    tables = _axiscomp.tables_of_csv(output, document["dimensions"])
+    return _read(file, options, takes_several=True)
+
+
+def _read(file: Any, options: dict[str, Any], takes_several: bool) -> list[Table]:
+    choice = options.get("table")
+    if is_list(choice) and len(choice) > 0:
+        tables, notes = _one_by_one(file, choice, options)
+    else:
+        try:
+            tables, notes = _converted(file, options)
+        except RequestError as error:
+            count = error.context.get("tables")
+            is_for_one = not takes_several or options.get("name") is not None or (isinstance(file, str) and file == "-")
+            if count is None or is_for_one:  # standard input is read once, and a name is that of one table
+                raise
+            # Tables over different positions do not fit into one CSV.
+            tables, notes = _one_by_one(file, range(1, count + 1), options)
     given = [file] if isinstance(file, Table) else file
     if isinstance(given, (list, tuple)) and all(isinstance(table, Table) for table in given):
-        return [_with_filled_of(table, n, given, len(tables)) for n, table in enumerate(tables)]
-    give_warnings(document.notes)
+        # What is said of the file that they became is of no file of the caller.
+        give_warnings([note for note in notes if note.startswith("warning: ")])
+        count = 0 if is_list(choice) else len(tables)  # those of a list are in its order, and known by their names
+        return [_with_filled_of(table, n, given, count) for n, table in enumerate(tables)]
+    give_warnings(notes)
+    return tables
+
+
+def _converted(file: Any, options: dict[str, Any]) -> tuple[list[Table], list[str]]:
+    """The tables that have a place in one CSV, and what was said of them."""
+    document, output = call("convert", [file, "-"], {**options, "to": "csv"}, raw=True)
+    tables = _axiscomp.tables_of_csv(output, document["dimensions"])
     # Of a conversion the document has one entry for each group of columns, and the tables are the columns.
     said = [column for group in document["tables"] for column in group.get("columns", [group])]
-    if len(said) != len(tables):
-        return tables
-    return [with_filled(table, column.get("filled")) for table, column in zip(tables, said)]
+    if len(said) == len(tables):
+        tables = [with_filled(table, column.get("filled")) for table, column in zip(tables, said)]
+    return tables, document.notes
+
+
+def _one_by_one(file: Any, choices: Iterable[Any], options: dict[str, Any]) -> tuple[list[Table], list[str]]:
+    tables: list[Table] = []
+    notes: list[str] = []
+    for choice in choices:
+        try:
+            made, said = _converted(file, {**options, "table": choice})
+        except RequestError as error:
+            if error.code != "TableAmbiguous" or not isinstance(choice, int):
+                raise
+            made, said = _converted(file, {**options, "table": f"#{choice}"})  # another one has this number for a name
+        tables += made
+        notes += [note for note in said if note not in notes]
+    return tables, notes
 
 
 def _with_filled_of(table: Table, number: int, given: Sequence[Table], count: int) -> Table:
@@ -66,7 +107,7 @@ def _have_same_points(axes: list[Axis], others: list[Axis]) -> bool:
 
 def read(file: Any, **options: Any) -> Table:
     """The only table of a file, or that with the name or number `table`. Otherwise as read_all."""
-    return one(read_all(file, **options), "tables")
+    return one(_read(file, options, takes_several=False), "tables")
 
 
 def write(tables: Table | Sequence[Table], file: Any, **options: Any) -> Document:
@@ -79,7 +120,10 @@ def write(tables: Table | Sequence[Table], file: Any, **options: Any) -> Documen
 
 
 def resample(table: Table, **options: Any) -> Table:
-    """The table on another even grid: points=..., distance=... or within=..., method="cubic", hold=True."""
+    """The table on another even grid: points=..., distance=... or within=..., method="cubic", hold=True.
+
+    Warns (FileWarning) of a distance with which the grid ends before the table.
+    """
     return read(table, **options)
 
 

@@ -313,6 +313,8 @@ Result<ResampledTable> resampleOnto(
         result.grid.push_back(plan[n].grid);
         if (!plan[n].remark.isEmpty())
             result.report.remarks.push_back(plan[n].remark);
+        if (plan[n].isShort)
+            result.report.losses.push_back(plan[n].remark);
     }
     const auto last = std::ranges::find_if_not(
         plan.rbegin(), plan.rend(), &PlannedAxis::isKept); // of the axes that change

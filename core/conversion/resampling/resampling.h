@@ -74,6 +74,7 @@ struct ColumnDeviation {
 struct ResamplingReport {
     std::vector<ColumnDeviation> columns;
     std::vector<Text> remarks; ///< grids that end before or behind the data
+    std::vector<Text> losses; ///< of the remarks, those of grids that end before it
 };
 
 struct ResampledTable {
@@ -83,12 +84,12 @@ struct ResampledTable {
 };
 
 /// Onto an even grid. A grid that is the source's own leaves every number as it is. By a distance
-/// that does not divide the range, the grid ends inside the data, or behind it when ends are held,
-/// and a remark says so. A modulo axis becomes closed: its last point is the first one again, a
-/// period later; between its last knot and that place the values are interpolated, too.
-/// Errors: InvalidArgument (requests that make no sense, tables that are not consistent);
-/// ResamplingImpossible (beyond the data, a distance that does not divide a period, a modulo axis
-/// whose two ends differ, too many points).
+/// that does not divide the range, the grid ends inside the data, which is a loss, or behind it
+/// when ends are held, and a remark says so. A modulo axis becomes closed: its last point is the
+/// first one again, a period later; between its last knot and that place the values are
+/// interpolated, too. Errors: InvalidArgument (requests that make no sense, tables that are not
+/// consistent); ResamplingImpossible (beyond the data, a distance that does not divide a period, a
+/// modulo axis whose two ends differ, too many points).
 [[nodiscard]] Result<ResampledTable> resample(
     const NeutralTable& table, const ResamplingRequest& request);
 
@@ -132,6 +133,7 @@ struct PlannedAxis {
     double to = 0.0;
     bool isKept = false; ///< the knots are the source's own, and so are the values along them
     Text remark; ///< empty: the grid is as wanted
+    bool isShort = false; ///< the grid ends before the range does
 };
 
 /// points positions over a range: the first and the last exactly at its ends.

@@ -194,6 +194,7 @@ Result<PlannedAxis> AxisPlanner::otherEnd(double cells, bool holdsEnds) const
     plan.from = m_from;
     plan.to = m_to;
     const double end = plan.knots.back();
+    plan.isShort = !holdsEnds;
     plan.remark = (holdsEnds
             ? AXISCOMP_TEXT("Error", "{range}: the grid ends at {end}, {distance} behind it")
             : AXISCOMP_TEXT("Error", "{range}: the grid ends at {end}, {distance} before its end"))

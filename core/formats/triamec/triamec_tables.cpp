@@ -3,6 +3,7 @@
 
 #include "core/formats/format_writer.h"
 #include "core/formats/formats.h"
+#include "core/formats/units.h"
 #include "core/table/even_spacing.h"
 #include "core/text/number_text.h"
 
@@ -126,6 +127,16 @@ void stateUnits(CalibrationData& data, const FormatSettings& settings)
         if (values != settings.end())
             table.unit = values->second;
     }
+}
+
+std::vector<Diagnostic> openUnits(const CalibrationData& data)
+{
+    DiagnosticList diagnostics(2);
+    if (std::ranges::any_of(data.grid.axes, &std::string::empty, &GridAxis::unit))
+        warnOfOpenPositionUnit(diagnostics);
+    if (std::ranges::any_of(data.tables, &std::string::empty, &CompensationTable::unit))
+        warnOfOpenValueUnit(diagnostics);
+    return diagnostics.take();
 }
 
 Result<CalibrationData> calibrationData(const NeutralTable& table)

@@ -33,5 +33,8 @@ namespace axiscomp {
 [[nodiscard]] StatedUnits statedUnits(const FormatSettings& settings, StatedUnits stated = {});
 /// What these settings say, of a table of the drive, whose file holds no units.
 void stateUnits(CalibrationData& data, const FormatSettings& settings);
+/// Warnings of the units that nobody says (UnitNotGiven), as of a file of another controller. Not
+/// of every file that is read: a drive takes such numbers in the units of its axes.
+[[nodiscard]] std::vector<Diagnostic> openUnits(const CalibrationData& data);
 
 } // namespace axiscomp

@@ -191,6 +191,53 @@ private Q_SLOTS:
         QCOMPARE(run.err.count('\n'), 1);
     }
 
+    void aLostEndOfTheDataIsAWarning()
+    {
+        const Sandbox box;
+        box.file("x.csv", "X [mm],E [um]\n0,0\n50,10\n100,-4\n");
+        const QByteArray lost = "the grid ends at 90 mm, 10 mm before its end";
+        const QStringList options{"--dims", "1", "--distance", "30"};
+        for (const char* const to : {"y.csv", "-"}) {
+            const ProgramRun run = box.run(QStringList{"convert", "x.csv", to} + options);
+            VERIFY_CODE(run, 0);
+            QVERIFY2(run.err.contains("warning: ") && run.err.contains(lost), run.err.constData());
+            QVERIFY2(!run.out.contains(lost), run.out.constData());
+        }
+        const ProgramRun held =
+            box.run(QStringList{"convert", "x.csv", "y.csv", "--hold"} + options);
+        VERIFY_CODE(held, 0);
+        QCOMPARE(held.err, QByteArray());
+        QVERIFY2(
+            held.out.contains("the grid ends at 120 mm, 20 mm behind it"), held.out.constData());
+    }
+
+    void unitsThatNobodySaysAreAWarningWhereAFileCouldSayThem()
+    {
+        const Sandbox box;
+        box.file("open.csv", "X,E\n0,0\n50,0.01\n100,-0.004\n");
+        box.file("values.csv", "X [mm],E\n0,0\n50,0.01\n100,-0.004\n");
+        VERIFY_CODE(box.run({"convert", "open.csv", "x.TAMtbl", "--dims", "1"}), 0);
+        const QByteArray positions = "found positions without a unit";
+        const QByteArray values = "found values without a unit";
+        const auto check = [&](const QStringList& arguments, bool ofPositions, bool ofValues) {
+            const ProgramRun run = box.run(QStringList{"convert"} + arguments);
+            VERIFY_CODE(run, 0);
+            QCOMPARE(run.err.contains(positions), ofPositions);
+            QCOMPARE(run.err.contains(values), ofValues);
+            QCOMPARE(run.err.count("(UnitNotGiven)"), int(ofPositions) + int(ofValues));
+        };
+        for (const QStringList& last : {QStringList(), QStringList{"--points", "5"}}) {
+            check(QStringList{"open.csv", "y.csv", "--dims", "1"} + last, true, true);
+            check(QStringList{"values.csv", "y.csv", "--dims", "1"} + last, false, true);
+            check(QStringList{"x.TAMtbl", "y.csv"} + last, true, true);
+            check(QStringList{"x.TAMtbl", "y.csv", "--set-in", "position-unit=mm", "--set-in",
+                      "value-unit=mm"}
+                    + last,
+                false, false);
+        }
+        check({"open.csv", "y.TAMtbl", "--dims", "1"}, false, false); // it has none
+    }
+
     void aTableForTheDriveIsInTheUnitOfItsPositions()
     {
         const Sandbox box;

@@ -294,6 +294,7 @@ private Q_SLOTS:
         QCOMPARE(inside->report.remarks[0].english(),
             std::string("the range of X from 0 mm to 103 mm is no whole multiple of 10 mm: the "
                         "grid ends at 100 mm, 3 mm before its end"));
+        QVERIFY(inside->report.losses == inside->report.remarks);
         // what is lost is in the report
         QCOMPARE(inside->report.columns[0].largest, 3.0);
         QCOMPARE(inside->report.columns[0].position, (Values{103}));
@@ -306,6 +307,7 @@ private Q_SLOTS:
         QCOMPARE(behind->table.columns[0].values.back(), 103.0);
         QVERIFY(behind->report.remarks[0].english().ends_with(
             "the grid ends at 110 mm, 7 mm behind it"));
+        QVERIFY(behind->report.losses.empty());
     }
 
     void beyondTheDataTheEndsAreHeldOnlyWhenAsked()

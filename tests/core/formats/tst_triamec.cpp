@@ -166,6 +166,28 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].unit, std::string("um"));
     }
 
+    void aUnitThatNobodySaysIsKnown()
+    {
+        const auto found = [](const std::string& positions, const std::string& values) {
+            CalibrationData data;
+            data.grid.axes = {{"X", "mm", 0, 1, 2}, {"Y", positions, 0, 1, 2}};
+            data.tables.resize(2);
+            data.tables[0].unit = "um";
+            data.tables[1].unit = values;
+            std::vector<std::string> found;
+            for (const Diagnostic& problem : openUnits(data))
+                found.push_back(
+                    problem.code == DiagnosticCode::UnitNotGiven ? problem.found.english() : "");
+            return found;
+        };
+        const std::string positions = "positions without a unit";
+        const std::string values = "values without a unit";
+        QCOMPARE(found("mm", "mm"), std::vector<std::string>());
+        QCOMPARE(found("", "mm"), std::vector{positions});
+        QCOMPARE(found("mm", ""), std::vector{values});
+        QCOMPARE(found("", ""), (std::vector{positions, values}));
+    }
+
     void unknownNamesListTheKnownOnes()
     {
         const auto format = formatNamed("tamtable");
