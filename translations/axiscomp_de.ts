@@ -10678,12 +10678,10 @@
     </message>
     <message>
         <source>0 = mean at {position}</source>
-        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
         <translation>0 = Mittel bei {position}</translation>
     </message>
     <message>
         <source>{said} (file {file})</source>
-        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
         <translation>{said} (Datei {file})</translation>
     </message>
     <message>
@@ -11153,7 +11151,6 @@
     </message>
     <message>
         <source>UTF-8 text</source>
-        <comment>expected in a machine file that is in another encoding</comment>
         <translation>Text in UTF-8</translation>
     </message>
     <message>
@@ -11693,22 +11690,18 @@
     </message>
     <message>
         <source>before, all values</source>
-        <comment>heading of a column</comment>
         <translation>vorher, alle Werte</translation>
     </message>
     <message>
         <source>after, all values</source>
-        <comment>heading of a column</comment>
         <translation>nachher, alle Werte</translation>
     </message>
     <message>
         <source>all values</source>
-        <comment>heading of a column: the figure of all values</comment>
         <translation>alle Werte</translation>
     </message>
     <message>
         <source>verdict, all values</source>
-        <comment>heading of a column</comment>
         <translation>Urteil, alle Werte</translation>
     </message>
     <message>
@@ -11721,7 +11714,6 @@
     </message>
     <message>
         <source>{said} ({files})</source>
-        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
         <translation>{said} ({files})</translation>
     </message>
 </context>

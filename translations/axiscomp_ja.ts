@@ -10627,12 +10627,10 @@
     </message>
     <message>
         <source>0 = mean at {position}</source>
-        <comment>behind &quot;Deviation in µm&quot; at the axis of a plot: the mean deviation at this position is taken as 0</comment>
         <translation>0 = {position} での平均</translation>
     </message>
     <message>
         <source>{said} (file {file})</source>
-        <comment>said: &quot;M1&quot;, what a file states; file: its number</comment>
         <translation>{said} (ファイル {file})</translation>
     </message>
     <message>
@@ -11102,7 +11100,6 @@
     </message>
     <message>
         <source>UTF-8 text</source>
-        <comment>expected in a machine file that is in another encoding</comment>
         <translation>UTF-8 のテキスト</translation>
     </message>
     <message>
@@ -11639,22 +11636,18 @@
     </message>
     <message>
         <source>before, all values</source>
-        <comment>heading of a column</comment>
         <translation>補正前、全データ</translation>
     </message>
     <message>
         <source>after, all values</source>
-        <comment>heading of a column</comment>
         <translation>補正後、全データ</translation>
     </message>
     <message>
         <source>all values</source>
-        <comment>heading of a column: the figure of all values</comment>
         <translation>全データ</translation>
     </message>
     <message>
         <source>verdict, all values</source>
-        <comment>heading of a column</comment>
         <translation>判定、全データ</translation>
     </message>
     <message>
@@ -11667,7 +11660,6 @@
     </message>
     <message>
         <source>{said} ({files})</source>
-        <comment>said: &quot;M1&quot;, what some of the joined files state; files: their names</comment>
         <translation>{said} ({files})</translation>
     </message>
 </context>

@@ -5,7 +5,6 @@
 #include "core/neutral/added_columns.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace axiscomp {
@@ -31,26 +30,19 @@ NeutralTable withoutNumbers(const NeutralTable& table, std::size_t columns)
 Result<void> checkAddedTables(const FormatFacts& from, const FormatFacts& to,
     std::span<const NeutralTable> given, std::span<const NeutralTable> held)
 {
-    if (!to.addsTables)
+    if (from.addsTables || !to.addsTables)
         return {};
     std::vector<NeutralTable> names;
-    std::map<std::string, std::set<std::string>> targetsOf; // as given, of an axis of the file
-    for (std::size_t t = 0; t < std::min(given.size(), held.size()); ++t) {
-        const NeutralTable& table =
-            names.emplace_back(withoutNumbers(held[t], given[t].columns.size()));
-        for (std::size_t n = 0; n < table.columns.size(); ++n)
-            targetsOf[targetName(table, table.columns[n])].insert(
-                targetName(given[t], given[t].columns[n]));
-    }
-    for (const AddedColumns& added : addedColumns(names))
-        if (!from.addsTables || targetsOf[added.target].size() > 1)
-            return cannotHold(to,
-                AXISCOMP_TEXT("Error",
-                    "there are two tables for axis {axis}, and the controller adds their "
-                    "corrections")
-                    .with("axis", added.target),
-                AXISCOMP_TEXT("Error", "choose one of them"));
-    return {};
+    for (std::size_t t = 0; t < std::min(given.size(), held.size()); ++t)
+        names.push_back(withoutNumbers(held[t], given[t].columns.size()));
+    const std::vector<AddedColumns> added = addedColumns(names);
+    if (added.empty())
+        return {};
+    return cannotHold(to,
+        AXISCOMP_TEXT("Error",
+            "there are two tables for axis {axis}, and the controller adds their corrections")
+            .with("axis", added.front().target),
+        AXISCOMP_TEXT("Error", "choose one of them"));
 }
 
 std::vector<Text> signRemarksOfAdded(std::span<const NeutralTable> tables)

@@ -5,8 +5,8 @@
 
 namespace axiscomp {
 
-/// That tables of which one counts at a time, or which are for different axes, do not act together
-/// in a file whose controller adds those of an axis. given: what was to be written, of this format;
+/// That tables of which one counts at a time do not act together in a file whose controller adds
+/// those of an axis. given: what was to be written, of this format;
 /// held: what the file says, perhaps with further columns of zeros. Errors: FormatCannotHold.
 [[nodiscard]] Result<void> checkAddedTables(const FormatFacts& from, const FormatFacts& to,
     std::span<const NeutralTable> given, std::span<const NeutralTable> held);

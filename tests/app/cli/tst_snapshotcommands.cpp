@@ -158,7 +158,7 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("uneven.csv", uneven1D);
         const VirtualDriveProcess first(box);
-        const VirtualDriveProcess second(box, {"--serial", "100002"});
+        const VirtualDriveProcess second(box, {"--name", "Two"});
         QVERIFY(first.isReady() && second.isReady());
         VERIFY_CODE(write(box, second, 0, "uneven.csv", {test::positionSource(0)}), 0);
         QVERIFY(second.writeRegister(

@@ -965,8 +965,7 @@ private Q_SLOTS:
         ConversionRequest request = requestFor(aerotech_1d::format(), aerotech_1d::format());
         VERIFY_RESULT(convertTables(std::array{first, second}, request));
         request.writing.settings["axis"] = "3";
-        VERIFY_ERROR(
-            convertTables(std::array{first, second}, request), ErrorCode::FormatCannotHold);
+        VERIFY_ERROR(convertTables(std::array{first, second}, request), ErrorCode::InvalidArgument);
         VERIFY_RESULT(convertTables(std::array{first, first}, request));
     }
 
