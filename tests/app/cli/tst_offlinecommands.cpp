@@ -196,7 +196,7 @@ private Q_SLOTS:
         const Sandbox box;
         box.file("x.csv", "X [mm],E [um]\n0,0\n50,10\n100,-4\n");
         const QByteArray lost = "the grid ends at 90 mm, 10 mm before its end";
-        const QStringList options{"--dims", "1", "--distance", "30"};
+        const QStringList options{"--to", "csv", "--dims", "1", "--distance", "30"};
         for (const char* const to : {"y.csv", "-"}) {
             const ProgramRun run = box.run(QStringList{"convert", "x.csv", to} + options);
             VERIFY_CODE(run, 0);
