@@ -399,7 +399,7 @@ void DeviationCanvas::retranslate()
     QStringList deviation{withUnit(tr("Deviation"), d->unit.symbol)};
     if (!d->series.empty() && d->series[0].curves->datum)
         deviation += translated(datumText(*d->series[0].curves->datum, isAngular));
-    d->plot->yAxis->setLabel(listText(deviation));
+    d->plot->yAxis->setLabel(deviation.join(u'\n')); // on one line a low plot would cut it
     d->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

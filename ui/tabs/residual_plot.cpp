@@ -161,7 +161,7 @@ void ResidualPlot::nameAxes()
         QStringLiteral("%1 [%2]").arg(tr("Deviation"), FineScale(m_state.unit).symbol())};
     if (const auto& datum = m_state.datums.after)
         deviation += translated(datumText(*datum, m_state.isAngular));
-    m_plot->yAxis->setLabel(listText(deviation));
+    m_plot->yAxis->setLabel(deviation.join(u'\n')); // on one line a low plot would cut it
 }
 
 /// For those who do not see it; the numbers stand in the tables.

@@ -108,7 +108,7 @@ private Q_SLOTS:
         QTest::mouseMove(bench.plot, bench.pixel(45.0, 0.0));
         QTRY_COMPARE(
             bench.readout(), QStringLiteral("target 45.6 mm, ↑ -12.25, ↓ -11.11 µm, B -1.14 µm"));
-        QCOMPARE(bench.plot->yAxis->label(), QStringLiteral("Deviation [µm], 0 = mean at 15 mm"));
+        QCOMPARE(bench.plot->yAxis->label(), QStringLiteral("Deviation [µm]\n0 = mean at 15 mm"));
     }
 
     void aClickSelectsTheValueAndSaysIt()
