@@ -38,13 +38,7 @@ Result<std::size_t> chosenTable(const MachineAxis& axis, std::span<const TableNa
                     "Error", "{file} has several tables; name one of them with column: {known}")
                     .with("file", axis.file)
                     .with("known", tableList(tables))}});
-    auto chosen = chooseTable(tables, axis.column);
-    if (chosen || chosen.error().code != ErrorCode::TableNotFound)
-        return chosen;
-    std::vector<TableName> inFile;
-    for (const TableName& table : tables)
-        inFile.push_back({table.text, table.text});
-    return chooseTable(inFile, axis.column);
+    return chooseTable(tables, axis.column);
 }
 
 } // namespace
