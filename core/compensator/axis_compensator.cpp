@@ -168,7 +168,7 @@ Result<WriteReport> AxisCompensator::setPersistency(
     request.dimensionality = now.setup.dimensionality;
     request.persistency = persistency;
     request.expectedDrive = now.drive.serialNumber;
-    request.expected = now.setup; // a restart in between brings back another table
+    request.expected = plannedState(now); // a restart in between brings back another table
     return write(axis, request, options);
 }
 
@@ -283,8 +283,8 @@ Result<void> AxisCompensator::checkUnchanged(
     if (now.drive.serialNumber != read.drive.serialNumber)
         return fail(ErrorCode::OtherDrive,
             {{"expected", read.drive.serialNumber}, {"found", now.drive.serialNumber}});
-    AXISCOMP_CHECK(checkAsPlanned(read.setup, now));
-    return checkGridAsPlanned(read.table ? read.table->grid : Grid{}, now);
+    AXISCOMP_CHECK(checkAsPlanned(plannedState(read), now));
+    return checkUnitsAsPlanned(plannedState(read), *plannedState(now).units, now);
 }
 
 /// Another program may have written in between: status and file must be of one state.

@@ -89,8 +89,7 @@ Result<Restoration> restorePlanned(AxisCompensator& compensator, const PlannedRe
     AXISCOMP_TRY(auto requests,
         compensator.restoreRequests({.axes = {planned.backup}}, planned.acceptsOther, options));
     WriteRequest& request = requests.front();
-    request.expected = planned.plan.before;
-    request.expectedDrive = planned.plan.drive.serialNumber;
+    expectAsPlanned(request, planned.plan);
     const auto report = compensator.write(planned.backup.axis, request, options);
     if (!report && report.error().code != ErrorCode::NothingToWrite)
         return fail(report.error());

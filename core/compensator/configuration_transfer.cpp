@@ -60,7 +60,7 @@ Result<AxisWrite> writeOf(AxisCompensator& compensator, const DriveProfile& prof
     AxisWrite write;
     write.axis = axis.axis;
     WriteRequest& request = write.request;
-    request.expected = status.setup;
+    request.expected = PlannedState{status.setup};
     request.expectedDrive = status.drive.serialNumber;
     request.sources = sourcesOf(axis);
     if (axis.slot.empty()) {

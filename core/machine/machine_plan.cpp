@@ -196,8 +196,7 @@ Result<void> DrivePlanner::planAxis(
         if (isSame)
             AXISCOMP_CHECK(keepTable(request, plan));
     }
-    request.expected = plan.plan.before;
-    request.expectedDrive = plan.plan.drive.serialNumber;
+    expectAsPlanned(request, plan.plan);
     planActivation(axis, plan);
     findObstacle(plan);
     return {};
@@ -335,7 +334,7 @@ Result<Activation> DriveApplication::switchOne(const AxisPlan& axis, Switch want
 {
     if (wanted == Switch::Activate && !axis.writes()) {
         AXISCOMP_TRY(const auto now, m_compensator.status(axis.axis, m_options));
-        AXISCOMP_CHECK(checkAsPlanned(axis.plan.before, now));
+        AXISCOMP_CHECK(checkAsPlanned(plannedState(axis.plan), now));
     }
     return m_compensator.switchTo(axis.axis, wanted, proofSamples, m_options);
 }

@@ -20,12 +20,7 @@ Result<void> WriteProcedure::checkUnchanged()
     const AxisStatus& now = reading.status;
     if (now.isOn())
         return fail(compensationActive(now));
-    if (!(now.setup == plan.before))
-        return fail(ErrorCode::ChangedMeanwhile,
-            {{"what",
-                 AXISCOMP_TEXT("Error", "the settings of axis {axis}").with("axis", plan.axis)},
-                {"before", setupText(plan.before)}, {"now", setupText(now.setup)}});
-    AXISCOMP_CHECK(checkGridAsPlanned(m_write.gridBefore, now));
+    AXISCOMP_CHECK(checkAsPlanned(plannedState(plan), now));
     noteEraseCounts(reading.readings);
     if (auto same = checkSlot(reading.readings); !same)
         return same;

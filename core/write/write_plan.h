@@ -36,6 +36,16 @@ struct OtherWrites {
     std::set<int> stored = {}; ///< after this one, with a table that is persistent then
 };
 
+/// What a plan was made for, as whoever confirms it has seen it. With nothing in a member that was
+/// not looked at.
+struct PlannedState {
+    CompensationSetup setup; ///< that the axis has
+    /// Of the table that it has: two tables of the same values have the same CRC. Empty: none.
+    std::optional<Grid> grid = {};
+    std::optional<TableUnits> units = {}; ///< of the table that it has afterwards
+    std::optional<std::string> axisName = {};
+};
+
 /// What a write shall bring about for one axis.
 struct WriteRequest {
     int dimensionality = 1;
@@ -66,7 +76,7 @@ struct WriteRequest {
     TableOrigin origin = TableOrigin::File;
     std::vector<Text> doubts = {}; ///< of whoever asks; they become warnings of the plan
     bool acceptsLarge = false; ///< corrections of WritePlan::largeCorrections are meant so
-    std::optional<CompensationSetup> expected; ///< when set: refuse if the drive no longer has this
+    std::optional<PlannedState> expected = {}; ///< when set: refuse if the drive no longer has this
     /// Serial number of the drive that was planned for; when set: another one is refused.
     std::optional<std::int32_t> expectedDrive = {};
 };
@@ -102,7 +112,16 @@ struct WritePlan {
     std::vector<Text> largeCorrections; ///< what has to be confirmed (WriteRequest::acceptsLarge)
     std::vector<DimensionCoverage> coverage; ///< where the drive says how far an axis travels
     std::vector<Text> unitRemarks; ///< what was converted and assumed of the table's units
+    std::string axisName = {}; ///< on the drive
+    Grid gridBefore = {}; ///< of the table that the axis has; empty: none
+    TableUnits units = {}; ///< in which its table is afterwards; empty: there is none
 };
+
+[[nodiscard]] PlannedState plannedState(const WritePlan& plan);
+/// Of an axis that keeps its sources.
+[[nodiscard]] PlannedState plannedState(const AxisStatus& now);
+/// The request carries out that plan, or is refused: what was confirmed is what is written.
+void expectAsPlanned(WriteRequest& request, const WritePlan& plan);
 
 /// Deletes the table that the axis uses; its sources stay.
 [[nodiscard]] WriteRequest deletionRequest();

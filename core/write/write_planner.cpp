@@ -26,6 +26,23 @@ std::string numberText(double value)
     return toText(RegisterValue{value});
 }
 
+Verbatim quotedName(const std::string& name)
+{
+    return {'"' + name + '"'};
+}
+
+/// "mm at mm, deg": the values, and each of the positions.
+std::string unitsText(const TableUnits& units)
+{
+    const auto symbol = [](const std::string& unit) {
+        return unit.empty() ? std::string("?") : symbolOrWord(unit);
+    };
+    std::string text = symbol(units.values);
+    for (std::size_t n = 0; n < units.positions.size(); ++n)
+        text += (n == 0 ? " at " : ", ") + symbol(units.positions[n]);
+    return text;
+}
+
 /// "5 x 4 points, X 0 .. 40, Y 0 .. 30": enough to recognise a table.
 std::string gridText(const Grid& grid)
 {
@@ -85,25 +102,53 @@ Text setupText(const CompensationSetup& setup)
         .with("sources", sources);
 }
 
-Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& now)
+PlannedState plannedState(const WritePlan& plan)
 {
-    if (planned == now.setup)
+    return {plan.before, plan.gridBefore, plan.units, plan.axisName};
+}
+
+PlannedState plannedState(const AxisStatus& now)
+{
+    return {now.setup, now.table ? now.table->grid : Grid{},
+        now.table ? unitsOfTable(now) : TableUnits{}, now.axis.name};
+}
+
+void expectAsPlanned(WriteRequest& request, const WritePlan& plan)
+{
+    request.expected = plannedState(plan);
+    request.expectedDrive = plan.drive.serialNumber;
+}
+
+Result<void> checkAsPlanned(const PlannedState& planned, const AxisStatus& now)
+{
+    const Text axis = axisText(now.axis.index, now.axis.name);
+    if (!(planned.setup == now.setup))
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", AXISCOMP_TEXT("Error", "the settings of {axis}").with("axis", axis)},
+                {"before", setupText(planned.setup)}, {"now", setupText(now.setup)}});
+    const Grid grid = now.table ? now.table->grid : Grid{};
+    if (planned.grid && !sameSpans(*planned.grid, grid))
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", now.setup.slot)},
+                {"before", Verbatim{gridText(*planned.grid)}}, {"now", Verbatim{gridText(grid)}}});
+    if (planned.axisName && *planned.axisName != now.axis.name)
+        return fail(ErrorCode::ChangedMeanwhile,
+            {{"what",
+                 AXISCOMP_TEXT("Error", "the name of axis {axis}").with("axis", now.axis.index)},
+                {"before", quotedName(*planned.axisName)}, {"now", quotedName(now.axis.name)}});
+    return {};
+}
+
+Result<void> checkUnitsAsPlanned(
+    const PlannedState& planned, const TableUnits& now, const AxisStatus& of)
+{
+    if (!planned.units || *planned.units == now)
         return {};
     return fail(ErrorCode::ChangedMeanwhile,
         {{"what",
-             AXISCOMP_TEXT("Error", "the settings of {axis}")
-                 .with("axis", axisText(now.axis.index, now.axis.name))},
-            {"before", setupText(planned)}, {"now", setupText(now.setup)}});
-}
-
-Result<void> checkGridAsPlanned(const Grid& planned, const AxisStatus& now)
-{
-    const Grid grid = now.table ? now.table->grid : Grid{};
-    if (sameSpans(planned, grid))
-        return {};
-    return fail(ErrorCode::ChangedMeanwhile,
-        {{"what", AXISCOMP_TEXT("Error", "the table in {slot}").with("slot", now.setup.slot)},
-            {"before", Verbatim{gridText(planned)}}, {"now", Verbatim{gridText(grid)}}});
+             AXISCOMP_TEXT("Error", "the units of the table of {axis}")
+                 .with("axis", axisText(of.axis.index, of.axis.name))},
+            {"before", Verbatim{unitsText(*planned.units)}}, {"now", Verbatim{unitsText(now)}}});
 }
 
 Text axisText(int index, const std::string& name)
@@ -158,8 +203,6 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     AXISCOMP_TRY(auto saved, m_store.savedState(m_drive.serialNumber));
     m_saved = std::move(saved);
     m_write = {};
-    if (m_status.table)
-        m_write.gridBefore = m_status.table->grid;
     m_keepsTable = false;
     m_positionFacts.clear();
     m_names.clear();
@@ -167,6 +210,9 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     WritePlan& plan = m_write.plan;
     plan.drive = m_drive;
     plan.axis = axis;
+    plan.axisName = m_status.axis.name;
+    if (m_status.table)
+        plan.gridBefore = m_status.table->grid;
     plan.before = m_status.setup;
     plan.after = m_status.setup;
     plan.after.dimensionality = request.dimensionality;
@@ -181,9 +227,11 @@ Result<PreparedWrite> WritePlanner::decide(const WriteRequest& request)
     } else if (request.withoutTable) {
         decided = decideNoTable(request);
     } else {
-        AXISCOMP_TRY(m_write.units,
+        AXISCOMP_TRY(plan.units,
             unitsOf(std::span(plan.after.sources)
                         .first(static_cast<std::size_t>(plan.after.dimensionality))));
+        if (request.expected)
+            AXISCOMP_CHECK(checkUnitsAsPlanned(*request.expected, plan.units, m_status));
         AXISCOMP_TRY(const auto converted, inUnitsOfDrive(request));
         decided = decideTable(converted);
     }
@@ -280,7 +328,7 @@ Result<WriteRequest> WritePlanner::inUnitsOfDrive(const WriteRequest& request)
         return request;
     AXISCOMP_TRY(auto converted,
         inUnitsOfAxis(
-            *request.table, m_write.units, m_write.plan.ownDimension, request.unstatedUnit));
+            *request.table, m_write.plan.units, m_write.plan.ownDimension, request.unstatedUnit));
     m_write.plan.unitRemarks = std::move(converted.remarks);
     noteUnknownUnits(request.table->grid);
     // Once, so that the drive has what the plan says, and has it already the next time.

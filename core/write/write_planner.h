@@ -22,9 +22,7 @@ struct PreparedWrite {
     Bytes file; ///< the new table file, volatile; empty: the table stays
     TableSlot slot; ///< where it goes
     SlotState slotBefore; ///< what that slot held when it was chosen
-    Grid gridBefore; ///< of the table that the axis had when it was planned; empty: none
     std::uint32_t elementCrc = 0; ///< of the table that the axis has afterwards
-    TableUnits units; ///< in which that table is; empty: there is none
     int uncovered = 0; ///< of the plan's flash operations: tables that saving deletes
     /// Saved parameters name the slot that is to be committed, with another table: they are saved
     /// without it first.
@@ -120,10 +118,12 @@ private:
 [[nodiscard]] std::uint32_t elementCrcOf(ByteView file, const CompensationTable& table);
 /// For errors: "Small1 (CRC 00c0ffee), Axes[0]/..., volatile"
 [[nodiscard]] Text setupText(const CompensationSetup& setup);
-/// That an axis is still as it was when it was planned for. Errors: ChangedMeanwhile.
-[[nodiscard]] Result<void> checkAsPlanned(const CompensationSetup& planned, const AxisStatus& now);
-/// The same of the grid of its table: two tables of the same values have the same CRC.
-[[nodiscard]] Result<void> checkGridAsPlanned(const Grid& planned, const AxisStatus& now);
+/// That an axis is still as it was when it was planned for, but for the units. Errors:
+/// ChangedMeanwhile.
+[[nodiscard]] Result<void> checkAsPlanned(const PlannedState& planned, const AxisStatus& now);
+/// The same of the units in which its table is: its numbers would mean something else.
+[[nodiscard]] Result<void> checkUnitsAsPlanned(
+    const PlannedState& planned, const TableUnits& now, const AxisStatus& of);
 /// "axis 0 (X)"
 [[nodiscard]] Text axisText(int index, const std::string& name);
 

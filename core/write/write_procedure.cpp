@@ -124,7 +124,7 @@ Result<void> WriteProcedure::keepOldState()
     m_journal.newCrc = m_write.elementCrc;
     m_journal.persistent = deletes() ? m_write.saves : wantsPersistent();
     m_journal.deletedSlot = plan.deletedSlot;
-    m_journal.newUnits = m_write.units;
+    m_journal.newUnits = plan.units;
     m_journal.newSourcePaths.clear();
     for (const DimSource& source : plan.after.sources)
         m_journal.newSourcePaths.push_back(source.path);

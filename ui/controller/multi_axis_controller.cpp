@@ -126,10 +126,8 @@ void MultiAxisController::take(const Result<PlannedTables>& found)
         m_asked = found->tables;
         m_files = found->files;
         // What has been shown is what is written: a drive that has changed since refuses it.
-        for (std::size_t n = 0; n < m_asked.size(); ++n) {
-            m_asked[n].request.expected = found->plans.at(n).before;
-            m_asked[n].request.expectedDrive = found->plans.at(n).drive.serialNumber;
-        }
+        for (std::size_t n = 0; n < m_asked.size(); ++n)
+            expectAsPlanned(m_asked[n].request, found->plans.at(n));
     }
     Q_EMIT planned();
 }

@@ -23,7 +23,7 @@ WriteRequest requestFor(const EditedSetup& edited, const CompensationSetup& base
     for (std::size_t n = 0; n < static_cast<std::size_t>(edited.dimensionality); ++n)
         request.sources.push_back(requestedSource(edited.sources[n]));
     request.persistency = edited.persistency;
-    request.expected = baseline;
+    request.expected = PlannedState{baseline};
     return request;
 }
 
@@ -147,7 +147,7 @@ void OperationRunner::planDeletion()
     m_plan.reset();
     m_plannedSetup = m_setup.edited();
     m_request = deletionRequest();
-    m_request.expected = m_setup.baseline();
+    m_request.expected = PlannedState{m_setup.baseline()};
     m_requestTable = {};
     m_fileTable.reset();
     askForPlan();
@@ -247,7 +247,7 @@ void OperationRunner::write(bool acceptsLarge)
     if (!m_plan)
         return refuseOldPlan();
     m_request.acceptsLarge = acceptsLarge;
-    m_request.expectedDrive = m_plan->drive.serialNumber;
+    expectAsPlanned(m_request, *m_plan);
     const bool deletes = m_request.deletesTable;
     run<WriteReport>(
         deletes ? Task::Delete : Task::Write,

@@ -90,8 +90,7 @@ Result<WriteOutcome> writeOne(Environment& environment, CommandSession& session,
     AXISCOMP_CHECK(checkLargeAccepted(*plan, request));
 
     WriteRequest asPlanned = request;
-    asPlanned.expected = plan->before;
-    asPlanned.expectedDrive = plan->drive.serialNumber;
+    expectAsPlanned(asPlanned, *plan);
     const auto report = carryOut(environment, session, axis, asPlanned, turn);
     const bool nothingToDo = !report && report.error().code == ErrorCode::NothingToWrite;
     if (!report && !nothingToDo)

@@ -533,7 +533,7 @@ private Q_SLOTS:
         VERIFY_RESULT(seen);
         f.set("Axes[0]/Parameters/Compensations/Axis/Dim2Source", std::uint32_t{0});
         WriteRequest request = exampleRequest(2);
-        request.expected = seen->setup;
+        request.expected = plannedState(*seen);
         const auto report = f.compensator.write(0, request);
         VERIFY_ERROR(report, ErrorCode::ChangedMeanwhile);
         QVERIFY(sentence(report.error()).find(masterY) != std::string::npos);

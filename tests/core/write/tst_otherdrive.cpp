@@ -199,7 +199,7 @@ private Q_SLOTS:
         WriteRequest request = Exchanged::wide(2);
         const auto plan = c.compensator.plan(0, request);
         VERIFY_RESULT(plan);
-        request.expected = plan->before;
+        request.expected = plannedState(*plan);
         request.expectedDrive = plan->drive.serialNumber;
         AxisCompensator there(*c.otherLink, drivecomm::genericProfile(), c.store);
         const auto refused = there.write(0, request);

@@ -80,7 +80,7 @@ template <typename T> Result<void> asVoid(const Result<T>& result)
 
 Result<void> write(Case& c, WriteRequest request)
 {
-    request.expected = c.seen;
+    request.expected = PlannedState{c.seen};
     return asVoid(c.compensator.write(0, request));
 }
 
@@ -269,6 +269,62 @@ private Q_SLOTS:
             ++noticed;
         }
         QVERIFY(noticed > 2);
+    }
+
+    /// Whoever confirms a plan has seen where the table lies, in which units, and on which axis.
+    void aConfirmedWriteIsRefusedWhereTheNumbersMeanSomethingElse()
+    {
+        struct Change {
+            const char* what;
+            const char* before;
+            const char* now;
+            std::function<void(CompensatorFixture&, WriteRequest&)> act;
+        };
+        CompensationTable moved = exampleTable(2, 1);
+        moved.grid.axes.front().start += 50.0;
+        const auto theirs = encodeTamTable(moved, false, drivecomm::genericProfile().layout);
+        VERIFY_RESULT(theirs);
+        const std::string unit = "]/Parameters/PositionController/PositionUnit";
+        const std::vector<Change> changes{
+            {"the table in Small1", "6 x 6 points, dim 1 0 .. 50, dim 2 0 .. 55",
+                "6 x 6 points, dim 1 50 .. 100, dim 2 0 .. 55",
+                [&](CompensatorFixture& f, WriteRequest&) {
+                    VERIFY_RESULT(f.drive.upload("tables/small1.TAMtbl", *theirs));
+                }},
+            {"the units of the table of axis 0 (X)", "mm at mm, mm", "m at m, mm",
+                [&](CompensatorFixture& f, WriteRequest&) {
+                    f.set("Axes[0" + unit, std::string("Meter"));
+                }},
+            {"the units of the table of axis 0 (X)", "mm at mm, mm", "mm at mm, deg",
+                [&](CompensatorFixture& f, WriteRequest&) {
+                    f.set("Axes[1" + unit, std::string("Degree"));
+                }},
+            {"the name of axis 0", "\"Z\"", "\"X\"",
+                [](CompensatorFixture&, WriteRequest& request) {
+                    request.expected->axisName = "Z";
+                }},
+        };
+        WriteRequest keeping = keepingTable(Persistency::Persistent);
+        keeping.sources.clear();
+        for (const WriteRequest& asked : {keeping, exampleRequest(2)})
+            for (const Change& change : changes) {
+                CompensatorFixture f;
+                VERIFY_RESULT(f.compensator.write(0, exampleRequest(1)));
+                WriteRequest request = asked;
+                const auto plan = f.compensator.plan(0, request);
+                VERIFY_RESULT(plan);
+                expectAsPlanned(request, *plan);
+                VERIFY_RESULT(f.compensator.plan(0, request));
+                change.act(f, request);
+                f.link.forgetChange();
+                const auto refused = f.compensator.write(0, request);
+                VERIFY_ERROR(refused, ErrorCode::ChangedMeanwhile);
+                const auto& context = refused.error().context;
+                QCOMPARE(context.english("what"), std::string(change.what));
+                QCOMPARE(context.english("before"), std::string(change.before));
+                QCOMPARE(context.english("now"), std::string(change.now));
+                QCOMPARE(f.link.firstChange(), 0);
+            }
     }
 
     void aBackupIsOfOneState()
