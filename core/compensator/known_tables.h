@@ -36,12 +36,13 @@ struct AxisOfDrive {
     std::int32_t serialNumber = 0; ///< of the drive
     std::string source; ///< see lookupSource; empty: none is set
     std::optional<LookupAt> lookupAt; ///< of the table that it has
-    std::array<std::uint32_t, 3> addresses{}; ///< of the sources that it has
+    std::array<DimSource, 3> sources{}; ///< that it has
 };
 [[nodiscard]] AxisOfDrive axisOfDrive(const AxisStatus& status, const DriveProfile& profile);
 
-/// table: the one that the axis uses, as it was downloaded. Reads the backups of the axis: not for
-/// a thread that must not wait. Errors: UnitMismatch; those of elementCrc.
+/// table: the one that the axis uses, as it was downloaded. Tables of backups are in the units in
+/// which they were kept, where their backup says them. Reads the backups of the axis: not for a
+/// thread that must not wait. Errors: UnitMismatch; those of elementCrc.
 [[nodiscard]] Result<AxisTables> tablesOfAxis(const AxisOfDrive& axis, CompensationTable table,
     const DriveProfile& profile, const DriveStore& store, const std::string& unit);
 

@@ -279,7 +279,7 @@ bool isSameAxis(const std::optional<AxisOfDrive>& a, const std::optional<AxisOfD
         return a.has_value() == b.has_value();
     return a->axis.index == b->axis.index && a->axis.name == b->axis.name
         && a->axis.unit == b->axis.unit && a->serialNumber == b->serialNumber
-        && a->source == b->source;
+        && a->source == b->source && a->sources == b->sources;
 }
 
 } // namespace
