@@ -27,6 +27,15 @@ std::vector<std::string> namesOf(
     return names;
 }
 
+/// requests: one for each axis of the backup.
+std::vector<AxisWrite> writesOf(const DriveBackup& backup, std::vector<WriteRequest> requests)
+{
+    std::vector<AxisWrite> writes;
+    for (std::size_t n = 0; n < requests.size(); ++n)
+        writes.push_back({backup.axes[n].axis, std::move(requests[n])});
+    return writes;
+}
+
 Result<TableSlot> knownSlot(const DriveProfile& profile, const std::string& name)
 {
     if (const TableSlot* slot = profile.slotNamed(name))
@@ -173,9 +182,11 @@ Result<RestoreReport> AxisCompensator::restore(
         return fail(lock.error());
     // Nothing is begun that cannot be ended.
     AXISCOMP_TRY(const auto plans, planRestore(backup, force, options));
+    AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
+    const std::vector<AxisWrite> writes = writesOf(backup, std::move(requests));
     const std::vector<AxisBackup::File> files = filesBesides(backup, plans.axes);
     std::size_t turn = 0;
-    auto done = d->restoreAll(access, drive, backup, files, turn);
+    auto done = d->restoreAll(access, drive, writes, plans.axes, files, turn);
     if (done)
         return done;
     const std::vector<std::string> names = namesOf(backup, files);
@@ -188,25 +199,29 @@ Result<RestoreReport> AxisCompensator::restore(
 }
 
 Result<RestoreReport> AxisCompensator::Private::restoreAll(const RegisterAccess& access,
-    const DriveIdentity& drive, const DriveBackup& backup,
+    const DriveIdentity& drive, std::span<const AxisWrite> writes, std::span<const WritePlan> plans,
     const std::vector<AxisBackup::File>& files, std::size_t& turn)
 {
     RestoreReport done;
     std::vector<AxisStatus> restored;
-    for (const AxisBackup& axis : backup.axes) {
-        AXISCOMP_TRY(auto request, restoreRequest(access, sources, axis));
-        request.acceptsLarge = true; // the drive had it
-        auto report = write(access, drive, axis.axis, request);
-        const bool isThere = !report && report.error().code == ErrorCode::NothingToWrite;
-        if (!report && !isThere)
-            return fail(report.error());
+    const auto restoreAxis = [&](std::size_t n,
+                                 const WriteRequest& request) -> Result<WriteReport> {
+        turn = n;
+        auto report = write(access, drive, writes[n].axis, request);
+        if (!holdsNewState(report))
+            return report;
         AXISCOMP_TRY(
-            auto now, isThere ? readStatus(access, drive, axis.axis, sources) : report->now);
+            auto now, report ? report->now : readStatus(access, drive, writes[n].axis, sources));
         restored.push_back(std::move(now));
+        return report;
+    };
+    for (auto& report : writeInTurn(writes, plans, restoreAxis)) {
         if (report)
             done.axes.push_back(std::move(*report));
-        ++turn;
+        else if (!holdsNewState(report))
+            return fail(std::move(report).error());
     }
+    turn = writes.size();
     for (const AxisBackup::File& file : files) {
         AXISCOMP_TRY(const bool isWritten, restoreFile(access, drive, file));
         if (isWritten)
@@ -252,9 +267,7 @@ Result<RestorePlan> AxisCompensator::planRestore(
     const DriveBackup& backup, bool force, const OperationOptions& options)
 {
     AXISCOMP_TRY(auto requests, restoreRequests(backup, force, options));
-    std::vector<AxisWrite> writes;
-    for (std::size_t n = 0; n < requests.size(); ++n)
-        writes.push_back({backup.axes[n].axis, std::move(requests[n])});
+    const std::vector<AxisWrite> writes = writesOf(backup, std::move(requests));
     OperationOptions quiet = options;
     quiet.progress = {};
     AXISCOMP_TRY(auto plans, planMultiAxis(*this, writes, quiet));

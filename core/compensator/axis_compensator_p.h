@@ -5,8 +5,11 @@
 #include "core/axis/source_directory.h"
 #include "core/compensator/axis_compensator.h"
 
+#include <span>
+
 namespace axiscomp {
 
+struct AxisWrite;
 struct PreparedWrite;
 class UnfinishedWrite;
 
@@ -89,8 +92,9 @@ struct AxisCompensator::Private {
         const RegisterAccess& access, const DriveIdentity& drive, const AxisBackup::File& file);
     /// turn: which axis or, after these, which file is being written.
     [[nodiscard]] Result<RestoreReport> restoreAll(const RegisterAccess& access,
-        const DriveIdentity& drive, const DriveBackup& backup,
-        const std::vector<AxisBackup::File>& files, std::size_t& turn);
+        const DriveIdentity& drive, std::span<const AxisWrite> writes,
+        std::span<const WritePlan> plans, const std::vector<AxisBackup::File>& files,
+        std::size_t& turn);
     [[nodiscard]] Result<void> checkRestored(const RegisterAccess& access,
         const DriveIdentity& drive, const std::vector<AxisStatus>& axes,
         const std::vector<AxisBackup::File>& files);

@@ -34,8 +34,7 @@ Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const A
     AXISCOMP_TRY(const auto plans, planMultiAxis(compensator, writes, options));
     for (std::size_t n = 0; n < writes.size(); ++n)
         AXISCOMP_CHECK(checkLargeAccepted(plans[n], writes[n].request));
-    MultiAxisReport report;
-    for (std::size_t n = 0; n < writes.size(); ++n) {
+    const auto write = [&](std::size_t n, const WriteRequest& request) {
         turn = n;
         OperationOptions part = options;
         part.progress = [&](const Progress& progress) {
@@ -44,11 +43,9 @@ Result<MultiAxisReport> writeAll(AxisCompensator& compensator, std::span<const A
                     (static_cast<double>(n) + progress.fraction)
                         / static_cast<double>(writes.size())});
         };
-        report.writes.push_back(compensator.write(writes[n].axis, writes[n].request, part));
-        if (!holdsNewState(report.writes.back()))
-            break;
-    }
-    return report;
+        return compensator.write(writes[n].axis, request, part);
+    };
+    return MultiAxisReport{.writes = writeInTurn(writes, plans, write)};
 }
 
 } // namespace
@@ -88,6 +85,23 @@ Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     }
     AXISCOMP_CHECK(flash.check(compensator, options));
     return plans;
+}
+
+std::vector<Result<WriteReport>> writeInTurn(std::span<const AxisWrite> writes,
+    std::span<const WritePlan> plans,
+    const std::function<Result<WriteReport>(std::size_t, const WriteRequest&)>& write)
+{
+    std::vector<Result<WriteReport>> reports;
+    WriteSequence sequence = sequenceOf(writes);
+    for (std::size_t n = 0; n < writes.size(); ++n) {
+        WriteRequest request = writes[n].request;
+        sequence.begin(writes[n].axis, request);
+        const auto& report = reports.emplace_back(write(n, request));
+        if (!holdsNewState(report))
+            break;
+        sequence.add(report ? report->plan : plans[n]);
+    }
+    return reports;
 }
 
 Error ofSeveral(Error error, std::span<const std::string> names, std::size_t failed)

@@ -6,6 +6,7 @@
 #include "core/write/write_sequence.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,6 +29,13 @@ struct AxisWrite {
 /// named twice; FlashWear also when all together cost more flash operations than are possible now.
 [[nodiscard]] Result<std::vector<WritePlan>> planMultiAxis(AxisCompensator& compensator,
     std::span<const AxisWrite> writes, const OperationOptions& options = {});
+
+/// Carries out writes that were planned together, one after the other, up to the first that fails
+/// (holdsNewState): as many results as were begun. write: does one of them, by its place, with what
+/// the others are to it.
+[[nodiscard]] std::vector<Result<WriteReport>> writeInTurn(std::span<const AxisWrite> writes,
+    std::span<const WritePlan> plans,
+    const std::function<Result<WriteReport>(std::size_t, const WriteRequest&)>& write);
 
 /// The error of one of several changes that are made one after the other, with what the others have
 /// come to: `written` and `notWritten`, by their names. One that may have left anything is in

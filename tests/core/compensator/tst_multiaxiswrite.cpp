@@ -133,6 +133,66 @@ private Q_SLOTS:
         QVERIFY(saysThatATableIsLost(lost->at(0)));
     }
 
+    /// What is carried out knows of the other writes as its plan did.
+    void whatIsRestoredInTheSameRunIsNotSaidToBeLost()
+    {
+        CompensatorFixture fixture;
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(
+                fixture.compensator.write(axis, exampleRequest(axis + 1, Persistency::Persistent)));
+        const auto backup = fixture.compensator.backup();
+        VERIFY_RESULT(backup);
+        fixture.pass(std::chrono::hours(48));
+        for (const int axis : {0, 1})
+            VERIFY_RESULT(fixture.compensator.write(axis, exampleRequest(axis + 3)));
+        const auto planned = fixture.compensator.planRestore(*backup, false);
+        VERIFY_RESULT(planned);
+        const auto done = fixture.compensator.restore(*backup, false);
+        VERIFY_RESULT(done);
+        QCOMPARE(done->axes.size(), std::size_t(2));
+        for (const std::size_t n : {0, 1}) {
+            QVERIFY(!saysThatATableIsLost(planned->axes.at(n)));
+            QVERIFY(!saysThatATableIsLost(done->axes.at(n).plan));
+        }
+    }
+
+    void whatIsWrittenInTheSameRunIsNotSaidToBeLost()
+    {
+        CompensatorFixture fixture;
+        std::vector<AxisTable> tables(2);
+        for (const int axis : {0, 1}) {
+            VERIFY_RESULT(fixture.compensator.write(axis, exampleRequest(axis + 1)));
+            AxisTable& table = tables.at(static_cast<std::size_t>(axis));
+            table.axis = axis;
+            table.request = exampleRequest(axis + 3, Persistency::Persistent);
+        }
+        std::atomic<std::size_t> turn = 0;
+        const auto end = writeTables(fixture.compensator, fixture.storeRoot(), 0, tables, turn, {});
+        VERIFY_RESULT(end.outcome);
+        QCOMPARE(end.outcome->writes.size(), std::size_t(2));
+        for (const auto& write : end.outcome->writes) {
+            VERIFY_RESULT(write);
+            QVERIFY(!saysThatATableIsLost(write->plan));
+        }
+    }
+
+    void nothingIsWrittenAfterTheFirstThatFails()
+    {
+        CompensatorFixture fixture;
+        const std::vector<AxisWrite> writes{{0, exampleRequest(1)}, {1, exampleRequest(2)}};
+        const auto plans = planMultiAxis(fixture.compensator, writes);
+        VERIFY_RESULT(plans);
+        std::vector<std::size_t> begun;
+        const auto reports = writeInTurn(
+            writes, *plans, [&begun](std::size_t n, const WriteRequest&) -> Result<WriteReport> {
+                begun.push_back(n);
+                return fail(ErrorCode::Timeout, {{"milliseconds", 1}});
+            });
+        QVERIFY(begun == std::vector<std::size_t>{0});
+        QCOMPARE(reports.size(), std::size_t(1));
+        VERIFY_ERROR(reports.front(), ErrorCode::Timeout);
+    }
+
     /// It is not yet when the second write is planned.
     void aTableThatTheRunMakesVolatileIsSaidToBeLost()
     {
