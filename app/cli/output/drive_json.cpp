@@ -3,6 +3,7 @@
 
 #include "app/cli/output/status_text.h"
 #include "app/common/number_text.h"
+#include "core/table/position_unit.h"
 
 #include <algorithm>
 #include <limits>
@@ -83,6 +84,7 @@ Json toJson(const MeasuredFigures& measured)
             {"after", {lesser->after.first, lesser->after.last}}};
     return {{"crc", measured.crc}, {"noted", utcText(measured.time)},
         {"date", textOrNull(measured.date)}, {"unit", measured.isAngular ? "deg" : "mm"},
+        {"axisUnit", textOrNull(measured.units ? symbolOrWord(measured.units->values) : "")},
         {"figures", std::move(figures)}, {"excluded", measured.excluded},
         {"lesserRange", std::move(ranges)}};
 }

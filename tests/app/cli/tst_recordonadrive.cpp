@@ -136,6 +136,8 @@ private Q_SLOTS:
         const QJsonObject json = bench.run({"status", "--json"}).json();
         const QJsonObject measured = json.value("measured").toObject();
         QCOMPARE(measured.value("crc"), json.value("table").toObject().value("crc"));
+        QCOMPARE(measured.value("unit").toString(), "mm");
+        QCOMPARE(measured.value("axisUnit").toString(), "mm");
         const QJsonObject figure = measured.value("figures").toArray().first().toObject();
         QCOMPARE(figure.value("figure").toString(), "A");
         QCOMPARE(figure.value("before").toDouble(), 0.0143);
