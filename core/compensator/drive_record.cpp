@@ -8,7 +8,6 @@
 #include "core/table/position_unit.h"
 #include "core/table/table_units.h"
 #include "core/table/tam_table.h"
-#include "core/table/target_axis.h"
 #include "core/write/lookup_side.h"
 
 #include <algorithm>
@@ -110,6 +109,11 @@ bool isRecordedTable(
             || std::ranges::equal(recorded.table.grid.axes, found.grid->axes, arePositionsOf));
 }
 
+KeptMeaning meaningOf(const AxisStatus& status)
+{
+    return {unitsOfTable(status), status.axis.name};
+}
+
 /// Nothing where the drive does not say any.
 std::optional<TableUnits> unitsToNote(TableUnits units)
 {
@@ -154,7 +158,7 @@ Result<void> checkRecordUnits(
             "that the axis had, or write the record's table again (`axiscomp write --record`)")
                                .with("unit", symbolOrWord(now.values)));
     }
-    const auto change = changedUnit(*record.write->units, now);
+    const auto change = changedMeaning({*record.write->units, {}}, meaningOf(status)).unit;
     if (!change)
         return {};
     const Text what = change->dimension ? AXISCOMP_TEXT("Error", "positions of dimension {number}")
@@ -182,7 +186,7 @@ Result<void> checkRecordAxis(const CalibrationRecord& record, const AxisStatus& 
     if (!record.drive
         || (record.drive->serialNumber == status.drive.serialNumber
             && record.drive->axis == status.axis.index
-            && !areDifferentAxes(record.drive->axisName, status.axis.name)))
+            && !changedMeaning({{}, record.drive->axisName}, meaningOf(status)).isOtherAxis))
         return {};
     return notOfRecord(AXISCOMP_TEXT(
         "Error", "the record is of {recorded}, and this is {found}; begin a record for each axis")
@@ -275,8 +279,7 @@ bool isLookedUpAsMade(
 
 bool isMeantAsKept(const MeasuredFigures& kept, const AxisStatus& status)
 {
-    return !(kept.units && changedUnit(*kept.units, unitsOfTable(status)))
-        && !areDifferentAxes(kept.axisName, status.axis.name);
+    return isMeantAsKept(kept.meaning(), meaningOf(status));
 }
 
 Result<void> recordProof(CalibrationRecord& record, const AxisStatus& now, const Proof& proof,

@@ -56,7 +56,7 @@ namespace axiscomp {
     const MadeForLookup& made, const AxisStatus& status, const DriveProfile& profile);
 
 /// And whether the numbers of the table still mean what they meant, on the axis that it was (the
-/// rules of checkRecordTable and checkRecordAxis). What is not noted fits.
+/// rule of checkRecordTable and checkRecordAxis). What is not noted fits.
 [[nodiscard]] bool isMeantAsKept(const MeasuredFigures& kept, const AxisStatus& status);
 
 /// Notes the proof of the record's table; one that shows nothing (Proof::Extent) is none and leaves

@@ -17,11 +17,13 @@ std::vector<std::pair<std::string, double>> figuresAfter(const MeasuredFigures& 
     return figures;
 }
 
-/// The same numbers in another unit are another table.
-bool areOfOneTable(const MeasuredFigures& a, const MeasuredFigures& b)
+/// The same numbers in another unit, or of another axis, are another table.
+bool areOfOneTable(const MeasuredFigures& next, const MeasuredFigures& kept)
 {
-    return isSameTable(a.table(), b.table())
-        && !(a.units && b.units && changedUnit(*a.units, *b.units));
+    KeptMeaning now = next.meaning();
+    if (!next.units)
+        now.units = kept.meaning().units;
+    return isSameTable(next.table(), kept.table()) && isMeantAsKept(kept.meaning(), now);
 }
 
 } // namespace

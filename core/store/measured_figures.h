@@ -4,6 +4,7 @@
 #include "core/base/wall_time.h"
 #include "core/metrology/measurement.h"
 #include "core/neutral/lookup_note.h"
+#include "core/store/kept_meaning.h"
 #include "core/table/table_identity.h"
 #include "core/table/table_units.h"
 
@@ -58,6 +59,7 @@ struct MeasuredFigures {
     std::string axisName = {}; ///< on the drive; older programs did not note it
 
     [[nodiscard]] TableIdentity table() const { return {crc, grid}; }
+    [[nodiscard]] KeptMeaning meaning() const { return {units.value_or(TableUnits{}), axisName}; }
     friend bool operator==(const MeasuredFigures&, const MeasuredFigures&) = default;
 };
 

@@ -3,10 +3,9 @@
 
 #include "core/axis/axis_reader.h"
 #include "core/drive/drive_units.h"
+#include "core/store/kept_meaning.h"
 #include "core/table/position_unit.h"
 #include "core/table/table_layout.h"
-#include "core/table/table_units.h"
-#include "core/table/target_axis.h"
 #include "core/write/backup_restore.h"
 
 #include <algorithm>
@@ -79,26 +78,23 @@ Result<void> checkFileLayout(const RegisterAccess& access, const AxisBackup& bac
 }
 
 /// What the backup knows of its numbers: those of an axis without a unit may be in any.
-TableUnits unitsIn(const AxisBackup& backup)
+KeptMeaning meaningOf(const AxisBackup& backup)
 {
-    TableUnits units{unitSymbol(backup.unit), {}};
+    KeptMeaning meaning{{unitSymbol(backup.unit), {}}, backup.axisName};
     for (const std::string& unit : backup.sourceUnits)
-        units.positions.push_back(unitSymbol(unit));
-    return units;
+        meaning.units.positions.push_back(unitSymbol(unit));
+    return meaning;
 }
 
-Result<void> checkUnits(const AxisBackup& kept, const AxisBackup& now, BroughtBackBy by)
+tl::unexpected<Error> otherUnit(const UnitChange& change, int axis, BroughtBackBy by)
 {
-    const auto change = changedUnit(unitsIn(kept), {now.unit, now.sourceUnits});
-    if (!change)
-        return {};
-    Text what = change->dimension
+    Text what = change.dimension
         ? AXISCOMP_TEXT("Error", "positions of dimension {number} of axis {axis}")
-              .with("number", *change->dimension + 1)
-              .with("axis", kept.axis)
-        : AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", kept.axis);
+              .with("number", *change.dimension + 1)
+              .with("axis", axis)
+        : AXISCOMP_TEXT("Error", "values of axis {axis}").with("axis", axis);
     return fail(ErrorCode::UnitMismatch,
-        {{"what", std::move(what)}, {"unit", change->before}, {"other", unitNow(*change)},
+        {{"what", std::move(what)}, {"unit", change.before}, {"other", unitNow(change)},
             broughtBack(by)});
 }
 
@@ -185,7 +181,9 @@ Result<RestoredAxis> checkSameAxis(const RegisterAccess& access, SourceDirectory
     AxisBackup now{backup.drive, backup.axis, {}, {}, backup.registers, {}};
     now.sourcePaths = backup.sourcePaths;
     AXISCOMP_CHECK(describeAxis(access, sources, now));
-    if (areDifferentAxes(backup.axisName, now.axisName))
+    const MeaningChange change =
+        changedMeaning(meaningOf(backup), {{now.unit, now.sourceUnits}, now.axisName});
+    if (change.isOtherAxis)
         return fail(ErrorCode::TargetMismatch,
             {{"axis", backup.axis}, {"target", Verbatim{backup.axisName}},
                 {"name", Verbatim{now.axisName}}, broughtBack(by)});
@@ -200,7 +198,8 @@ Result<RestoredAxis> checkSameAxis(const RegisterAccess& access, SourceDirectory
     if (!holdsTable(backup))
         return axis;
     AXISCOMP_CHECK(checkFileLayout(access, backup, now, axis.doubts));
-    AXISCOMP_CHECK(checkUnits(backup, now, by));
+    if (change.unit)
+        return otherUnit(*change.unit, backup.axis, by);
     if (!isKnownUnit(backup.unit) && isKnownUnit(now.unit))
         axis.doubts.push_back(AXISCOMP_TEXT("Error",
             "The backup does not say in which unit axis {axis} was; its table is taken to be in "

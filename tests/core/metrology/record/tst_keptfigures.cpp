@@ -259,6 +259,23 @@ private Q_SLOTS:
         QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(promised, {}));
     }
 
+    void theSameNumbersOfAnotherAxisAreAnotherTable()
+    {
+        const QTemporaryDir folder;
+        DriveStore store(folder.path().toStdString());
+        CalibrationRecord measured = writtenRecord();
+        measured.drive->axisName = "X";
+        addAfter(measured, 0.0032, writtenCrc);
+        VERIFY_RESULT(keepFigures(store, measured, {}, Measuring::New));
+        CalibrationRecord promised = writtenRecord();
+        promised.drive->axisName = "X1"; // may be the same one
+        VERIFY_RESULT(keepFigures(store, promised, {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(measured, {}));
+        promised.drive->axisName = "Z";
+        VERIFY_RESULT(keepFigures(store, promised, {}, Measuring::Known));
+        QVERIFY(*store.measured(1559, 1, writtenCrc) == *figuresToKeep(promised, {}));
+    }
+
     void theSameMeasurementMayBeJudgedAnew()
     {
         const QTemporaryDir folder;
