@@ -334,7 +334,9 @@ Result<Activation> DriveApplication::switchOne(const AxisPlan& axis, Switch want
 {
     if (wanted == Switch::Activate && !axis.writes()) {
         AXISCOMP_TRY(const auto now, m_compensator.status(axis.axis, m_options));
-        AXISCOMP_CHECK(checkAsPlanned(plannedState(axis.plan), now));
+        const PlannedState planned = plannedState(axis.plan);
+        AXISCOMP_CHECK(checkAsPlanned(planned, now));
+        AXISCOMP_CHECK(checkUnitsAsPlanned(planned, *plannedState(now).units, now));
     }
     return m_compensator.switchTo(axis.axis, wanted, proofSamples, m_options);
 }

@@ -31,11 +31,11 @@ Verbatim quotedName(const std::string& name)
     return {'"' + name + '"'};
 }
 
-/// "mm at mm, deg": the values, and each of the positions.
+/// "mm at mm, deg": the values, and each of the positions; "-" is not known.
 std::string unitsText(const TableUnits& units)
 {
     const auto symbol = [](const std::string& unit) {
-        return unit.empty() ? std::string("?") : symbolOrWord(unit);
+        return unit.empty() ? std::string("-") : symbolOrWord(unit);
     };
     std::string text = symbol(units.values);
     for (std::size_t n = 0; n < units.positions.size(); ++n)

@@ -154,6 +154,26 @@ private Q_SLOTS:
         QVERIFY(again->axes.at(0).writes());
     }
 
+    /// The numbers are the same and mean something else.
+    void anAxisInAnotherUnitThanThePlannedOneIsNotSwitchedOn()
+    {
+        Machine machine;
+        machine.drive.axes[0].isActive = true;
+        machine.context.activates = true;
+        QVERIFY(machine.bench.compensator.write(0, test::exampleRequest()).has_value());
+        const auto plan = machine.plan();
+        QVERIFY(plan.has_value());
+        QVERIFY(!plan->axes.at(0).writes());
+        machine.bench.set(
+            "Axes[0]/Parameters/PositionController/PositionUnit", std::string("Meter"));
+        const auto outcomes = machine.apply(*plan);
+        QVERIFY(outcomes.has_value());
+        QVERIFY(outcomes->at(0).problem.has_value());
+        QCOMPARE(outcomes->at(0).problem->code, ErrorCode::ChangedMeanwhile);
+        QCOMPARE(outcomes->at(0).problem->context.english("now"), std::string("m at m, mm"));
+        QVERIFY(!outcomes->at(0).now->isOn());
+    }
+
     /// -c is what the drive adds at the set position x, and at the encoder's x + c another value.
     void theFileOfAnotherControllerIsMadeForTheSourceOfTheAxis()
     {
