@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/program_run.h"
 
+#include "tests/support/changed_backup.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -249,6 +250,40 @@ private Q_SLOTS:
         const ProgramRun again = bench.box.run(recover + QStringList{option});
         VERIFY_CODE(again, 0);
         QVERIFY2(again.json().value("unfinishedWrite").isNull(), again.text().constData());
+    }
+
+    void aDoubtIsSaidBeforeAWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::newRow("finish") << QStringLiteral("--finish");
+        QTest::newRow("undo") << QStringLiteral("--undo");
+    }
+    void aDoubtIsSaidBeforeAWriteIsFinishedOrUndone()
+    {
+        QFETCH(const QString, option);
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
+        QVERIFY(slow.isReady());
+        const QString url = slow.url();
+        const auto process = bench.startWrite(url, 3);
+        process->kill();
+        QVERIFY(process->waitForFinished(test::patienceMs));
+        const QString backup =
+            bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
+        test::nameInBackup(backup.toStdString(), "Gantry");
+        const QString doubt = QStringLiteral("Axis 0 was called Gantry when the backup was made");
+        const QStringList recover{"recover", "--drive", url, "--axis", "0", "--json"};
+        for (const QStringList& command : {recover, recover + QStringList{option}}) {
+            const ProgramRun said = bench.box.run(command);
+            VERIFY_CODE(said, 0);
+            const QJsonArray doubts = said.json().value("doubts").toArray();
+            QCOMPARE(doubts.size(), 1);
+            QVERIFY2(doubts.at(0).toString().startsWith(doubt), said.text().constData());
+            QVERIFY2(said.err.contains("warning: " + doubt.toUtf8()), said.text().constData());
+        }
+        const ProgramRun nothing = bench.box.run(recover);
+        VERIFY_CODE(nothing, 0);
+        QCOMPARE(nothing.json().value("doubts"), QJsonValue(QJsonArray()));
     }
 
     /// In the slot of the old table, which the axis does not use until the new one is there.
