@@ -529,6 +529,12 @@ std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
     return m_parts->tables.selected().table;
 }
 
+std::vector<std::string> WizardController::selectedNotes() const
+{
+    const bool isOfFile = setup().edited().table.fileTable && dataFile().data;
+    return isOfFile ? dataFile().data->notes : std::vector<std::string>{};
+}
+
 bool WizardController::isSelectedComputed() const
 {
     return setup().edited().table.fileTable && dataFile().isComputed;

@@ -114,6 +114,8 @@ public:
     [[nodiscard]] AxisPlace chosenPlace() const;
     /// The same, where the chosen table was made for another side of the compensation for that one.
     [[nodiscard]] AxisPlace selectedPlace() const;
+    /// Of the file that it is of; the drive keeps none.
+    [[nodiscard]] std::vector<std::string> selectedNotes() const;
     /// Its largest value is not what a reference said there, as in WriteRequest.
     [[nodiscard]] bool isSelectedComputed() const;
     [[nodiscard]] std::shared_ptr<const CompensationTable> driveTable() const;
