@@ -213,7 +213,7 @@ void OperationRunner::planned(const Result<WritePlan>& result)
     if (!result) {
         const auto refusal = [error = result.error()] { return errorOutcome(error); };
         if (isLinkFailure(result.error().code)) {
-            m_outcome.show(refusal);
+            m_outcome.showOfConnection(refusal);
             m_axis.take(fail(result.error()));
         } else {
             m_outcome.showOfChoice(refusal);

@@ -104,6 +104,7 @@ void WizardController::wireDrives()
         m_parts->history.clear();
     });
     connect(drives, &DriveList::axisReady, this, [this](bool isAnother) {
+        m_parts->outcome.connectedAgain();
         if (isAnother) {
             m_parts->sources.forget();
             m_parts->history.clear();
