@@ -121,12 +121,13 @@ void OperationRunner::retranslate()
     Q_EMIT busyChanged();
 }
 
-void OperationRunner::planWrite()
+void OperationRunner::planWrite(std::vector<Text> doubts)
 {
     m_plan.reset();
     const EditedSetup& edited = m_setup.edited();
     m_plannedSetup = edited;
     m_request = requestFor(edited, m_setup.baseline());
+    m_request.doubts = std::move(doubts);
     m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
     if (m_requestTable.table) {
         m_request.lookupAt = m_tables.file().file().lookupAt;

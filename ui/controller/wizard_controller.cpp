@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -578,10 +579,10 @@ QString WizardController::hint() const
     return m_parts->actions.states().hint;
 }
 
-void WizardController::planWrite()
+void WizardController::planWrite(std::vector<Text> doubts)
 {
     if (m_parts->actions.mayStart(Action::Write))
-        m_parts->runner.planWrite();
+        m_parts->runner.planWrite(std::move(doubts));
 }
 
 void WizardController::write(bool acceptsLarge)

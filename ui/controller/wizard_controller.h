@@ -128,8 +128,9 @@ public:
     [[nodiscard]] ActionState action(Action action) const;
     /// The line under the buttons: the one sentence that matters most now.
     [[nodiscard]] QString hint() const;
-    /// Asks the drive what a write would change; planReady follows, or a failure.
-    void planWrite();
+    /// Asks the drive what a write would change; planReady follows, or a failure. doubts: as
+    /// WriteRequest has them.
+    void planWrite(std::vector<Text> doubts = {});
     /// Carries out the plan that planReady gave. acceptsLarge: what is unusually large in it was
     /// confirmed; without it such a plan is refused.
     void write(bool acceptsLarge = false);

@@ -17,6 +17,8 @@
 #include <QTest>
 #include <QThreadPool>
 
+#include <algorithm>
+
 namespace tst_recordactions {
 
 using namespace axiscomp;
@@ -113,8 +115,8 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
     return QTest::qWaitFor([&] { return bench.user.sees("finishWriteButton"); }, test::patienceMs);
 }
 
-/// The table of the record is on the axis X of the drive, written by the window.
-[[nodiscard]] bool writeTable(PageFixture& bench, const CalibrationRecord& record)
+/// The table of the record is chosen for the axis X of the drive.
+[[nodiscard]] bool chooseTable(PageFixture& bench, const CalibrationRecord& record)
 {
     bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Write);
     bench.picked = tableFile(bench, record);
@@ -122,8 +124,13 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
         && bench.user.click("openButton")
         && bench.user.enter("source1Field", QString::fromStdString(test::masterX))
         && QTest::qWaitFor(
-            [&] { return bench.controller().action(Action::Write).isEnabled; }, test::patienceMs)
-        && bench.write() && !bench.controller().isOutcomeAnError();
+            [&] { return bench.controller().action(Action::Write).isEnabled; }, test::patienceMs);
+}
+
+/// And written by the window.
+[[nodiscard]] bool writeTable(PageFixture& bench, const CalibrationRecord& record)
+{
+    return chooseTable(bench, record) && bench.write() && !bench.controller().isOutcomeAnError();
 }
 
 } // namespace
@@ -440,6 +447,31 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.user.message("failureMessage")
                         .contains(QStringLiteral("only the record does not say so")));
         QCOMPARE(recordName(bench), QStringLiteral("x.axcal"));
+    }
+
+    void thatTheRecordNotesNothingIsSaidBeforeTheWrite_data()
+    {
+        QTest::addColumn<int>("serial");
+        QTest::newRow("of this axis") << 1559;
+        QTest::newRow("of another drive") << 77;
+    }
+    void thatTheRecordNotesNothingIsSaidBeforeTheWrite()
+    {
+        QFETCH(const int, serial);
+        PageFixture bench;
+        CalibrationRecord record = test::recordOfFit();
+        record.drive = RecordedDrive{"Other", serial, "generic", 0, "X", {}};
+        QVERIFY(bench.open() && openRecord(bench, record));
+        QVERIFY(chooseTable(bench, record));
+        QVERIFY(bench.user.click("writeButton"));
+        QTRY_VERIFY(bench.user.sees("writePreview"));
+        QVERIFY(bench.controller().plan());
+        const bool isSaid =
+            std::ranges::any_of(bench.controller().plan()->warnings, [](const Text& warning) {
+                return warning.english().starts_with(
+                    "The open record will not note this write: the record is of ");
+            });
+        QCOMPARE(isSaid, serial != 1559);
     }
 
     void aSourceOnTheWrongSideOfTheCompensationIsNotWritten()
