@@ -110,6 +110,13 @@ struct Fixture {
             said += process->readAllStandardOutput();
         return process;
     }
+    /// The same, killed then.
+    [[nodiscard]] bool killWrite(const QString& url, int steps, const QStringList& more = {}) const
+    {
+        const auto process = startWrite(url, steps, more);
+        process->kill();
+        return process->waitForFinished(test::patienceMs);
+    }
 };
 
 void addSteps()
@@ -200,9 +207,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, steps);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, steps));
         checkNextRun(bench, url, steps == 6);
     }
 
@@ -223,9 +228,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, steps);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, steps));
         const QStringList recover{QStringLiteral("recover"), QStringLiteral("--drive"), url,
             QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")};
         const ProgramRun said = bench.box.run(recover);
@@ -265,9 +268,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, 3);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 3));
         const QString backup =
             bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
         test::nameInBackup(backup.toStdString(), "Gantry");
@@ -294,9 +295,7 @@ private Q_SLOTS:
         QVERIFY(slow.isReady());
         const QString url = slow.url();
         const QString slot = bench.status(url).json().value("slot").toString();
-        const auto process = bench.startWrite(url, 4, {"--slot", slot});
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 4, {"--slot", slot}));
         const ProgramRun status = bench.status(url);
         QCOMPARE(status.json().value("unfinishedWrite").toObject().value("driveHolds").toString(),
             QStringLiteral("Neither"));
@@ -323,9 +322,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, 3);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 3));
         const QStringList axis{"--drive", url, "--axis", "0"};
         const QString backup =
             bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
@@ -353,9 +350,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, 6);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 6));
         const QJsonObject left = bench.status(url).json().value("unfinishedWrite").toObject();
         if (left.value("driveHolds") != QStringLiteral("NewUnsaved"))
             return; // it had ended before the program was killed

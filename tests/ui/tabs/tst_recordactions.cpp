@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
+#include "tests/support/unended_write.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/heartbeat.h"
@@ -89,27 +90,10 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
 /// as a persistent one.
 [[nodiscard]] bool leavePersistentWrite(PageFixture& bench)
 {
-    const CompensationSetup setup = bench.controller().setup().baseline();
-    DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
-    const TableSlot* slot = drivecomm::genericProfile().slotNamed(setup.slot);
-    const auto file = bench.served.drive.download(slot ? slot->file : std::string());
-    const auto kept = file ? store.keepTable(1559, 0, *file) : fail(file.error());
-    if (!kept)
-        return false;
-    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
-    JournalEntry entry;
-    entry.serialNumber = 1559;
-    entry.time = std::chrono::system_clock::now();
-    entry.step = "switch";
-    entry.backup = store.backups(1559, 0).front();
-    entry.newRegisters = {{base + "Table", setup.slot},
-        {base + "Dim1Source", setup.sources[0].address}, {base + "Dim2Source", std::uint32_t{0}},
-        {base + "Dim3Source", std::uint32_t{0}}};
-    entry.newSlot = setup.slot;
-    entry.newCrc = setup.tableCrc;
-    entry.persistent = true;
-    entry.newTable = *kept;
-    if (!store.openJournal(entry))
+    const auto opened =
+        test::openJournalOf(DriveStore(bench.folder.path().toStdString() + "/store"),
+            bench.served.drive, 1559, bench.controller().setup().baseline(), "switch");
+    if (!opened)
         return false;
     bench.controller().refresh();
     return QTest::qWaitFor([&] { return bench.user.sees("finishWriteButton"); }, test::patienceMs);
