@@ -323,7 +323,7 @@ RecordModel& CompensationWizard::Private::measurementShown()
 void CompensationWizard::Private::proceedToWrite()
 {
     if (!page->setup->isBeingTyped() && recordActions.mayWrite())
-        writeFlow.proceed();
+        writeFlow.proceed(recordActions.doubtsOfWrite());
 }
 
 void CompensationWizard::Private::connectFit()

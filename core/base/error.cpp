@@ -517,6 +517,10 @@ constexpr std::array variants{
         AXISCOMP_TEXT("Error",
             "the format of {file} is not known; name one of: {known}; of any other CSV "
             "file, say which column is what")},
+    Variant{ErrorCode::UnknownFormat, "measured",
+        AXISCOMP_TEXT("Error",
+            "{file} is a measurement, no table: 'axiscomp fit', or the tabs Measure and Fit, make "
+            "a table of it; if it is a table all the same, name its format")},
     Variant{ErrorCode::UnknownFormat, "written",
         AXISCOMP_TEXT("Error",
             "the name {file} says no format that can be written; name one with --to: "

@@ -81,7 +81,8 @@ struct AxisCompensator::Private {
     // With the write lock held.
     [[nodiscard]] Result<WriteReport> write(const RegisterAccess& access,
         const DriveIdentity& drive, int axis, const WriteRequest& request);
-    [[nodiscard]] Result<PreparedWrite> prepareFinish(const RegisterAccess& access,
+    struct PreparedFinish;
+    [[nodiscard]] Result<PreparedFinish> prepareFinish(const RegisterAccess& access,
         const DriveIdentity& drive, const UnfinishedWrite& unfinished);
     /// Errors: UnknownFile.
     [[nodiscard]] Result<TableSlot> slotOf(const AxisBackup::File& file) const;

@@ -7,6 +7,10 @@
 #include "core/write/unfinished_write.h"
 #include "core/write/write_procedure.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace axiscomp {
 
 namespace {
@@ -52,6 +56,11 @@ Result<void> checkTwin(
 }
 
 } // namespace
+
+struct AxisCompensator::Private::PreparedFinish {
+    PreparedWrite write;
+    std::vector<Text> doubts; ///< of RestoredAxis; among the warnings of the plan, too
+};
 
 struct AxisCompensator::Private::ResumedWrite {
     DriveIdentity drive;
@@ -123,26 +132,32 @@ Result<AxisCompensator::Recovery> AxisCompensator::recovery(
         recovery.undoObstacle = compensationActive(status);
     if (auto undoable = unfinished->checkUndoable(); !undoable)
         recovery.undoObstacle = std::move(undoable).error();
-    auto prepared = d->prepareFinish(access, drive, *unfinished);
-    if (!prepared && isUnreachable(prepared.error().code))
-        return fail(prepared.error());
-    if (prepared)
-        recovery.finishFlashOperations = prepared->plan.flashOperations;
-    else
-        recovery.finishObstacle = prepared.error();
+    auto finish = d->prepareFinish(access, drive, *unfinished);
+    if (!finish && isUnreachable(finish.error().code))
+        return fail(finish.error());
+    if (!finish) {
+        recovery.finishObstacle = finish.error();
+        return recovery;
+    }
+    recovery.finishFlashOperations = finish->write.plan.flashOperations;
+    for (Text& doubt : finish->doubts)
+        if (std::ranges::find(recovery.doubts, doubt) == recovery.doubts.end())
+            recovery.doubts.push_back(std::move(doubt));
     return recovery;
 }
 
-Result<PreparedWrite> AxisCompensator::Private::prepareFinish(
+Result<AxisCompensator::Private::PreparedFinish> AxisCompensator::Private::prepareFinish(
     const RegisterAccess& access, const DriveIdentity& drive, const UnfinishedWrite& unfinished)
 {
     AXISCOMP_TRY(const auto after, unfinished.after(store));
     AXISCOMP_TRY(auto axis, checkSameAxis(access, sources, after, BroughtBackBy::Recovery));
     AXISCOMP_TRY(auto request, unfinished.request(store, drive));
-    request.doubts = std::move(axis.doubts);
+    request.doubts = axis.doubts;
     request.origin = axis.hasSameName ? TableOrigin::Axis : TableOrigin::Drive;
-    return WritePlanner(access, store, sources, drive, clock())
-        .prepare(unfinished.entry().axis, request);
+    AXISCOMP_TRY(auto write,
+        WritePlanner(access, store, sources, drive, clock())
+            .prepare(unfinished.entry().axis, request));
+    return PreparedFinish{std::move(write), std::move(axis.doubts)};
 }
 
 Result<WriteReport> AxisCompensator::finishUnfinished(
@@ -151,9 +166,10 @@ Result<WriteReport> AxisCompensator::finishUnfinished(
     const RegisterAccess access = d->access(options);
     access.report("plan", 0.0);
     AXISCOMP_TRY(auto taken, d->resume(access, entry));
-    AXISCOMP_TRY(auto prepared, d->prepareFinish(access, taken.drive, taken.unfinished));
-    auto report = WriteProcedure(access, d->store, d->sources, d->clock, std::move(prepared), entry)
-                      .finishEarlier();
+    AXISCOMP_TRY(auto finish, d->prepareFinish(access, taken.drive, taken.unfinished));
+    auto report =
+        WriteProcedure(access, d->store, d->sources, d->clock, std::move(finish.write), entry)
+            .finishEarlier();
     // As after a write that was not interrupted: the next one may take the old table's slot.
     const UnfinishedWrite& unfinished = taken.unfinished;
     if (report && unfinished.entry().deletedSlot.empty() && unfinished.oldFile()

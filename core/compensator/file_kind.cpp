@@ -40,13 +40,6 @@ std::optional<FileKind> kindOfMark(std::string_view beginning)
     return std::nullopt;
 }
 
-bool isCertainMeasurement(std::string_view beginning)
-{
-    return std::ranges::any_of(measurementFormats(), [beginning](const MeasurementFormat* format) {
-        return format->recognise(beginning) == MeasurementRecognition::Certain;
-    });
-}
-
 bool mayBeMeasurement(std::string_view beginning, std::string_view fileName)
 {
     return std::ranges::any_of(measurementFormats(), [&](const MeasurementFormat* format) {

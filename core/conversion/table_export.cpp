@@ -7,17 +7,17 @@
 namespace axiscomp {
 
 Result<TableExport> exportTable(const CompensationTable& table, const ImportChoices& choices,
-    const std::string& fileName, const TableLayout& layout, bool isComputed)
+    const std::string& fileName, const TableLayout& layout, const TableFacts& facts)
 {
-    NeutralTable source = neutralTable(CalibrationData{table.grid, {table}, {}});
-    if (choices.place.lookupAt)
-        source.notes.push_back(lookupNote(*choices.place.lookupAt));
+    const auto& lookupAt = choices.place.lookupAt;
+    const NeutralTable source = neutralTable(CalibrationData{
+        table.grid, {table}, lookupAt ? withLookupNote(facts.notes, lookupAt) : facts.notes});
     ConversionRequest request;
     request.from = &calibration_csv::format();
     request.to = choices.format;
     request.targetSign = choices.sign;
     request.targets = choices.targetsFor(source);
-    request.isComputed = isComputed;
+    request.isComputed = facts.isComputed;
     request.writing.layout = &layout;
     request.writing.settings = choices.settings;
     request.writing.fileName = fileName;

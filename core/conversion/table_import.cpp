@@ -74,7 +74,7 @@ public:
     [[nodiscard]] TableImport run()
     {
         chooseFormat();
-        if (m_result.refusal)
+        if (m_result.refusal || m_result.format == nullptr)
             return std::move(m_result);
         if (auto taken = takeSettings(); !taken)
             refuse(taken.error());
@@ -129,6 +129,8 @@ void Import::chooseFormat()
     if (m_result.format != nullptr)
         return;
     const auto choice = axiscomp::chooseFormat(text, name, false);
+    if (!choice && choice.error().context.contains("measured"))
+        return problem(choice.error());
     // What nobody knows is read as a calibration file: its problems say what one looks like.
     m_result.format = choice ? choice->format : &calibration_csv::format();
     if (choice || choice.error().code != ErrorCode::FormatAmbiguous)

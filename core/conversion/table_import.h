@@ -29,7 +29,7 @@ struct TableImportRequest {
 
 /// What became of a file of any known format on its way to tables of the drive.
 struct TableImport {
-    const TableFormat* format = nullptr; ///< as which it was read
+    const TableFormat* format = nullptr; ///< as which it was read; null: it is a measurement
     std::vector<const TableFormat*> candidates; ///< that its content allows
     std::shared_ptr<const CalibrationData> data; ///< only without an error; each column a table
     std::vector<Diagnostic> problems; ///< of the file, warnings too

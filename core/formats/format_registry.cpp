@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/formats.h"
 #include "core/io/local_file.h"
+#include "core/metrology/formats/measurement_format.h"
 #include "core/text/text_file.h"
 #include "core/text/token_scanner.h"
 
@@ -176,7 +177,11 @@ Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration)
 {
     const TableFormat* const named = formatOfExtension(fileName);
-    if (named == &tam_table::format() || (named == &calibration_csv::format() && isCalibration))
+    if (named == &tam_table::format())
+        return FormatChoice{named, {}};
+    if (isCertainMeasurement(text))
+        return fail(ErrorCode::UnknownFormat, {{"file", fileName}, {"measured", Verbatim{"yes"}}});
+    if (named == &calibration_csv::format() && isCalibration)
         return FormatChoice{named, {}};
     const FormatGuess guess = guessFormat(text, fileName);
     const bool isTelling = named != nullptr && named->read != nullptr && !isOfAnything(fileName);

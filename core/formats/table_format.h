@@ -183,7 +183,8 @@ struct FormatChoice {
 /// A file that could be of another controller is not taken for one on a mere suspicion, since its
 /// numbers might have the other sign: its content is certain, or its name says the one format that
 /// its content allows. text: the first bytes. isCalibration: the user said something that only
-/// calibration files need (the number of dimensions). Errors: UnknownFormat, FormatAmbiguous with
+/// calibration files need (the number of dimensions). Errors: UnknownFormat, also (measured) for
+/// what certainly is a measurement, each column of which would be a table; FormatAmbiguous with
 /// the candidates.
 [[nodiscard]] Result<FormatChoice> chooseFormat(
     std::string_view text, const std::string& fileName, bool isCalibration);

@@ -40,7 +40,7 @@ struct Recovery {
     std::optional<Error> undoObstacle; ///< none: undoUnfinished is possible now
     int finishFlashOperations = 0; ///< that finishing costs
     int undoFlashOperations = 0; ///< that undoing costs at most
-    std::vector<Text> doubts; ///< what cannot be told of the axis for sure (RestoredAxis)
+    std::vector<Text> doubts; ///< of either way: what cannot be told for sure (RestoredAxis)
 };
 
 /// A write that did not end, with what was kept before its first change.

@@ -121,12 +121,13 @@ void OperationRunner::retranslate()
     Q_EMIT busyChanged();
 }
 
-void OperationRunner::planWrite()
+void OperationRunner::planWrite(std::vector<Text> doubts)
 {
     m_plan.reset();
     const EditedSetup& edited = m_setup.edited();
     m_plannedSetup = edited;
     m_request = requestFor(edited, m_setup.baseline());
+    m_request.doubts = std::move(doubts);
     m_requestTable = edited.table.fileTable ? m_tables.selected() : LoadedTable{};
     if (m_requestTable.table) {
         m_request.lookupAt = m_tables.file().file().lookupAt;
@@ -213,7 +214,7 @@ void OperationRunner::planned(const Result<WritePlan>& result)
     if (!result) {
         const auto refusal = [error = result.error()] { return errorOutcome(error); };
         if (isLinkFailure(result.error().code)) {
-            m_outcome.show(refusal);
+            m_outcome.showOfConnection(refusal);
             m_axis.take(fail(result.error()));
         } else {
             m_outcome.showOfChoice(refusal);

@@ -35,8 +35,8 @@ public:
     [[nodiscard]] const std::optional<Proof>& proof() const { return m_proof; }
 
     /// Asks the drive what a write would change; planReady() follows, or an outcome that says why
-    /// not.
-    void planWrite();
+    /// not. doubts: as WriteRequest has them.
+    void planWrite(std::vector<Text> doubts);
     /// The same for the deletion of the axis's table.
     void planDeletion();
     /// The same for the state before the last write; restore() carries it out.

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 namespace axiscomp::ui {
 
@@ -104,6 +105,7 @@ void WizardController::wireDrives()
         m_parts->history.clear();
     });
     connect(drives, &DriveList::axisReady, this, [this](bool isAnother) {
+        m_parts->outcome.connectedAgain();
         if (isAnother) {
             m_parts->sources.forget();
             m_parts->history.clear();
@@ -529,6 +531,12 @@ std::shared_ptr<const CompensationTable> WizardController::selectedTable() const
     return m_parts->tables.selected().table;
 }
 
+std::vector<std::string> WizardController::selectedNotes() const
+{
+    const bool isOfFile = setup().edited().table.fileTable && dataFile().data;
+    return isOfFile ? dataFile().data->notes : std::vector<std::string>{};
+}
+
 bool WizardController::isSelectedComputed() const
 {
     return setup().edited().table.fileTable && dataFile().isComputed;
@@ -571,10 +579,10 @@ QString WizardController::hint() const
     return m_parts->actions.states().hint;
 }
 
-void WizardController::planWrite()
+void WizardController::planWrite(std::vector<Text> doubts)
 {
     if (m_parts->actions.mayStart(Action::Write))
-        m_parts->runner.planWrite();
+        m_parts->runner.planWrite(std::move(doubts));
 }
 
 void WizardController::write(bool acceptsLarge)

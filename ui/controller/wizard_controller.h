@@ -114,6 +114,8 @@ public:
     [[nodiscard]] AxisPlace chosenPlace() const;
     /// The same, where the chosen table was made for another side of the compensation for that one.
     [[nodiscard]] AxisPlace selectedPlace() const;
+    /// Of the file that it is of; the drive keeps none.
+    [[nodiscard]] std::vector<std::string> selectedNotes() const;
     /// Its largest value is not what a reference said there, as in WriteRequest.
     [[nodiscard]] bool isSelectedComputed() const;
     [[nodiscard]] std::shared_ptr<const CompensationTable> driveTable() const;
@@ -126,8 +128,9 @@ public:
     [[nodiscard]] ActionState action(Action action) const;
     /// The line under the buttons: the one sentence that matters most now.
     [[nodiscard]] QString hint() const;
-    /// Asks the drive what a write would change; planReady follows, or a failure.
-    void planWrite();
+    /// Asks the drive what a write would change; planReady follows, or a failure. doubts: as
+    /// WriteRequest has them.
+    void planWrite(std::vector<Text> doubts = {});
     /// Carries out the plan that planReady gave. acceptsLarge: what is unusually large in it was
     /// confirmed; without it such a plan is refused.
     void write(bool acceptsLarge = false);

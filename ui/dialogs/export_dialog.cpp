@@ -68,8 +68,8 @@ ImportChoices ExportDialog::choices()
 void ExportDialog::compute()
 {
     m_job.start([table = m_options.table, choices = choices(), layout = m_options.layout,
-                    isComputed = m_options.isComputed](const std::stop_token&) {
-        return exportTable(*table, choices, "table", layout, isComputed);
+                    facts = m_options.facts](const std::stop_token&) {
+        return exportTable(*table, choices, "table", layout, facts);
     });
 }
 

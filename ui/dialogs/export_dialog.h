@@ -20,7 +20,7 @@ public:
         TableLayout layout;
         AxisPlace place; ///< see ImportChoices
         bool isFitted = false; ///< it was made of a measurement: more likely for the drive
-        bool isComputed = false; ///< as in WriteRequest
+        TableFacts facts;
     };
     explicit ExportDialog(Options options, QWidget* parent = nullptr);
 

@@ -14,7 +14,7 @@ void LastOutcome::show(const std::function<Outcome()>& make)
                               : LogLine::Kind::Information,
         [make] { return make().text; }, shown.detail);
     m_make = make;
-    m_isOfChoice = false;
+    m_until = Until::PutAway;
     if (shown.text == m_outcome.text && shown.isError == m_outcome.isError
         && shown.isWarning == m_outcome.isWarning)
         return;
@@ -30,12 +30,28 @@ void LastOutcome::refuse(const Wording& reason)
 void LastOutcome::showOfChoice(const std::function<Outcome()>& make)
 {
     show(make);
-    m_isOfChoice = true;
+    m_until = Until::ChoiceChanged;
 }
 
 void LastOutcome::choiceChanged()
 {
-    if (m_isOfChoice)
+    dismissAt(Until::ChoiceChanged);
+}
+
+void LastOutcome::showOfConnection(const std::function<Outcome()>& make)
+{
+    show(make);
+    m_until = Until::ConnectedAgain;
+}
+
+void LastOutcome::connectedAgain()
+{
+    dismissAt(Until::ConnectedAgain);
+}
+
+void LastOutcome::dismissAt(Until moment)
+{
+    if (m_until == moment)
         dismiss();
 }
 

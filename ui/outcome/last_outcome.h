@@ -28,6 +28,10 @@ public:
     /// As show(): why what is chosen cannot be done, until something else is chosen.
     void showOfChoice(const std::function<Outcome()>& make);
     void choiceChanged();
+    /// As show(): that the drive cannot be asked, until it is connected again. Not for what an
+    /// operation has left on the drive.
+    void showOfConnection(const std::function<Outcome()>& make);
+    void connectedAgain();
     /// There is none any more.
     void dismiss();
     /// What it says of the drive may no longer be so.
@@ -40,10 +44,13 @@ Q_SIGNALS:
     void changed();
 
 private:
+    enum class Until { PutAway, ChoiceChanged, ConnectedAgain };
+    void dismissAt(Until moment);
+
     WizardLog& m_log;
     Outcome m_outcome;
     std::function<Outcome()> m_make; ///< none: there is no outcome
-    bool m_isOfChoice = false;
+    Until m_until = Until::PutAway;
 };
 
 } // namespace axiscomp::ui

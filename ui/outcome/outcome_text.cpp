@@ -190,9 +190,13 @@ QString Outcomes::settled(const SettledWrite& settledWrite)
 
 QString Outcomes::unfinished(const SettledWrite& settledWrite)
 {
-    return tr("The write of %1 was interrupted (last step: %2). %3")
-        .arg(localTimeText(settledWrite.entry.time),
-            stepText(QString::fromStdString(settledWrite.entry.step)), settled(settledWrite));
+    QStringList sentences{
+        tr("The write of %1 was interrupted (last step: %2). %3")
+            .arg(localTimeText(settledWrite.entry.time),
+                stepText(QString::fromStdString(settledWrite.entry.step)), settled(settledWrite))};
+    for (const Text& doubt : settledWrite.recovery.doubts)
+        sentences += sentenceText(doubt);
+    return sentences.join(u' ');
 }
 
 } // namespace

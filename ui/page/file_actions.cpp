@@ -41,6 +41,11 @@ Bytes bytesOf(const std::string& text)
     return {begin, begin + text.size()};
 }
 
+TableFacts factsOf(const FitOutcome& outcome)
+{
+    return {notesOf(outcome), outcome.isComputed};
+}
+
 /// Of the format that the choices name.
 Result<std::string> fittedFile(const FitOutcome& outcome, std::size_t table,
     const ImportChoices& choices, const std::string& fileName, const TableLayout& layout)
@@ -51,7 +56,8 @@ Result<std::string> fittedFile(const FitOutcome& outcome, std::size_t table,
     if (choices.format == &tam_table::format())
         for (const Text& large : largeCorrections(chosen))
             return fail(ErrorCode::LargeCorrection, {{"reason", large}});
-    AXISCOMP_TRY(auto exported, axiscomp::exportTable(chosen, choices, fileName, layout));
+    AXISCOMP_TRY(
+        auto exported, axiscomp::exportTable(chosen, choices, fileName, layout, factsOf(outcome)));
     return std::move(exported.bytes);
 }
 
@@ -144,7 +150,7 @@ void FileActions::saveFitted(const std::shared_ptr<const FitOutcome>& outcome, s
 {
     const auto& chosen = outcome->tables[table].table;
     ExportDialog::Options options{chosen, QString::fromStdString(chosen->name), m_profile.layout,
-        {m_controller.chosenPlace().target, outcome->report->lookupAt}, true, outcome->isComputed};
+        {m_controller.chosenPlace().target, outcome->report->lookupAt}, true, factsOf(*outcome)};
     auto* dialog = new ExportDialog(std::move(options), &m_window);
     connect(dialog, &ExportDialog::chosen, this,
         [this, outcome, table](const auto&, const ImportChoices& choices) {
@@ -256,16 +262,19 @@ void FileActions::exportTable()
     const auto table = m_controller.selectedTable();
     if (!table)
         return;
-    auto* dialog = new ExportDialog(
-        {table, QString::fromStdString(table->name), m_profile.layout, m_controller.selectedPlace(),
-            false, m_controller.isSelectedComputed()},
+    const TableFacts facts{m_controller.selectedNotes(), m_controller.isSelectedComputed()};
+    auto* dialog = new ExportDialog({table, QString::fromStdString(table->name), m_profile.layout,
+                                        m_controller.selectedPlace(), false, facts},
         &m_window);
-    connect(dialog, &ExportDialog::chosen, this, &FileActions::askWhereToExport);
+    connect(dialog, &ExportDialog::chosen, this,
+        [this, facts](const auto& chosen, const ImportChoices& choices) {
+            askWhereToExport(chosen, facts, choices);
+        });
     dialog->open();
 }
 
-void FileActions::askWhereToExport(
-    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+void FileActions::askWhereToExport(const std::shared_ptr<const CompensationTable>& table,
+    const TableFacts& facts, const ImportChoices& choices)
 {
     FileQuestion question;
     question.purpose = FileQuestion::Purpose::ExportTable;
@@ -277,19 +286,22 @@ void FileActions::askWhereToExport(
     question.start = QDir(m_settings.folder())
                          .filePath((name.isEmpty() ? QStringLiteral("table") : name)
                              + extensionOf(*choices.format));
-    m_picker(m_window, question,
-        [this, table, choices](const QString& path) { saveExport(path, table, choices); });
+    m_picker(m_window, question, [this, table, facts, choices](const QString& path) {
+        saveExport(path, table, facts, choices);
+    });
 }
 
 void FileActions::saveExport(const QString& path,
-    const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices)
+    const std::shared_ptr<const CompensationTable>& table, const TableFacts& facts,
+    const ImportChoices& choices)
 {
     if (path.isEmpty())
         return;
     report(inBackground<Result<void>>(
-        [path, table, choices, layout = m_profile.layout]() -> Result<void> {
+        [path, table, facts, choices, layout = m_profile.layout]() -> Result<void> {
             const std::string name = QFileInfo(path).fileName().toStdString();
-            AXISCOMP_TRY(const auto exported, axiscomp::exportTable(*table, choices, name, layout));
+            AXISCOMP_TRY(
+                const auto exported, axiscomp::exportTable(*table, choices, name, layout, facts));
             return saveFile(QFileInfo(path).filesystemAbsoluteFilePath(), bytesOf(exported.bytes));
         }));
 }

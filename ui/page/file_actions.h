@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/conversion/import_choices.h"
+#include "core/conversion/table_export.h"
 #include "core/drive/drive_profile.h"
 #include "ui/controller/action_rules.h"
 #include "ui/dialogs/file_picker.h"
@@ -84,10 +84,10 @@ Q_SIGNALS:
         const QString& path, const std::shared_ptr<const Measurement>& measurement);
 
 private:
-    void askWhereToExport(
-        const std::shared_ptr<const CompensationTable>& table, const ImportChoices& choices);
+    void askWhereToExport(const std::shared_ptr<const CompensationTable>& table,
+        const TableFacts& facts, const ImportChoices& choices);
     void saveExport(const QString& path, const std::shared_ptr<const CompensationTable>& table,
-        const ImportChoices& choices);
+        const TableFacts& facts, const ImportChoices& choices);
     /// open: gets what is picked, when the action is still possible then.
     void askForConfiguration(Action action, const std::function<void(const QString& path)>& open);
     void askWhereToSave(const QString& proposed,

@@ -5,6 +5,8 @@
 #include "ui/page/preview_panel.h"
 #include "ui/page/write_preview.h"
 
+#include <utility>
+
 namespace axiscomp::ui {
 
 WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject* parent)
@@ -36,13 +38,13 @@ WriteFlow::WriteFlow(WizardController& controller, PreviewPanel& panel, QObject*
     connect(&panel.writePreview(), &WritePreview::backRequested, this, &WriteFlow::back);
 }
 
-void WriteFlow::proceed()
+void WriteFlow::proceed(std::vector<Text> doubts)
 {
     if (isPreviewing()) {
         confirm();
         return;
     }
-    begin(Action::Write);
+    begin(Action::Write, std::move(doubts));
 }
 
 void WriteFlow::proceedToDelete()
@@ -78,7 +80,7 @@ void WriteFlow::restoreChosen()
     m_controller.planRestoration(choice); // or says why not
 }
 
-void WriteFlow::begin(Action action)
+void WriteFlow::begin(Action action, std::vector<Text> doubts)
 {
     if (!m_controller.action(action).isEnabled)
         return;
@@ -90,7 +92,7 @@ void WriteFlow::begin(Action action)
     else if (action == Action::RestorePrevious)
         m_controller.planRestoration();
     else
-        m_controller.planWrite();
+        m_controller.planWrite(std::move(doubts));
 }
 
 void WriteFlow::back()

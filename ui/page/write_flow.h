@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace axiscomp::ui {
 
@@ -24,7 +25,7 @@ public:
     WriteFlow(WizardController& controller, PreviewPanel& panel, QObject* parent = nullptr);
 
     /// The Write button, or its key: also confirms a list that is shown.
-    void proceed();
+    void proceed(std::vector<Text> doubts = {});
     /// The same for the deletion of the axis's table.
     void proceedToDelete();
     /// The same for going back to the state before the last write.
@@ -38,7 +39,7 @@ Q_SIGNALS:
     void previewingChanged(bool isPreviewing);
 
 private:
-    void begin(Action action);
+    void begin(Action action, std::vector<Text> doubts = {});
     void take();
     void present();
     void confirm();

@@ -422,13 +422,33 @@ void RecordActions::writeReport(const QString& path)
     });
 }
 
-bool RecordActions::mayWrite()
+/// Null where the chosen table is none of the record's.
+std::shared_ptr<const CalibrationRecord> RecordActions::recordOfSelected() const
 {
     const auto& calibration = m_record.record().calibration;
     const auto table = m_controller.selectedTable();
+    const bool isOfRecord = calibration && table
+        && hasTable(*calibration, {tableCrc(*table), table->grid}, m_profile.layout);
+    return isOfRecord ? calibration : nullptr;
+}
+
+std::vector<Text> RecordActions::doubtsOfWrite() const
+{
+    const auto calibration = recordOfSelected();
     const auto& status = m_controller.status();
-    if (!calibration || !table || !status
-        || !hasTable(*calibration, {tableCrc(*table), table->grid}, m_profile.layout))
+    const auto fits =
+        calibration && status ? checkRecordAxis(*calibration, *status) : Result<void>();
+    if (fits)
+        return {};
+    return {AXISCOMP_TEXT("Error", "The open record will not note this write: {reason}.")
+                .with("reason", textOf(fits.error()))};
+}
+
+bool RecordActions::mayWrite()
+{
+    const auto calibration = recordOfSelected();
+    const auto& status = m_controller.status();
+    if (!calibration || !status)
         return true;
     const auto fits = checkRecordSources(
         *calibration, m_profile, status->axis.index, sourcePaths(m_controller.setup().edited()));

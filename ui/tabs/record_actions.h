@@ -72,12 +72,15 @@ public:
     /// Whether a source is on the side of the compensation for which the table of the record was
     /// made, or the table is another one; tells why not.
     [[nodiscard]] bool mayWrite();
+    /// Why the record, whose table it is, does not note a write to the axis; empty: it does.
+    [[nodiscard]] std::vector<Text> doubtsOfWrite() const;
     void retranslate();
 
 Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
+    [[nodiscard]] std::shared_ptr<const CalibrationRecord> recordOfSelected() const;
     void buildMenu();
     void showMenu();
     enum class Reason { Begin, Open };

@@ -56,7 +56,14 @@ Json recoverDocument()
 {
     return {{"unfinishedWrite", nullptr}, {"isBeingWritten", false}, {"finishObstacle", nullptr},
         {"finishFlashOperations", nullptr}, {"undoObstacle", nullptr},
-        {"undoFlashOperations", nullptr}, {"report", nullptr}};
+        {"undoFlashOperations", nullptr}, {"doubts", Json::array()}, {"report", nullptr}};
+}
+
+void sayDoubts(Environment& environment, const Recovery& recovery, Json& document)
+{
+    for (const Text& doubt : recovery.doubts)
+        environment.warn(doubt.english());
+    document["doubts"] = englishOf(recovery.doubts);
 }
 
 /// Only says what there is and what is possible.
@@ -67,8 +74,7 @@ ExitCode explain(Environment& environment, const SettledWrite& settled)
     std::string text = outcomeSentence(settled);
     text.front() = 'A';
     environment.print(text + ".\n");
-    for (const Text& doubt : settled.recovery.doubts)
-        environment.warn(doubt.english());
+    sayDoubts(environment, settled.recovery, json);
     if (settled.outcome != Outcome::New) {
         json["finishObstacle"] = errorOrNull(settled.recovery.finishObstacle);
         json["undoObstacle"] = errorOrNull(settled.recovery.undoObstacle);
@@ -134,13 +140,17 @@ Result<ExitCode> recoverUnfinished(
     AXISCOMP_TRY(const auto status, session.compensator().status(axis, session.operation()));
     if (!status.unfinishedWrite)
         return nothingUnfinished(environment, axis);
+    Json document = recoverDocument();
+    // Where it is not known, as while another program is writing, what is begun below says why.
+    if (const auto recovery =
+            session.compensator().recovery(*status.unfinishedWrite, session.operation()))
+        sayDoubts(environment, *recovery, document);
     AXISCOMP_TRY(
         const auto report, carryOut(environment, session, *status.unfinishedWrite, finishes));
     environment.report(std::string(finishes ? "\nFinished: the drive holds the complete new state"
                                             : "\nUndone: the drive holds the complete old state")
         + ", read back and compared.\nBackup of what there was before: " + report.backup.string()
         + "\n");
-    Json document = recoverDocument();
     document["report"] = toJson(report);
     environment.document(document);
     return ExitCode::Done;

@@ -102,11 +102,13 @@ Result<const TableFormat*> recognisedFormat(
     const auto choice =
         chooseFormat(beginningFor(options, piped), nameForFormat(options), options.dimensions != 0);
     const bool isUnreadable = !choice && choice.error().context.contains("utf16");
-    if (!choice && piped && (options.dimensions != 0 || !isUnreadable))
+    const bool isMeasurement = !choice && choice.error().context.contains("measured");
+    if (!choice && piped && !isMeasurement && (options.dimensions != 0 || !isUnreadable))
         return &calibration_csv::format();
     if (!choice) {
-        AXISCOMP_CHECK(
-            loadFile(pathFromText(options.file), maximumTableFile)); // or there is nothing to know
+        if (!piped)
+            AXISCOMP_CHECK(loadFile(
+                pathFromText(options.file), maximumTableFile)); // or there is nothing to know
         return fail(choice.error());
     }
     const std::string others = formatNames(choice->others);

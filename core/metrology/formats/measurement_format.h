@@ -77,6 +77,9 @@ struct MeasurementFormat {
 /// "runs, wide": their names, for sentences.
 [[nodiscard]] std::string measurementFormatNames();
 
+/// Whether a file is no table of corrections, whatever its name. beginning: as of recognise.
+[[nodiscard]] bool isCertainMeasurement(std::string_view beginning);
+
 /// By name, upper or lower case. Errors: UnknownFormat.
 [[nodiscard]] Result<const MeasurementFormat*> measurementFormatNamed(std::string_view name);
 

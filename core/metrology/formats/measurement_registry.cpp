@@ -117,6 +117,14 @@ std::string measurementFormatNames()
     return names;
 }
 
+bool isCertainMeasurement(std::string_view beginning)
+{
+    return std::ranges::any_of(measurementFormats(), [beginning](const MeasurementFormat* format) {
+        return format->recognise(beginning.substr(0, measurementBeginning))
+            == MeasurementRecognition::Certain;
+    });
+}
+
 Result<const MeasurementFormat*> measurementFormatNamed(std::string_view name)
 {
     for (const MeasurementFormat* format : measurementFormats())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/program_run.h"
 
+#include "tests/support/changed_backup.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 
@@ -109,6 +110,13 @@ struct Fixture {
             said += process->readAllStandardOutput();
         return process;
     }
+    /// The same, killed then.
+    [[nodiscard]] bool killWrite(const QString& url, int steps, const QStringList& more = {}) const
+    {
+        const auto process = startWrite(url, steps, more);
+        process->kill();
+        return process->waitForFinished(test::patienceMs);
+    }
 };
 
 void addSteps()
@@ -199,9 +207,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, steps);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, steps));
         checkNextRun(bench, url, steps == 6);
     }
 
@@ -222,9 +228,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, steps);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, steps));
         const QStringList recover{QStringLiteral("recover"), QStringLiteral("--drive"), url,
             QStringLiteral("--axis"), QStringLiteral("0"), QStringLiteral("--json")};
         const ProgramRun said = bench.box.run(recover);
@@ -251,6 +255,38 @@ private Q_SLOTS:
         QVERIFY2(again.json().value("unfinishedWrite").isNull(), again.text().constData());
     }
 
+    void aDoubtIsSaidBeforeAWriteIsFinishedOrUndone_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::newRow("finish") << QStringLiteral("--finish");
+        QTest::newRow("undo") << QStringLiteral("--undo");
+    }
+    void aDoubtIsSaidBeforeAWriteIsFinishedOrUndone()
+    {
+        QFETCH(const QString, option);
+        const Fixture bench(m_prepared);
+        const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
+        QVERIFY(slow.isReady());
+        const QString url = slow.url();
+        QVERIFY(bench.killWrite(url, 3));
+        const QString backup =
+            bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
+        test::nameInBackup(backup.toStdString(), "Gantry");
+        const QString doubt = QStringLiteral("Axis 0 was called Gantry when the backup was made");
+        const QStringList recover{"recover", "--drive", url, "--axis", "0", "--json"};
+        for (const QStringList& command : {recover, recover + QStringList{option}}) {
+            const ProgramRun said = bench.box.run(command);
+            VERIFY_CODE(said, 0);
+            const QJsonArray doubts = said.json().value("doubts").toArray();
+            QCOMPARE(doubts.size(), 1);
+            QVERIFY2(doubts.at(0).toString().startsWith(doubt), said.text().constData());
+            QVERIFY2(said.err.contains("warning: " + doubt.toUtf8()), said.text().constData());
+        }
+        const ProgramRun nothing = bench.box.run(recover);
+        VERIFY_CODE(nothing, 0);
+        QCOMPARE(nothing.json().value("doubts"), QJsonValue(QJsonArray()));
+    }
+
     /// In the slot of the old table, which the axis does not use until the new one is there.
     void halfOfAWriteIsNoStateToKeep()
     {
@@ -259,9 +295,7 @@ private Q_SLOTS:
         QVERIFY(slow.isReady());
         const QString url = slow.url();
         const QString slot = bench.status(url).json().value("slot").toString();
-        const auto process = bench.startWrite(url, 4, {"--slot", slot});
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 4, {"--slot", slot}));
         const ProgramRun status = bench.status(url);
         QCOMPARE(status.json().value("unfinishedWrite").toObject().value("driveHolds").toString(),
             QStringLiteral("Neither"));
@@ -288,9 +322,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, 3);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 3));
         const QStringList axis{"--drive", url, "--axis", "0"};
         const QString backup =
             bench.status(url).json().value("unfinishedWrite").toObject().value("backup").toString();
@@ -318,9 +350,7 @@ private Q_SLOTS:
         const VirtualDriveProcess slow(bench.box, driveOptions({}, "slow=15"));
         QVERIFY(slow.isReady());
         const QString url = slow.url();
-        const auto process = bench.startWrite(url, 6);
-        process->kill();
-        QVERIFY(process->waitForFinished(test::patienceMs));
+        QVERIFY(bench.killWrite(url, 6));
         const QJsonObject left = bench.status(url).json().value("unfinishedWrite").toObject();
         if (left.value("driveHolds") != QStringLiteral("NewUnsaved"))
             return; // it had ended before the program was killed

@@ -70,6 +70,28 @@ private Q_SLOTS:
         QCOMPARE(inspected.json().value("tables").toArray().size(), 3);
     }
 
+    void aMeasurementIsNotReadAsATable()
+    {
+        const Sandbox box;
+        const QByteArray runs = "target [mm],direction,run,deviation [mm]\n0,1,1,0.001\n"
+                                "10,1,1,0.002\n20,1,1,0.003\n";
+        box.file("m.csv", runs);
+        const QList<QStringList> commands{{"inspect", "m.csv"}, {"inspect", "m.csv", "--dims", "1"},
+            {"inspect", "-", "--dims", "1"},
+            {"convert", "m.csv", "x.TAMtbl", "--dims", "1", "--table", "deviation"}};
+        for (const QStringList& command : commands) {
+            const ProgramRun refused = box.run(command, runs);
+            QVERIFY2(refused.code != 0, qPrintable(command.join(u' ')));
+            QVERIFY2(refused.err.contains("error: UnknownFormat: ")
+                    && refused.err.contains(" is a measurement, no table: 'axiscomp fit'"),
+                refused.text().constData());
+        }
+        QVERIFY(!QFile::exists(box.path("x.TAMtbl")));
+        // As which somebody insists to read it.
+        const ProgramRun named = box.run({"inspect", "m.csv", "--dims", "1", "--from", "csv"});
+        VERIFY_CODE(named, 0);
+    }
+
     void inspectReportsEveryKeyOfTheSpecification()
     {
         const Sandbox box;

@@ -368,10 +368,32 @@ private Q_SLOTS:
                     choices.target = "#1";
                     choices.place.lookupAt = lookupAt;
                     const auto exported =
-                        exportTable(steepTable(), choices, "x.txt", layout(), isComputed);
+                        exportTable(steepTable(), choices, "x.txt", layout(), {{}, isComputed});
                     VERIFY_RESULT(exported);
                     QCOMPARE(contains(exported->report, "the reference says"), !isComputed);
                 }
+    }
+
+    void anExportedTableKeepsItsNotes()
+    {
+        const TableFacts facts{
+            {"made of x.csv", "lookup: set", "drive: Mill, serial number 4711"}, false};
+        ImportChoices choices;
+        choices.target = "#1";
+        choices.place.lookupAt = LookupAt::Set;
+        choices.format = &calibration_csv::format();
+        const auto csv = exportTable(steepTable(), choices, "x.csv", layout(), facts);
+        VERIFY_RESULT(csv);
+        const auto read = parseCalibrationCsv(csv->bytes, CsvOptions());
+        QVERIFY(read.data);
+        for (const std::string& note : facts.notes)
+            QCOMPARE(std::ranges::count(read.data->notes, note), 1);
+        // What has no notes is said not to have them.
+        choices.format = &tam_table::format();
+        const auto bare = exportTable(steepTable(), choices, "x.TAMtbl", layout(), facts);
+        VERIFY_RESULT(bare);
+        QVERIFY(contains(bare->report, "does not say that the drive with the serial number 4711"));
+        QVERIFY(contains(bare->report, "look it up at the set position"));
     }
 
     void aFileOfCommandValuesIsMadeForThePlaceWhereTheDriveLooksItUp()

@@ -209,6 +209,20 @@ private Q_SLOTS:
         VERIFY_ERROR(chooseFormat("?", "x.bin", false), ErrorCode::UnknownFormat);
     }
 
+    /// Each of its columns would be one, the direction, too.
+    void aMeasurementIsNoTable()
+    {
+        for (const char* text : {"target [mm],direction,deviation [mm]\n0,1,0.001\n10,1,0.002\n",
+                 "target_mm,up1_um,down1_um\n0,1,1\n10,2,2\n",
+                 "encoder [mm],reference [mm]\n0,0.001\n10,10.002\n"})
+            for (const bool isCalibration : {false, true}) {
+                const auto choice = chooseFormat(text, "m.csv", isCalibration);
+                VERIFY_ERROR(choice, ErrorCode::UnknownFormat);
+                const std::string said = sentence(choice.error());
+                QVERIFY2(said.starts_with("m.csv is a measurement, no table: "), said.c_str());
+            }
+    }
+
     /// Otherwise a header has other columns than its lines, which are pairs as icube has them.
     void aSeparatorWithinQuotationMarksSeparatesNothing()
     {

@@ -3,6 +3,7 @@
 #include "core/compensator/configuration_transfer.h"
 #include "core/io/local_file.h"
 #include "core/machine/snapshot.h"
+#include "tests/support/changed_backup.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/moments.h"
 #include "tests/support/test_registry.h"
@@ -448,7 +449,7 @@ private Q_SLOTS:
     void anAxisOfAnotherNameIsNeitherFinishedNorUndone()
     {
         Interrupted c;
-        nameInBackup(c.entry.backup, "Z");
+        test::nameInBackup(c.entry.backup, "Z");
         const auto recovery = c.compensator.recovery(c.entry);
         VERIFY_RESULT(recovery);
         for (const auto& obstacle : {recovery->finishObstacle, recovery->undoObstacle}) {
@@ -461,7 +462,7 @@ private Q_SLOTS:
             VERIFY_ERROR((c.compensator.*way)(c.entry, {}), ErrorCode::TargetMismatch);
         QCOMPARE(c.link.firstChange(), 0);
 
-        nameInBackup(c.entry.backup, "Gantry"); // may be the same axis
+        test::nameInBackup(c.entry.backup, "Gantry"); // may be the same axis
         const auto doubted = c.compensator.recovery(c.entry);
         VERIFY_RESULT(doubted);
         QVERIFY(!doubted->finishObstacle && !doubted->undoObstacle);
@@ -470,6 +471,34 @@ private Q_SLOTS:
         VERIFY_RESULT(undone);
         QVERIFY(undone->plan.warnings == doubted->doubts);
         QVERIFY(c.state() == c.old);
+    }
+
+    /// The axis had no table, so that nothing is doubtful about the way back.
+    void aDoubtOfFinishingAloneIsSaid()
+    {
+        CompensatorFixture whole;
+        const int begin = whole.link.exchanges();
+        whole.link.forgetChange();
+        VERIFY_RESULT(whole.compensator.write(0, exampleRequest(2)));
+        CompensatorFixture c;
+        c.link.failAt(whole.link.firstChange() - begin + 2, LinkFault::DriveGone);
+        QVERIFY(!c.compensator.write(0, exampleRequest(2)).has_value());
+        c.link.heal();
+        JournalEntry entry = *c.store.journal(4711, 0).value();
+        entry.newUnits = {}; // as an older program noted it
+        VERIFY_RESULT(c.store.openJournal(entry));
+        test::changeBackup(entry.backup, [](AxisBackup& axis) { axis.unit.clear(); });
+        const auto recovery = c.compensator.recovery(entry);
+        VERIFY_RESULT(recovery);
+        QVERIFY(!recovery->finishObstacle && !recovery->undoObstacle);
+        QCOMPARE(recovery->doubts.size(), std::size_t{1});
+        QVERIFY2(
+            recovery->doubts.front().english().starts_with("The backup does not say in which unit"),
+            recovery->doubts.front().english().c_str());
+        const auto finished = c.compensator.finishUnfinished(entry);
+        VERIFY_RESULT(finished);
+        QVERIFY(std::ranges::find(finished->plan.warnings, recovery->doubts.front())
+            != finished->plan.warnings.end());
     }
 
     void anActiveCompensationIsLeftAlone()
@@ -987,15 +1016,6 @@ private:
     static std::string unitOf(int axis)
     {
         return "Axes[" + std::to_string(axis) + "]/Parameters/PositionController/PositionUnit";
-    }
-    static void nameInBackup(const std::filesystem::path& file, const std::string& name)
-    {
-        const auto text = loadFile(file, maximumBackupSize);
-        VERIFY_RESULT(text);
-        auto backup = readBackup(asText(*text), file.string());
-        VERIFY_RESULT(backup);
-        backup->axes.front().axisName = name;
-        VERIFY_RESULT(saveFile(file, asBytes(writeBackup(*backup))));
     }
     static Result<DriveSnapshot> snapshotOf(CompensatorFixture& c)
     {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/local_file.h"
+#include "tests/support/changed_backup.h"
 #include "tests/support/compensator_fixture.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
@@ -69,13 +69,8 @@ struct Interrupted : CompensatorFixture {
     /// Changes what is kept of the state before the write, and of the one after it.
     template <typename Change> void changeKept(const Change& change)
     {
-        const auto text = loadFile(entry.backup, maximumBackupSize);
-        QVERIFY(text.has_value());
-        auto backup = readBackup(asText(*text), entry.backup.string());
-        QVERIFY(backup.has_value());
-        AxisBackup& before = backup->axes.front();
-        change(before.registers, before.sourcePaths);
-        QVERIFY(saveFile(entry.backup, asBytes(writeBackup(*backup))).has_value());
+        test::changeBackup(entry.backup,
+            [&](AxisBackup& before) { change(before.registers, before.sourcePaths); });
         change(entry.newRegisters, entry.newSourcePaths);
         QVERIFY(store.openJournal(entry).has_value());
     }

@@ -195,6 +195,24 @@ private Q_SLOTS:
         QTRY_COMPARE(bench->hint(), QStringLiteral("The parameters still have to be saved."));
     }
 
+    /// Nothing was begun: there is only the connection to speak of.
+    void thatAWriteFoundNoConnectionIsNotSaidOfADriveThatIsBack()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench.drive().gate.set(DriveGate::Mode::Gone);
+        bench->planWrite();
+        QVERIFY(bench.idle());
+        QCOMPARE(bench->outcome(), QStringLiteral("No connection to test:: no drive."));
+        QVERIFY(bench->isOutcomeAnError());
+        QTRY_COMPARE(bench->drives().front().connection, Connection::Lost);
+        bench.drive().gate.set(DriveGate::Mode::Open);
+        QTRY_COMPARE(bench->drives().front().connection, Connection::Connected);
+        QTRY_COMPARE(bench->outcome(), QString());
+        QTRY_VERIFY(bench->action(Action::Write).isEnabled);
+    }
+
     void anotherDriveAtTheSameAddressIsNoticedAndItsEditsAreDropped()
     {
         ControllerFixture bench;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/changed_backup.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/unfinished_write.h"
@@ -251,6 +252,26 @@ private Q_SLOTS:
             QVERIFY(!bench->setup().isDirty());
             QVERIFY(bench->action(Action::Activate).isEnabled);
         }
+    }
+
+    void whatIsDoubtfulAboutAnUnfinishedWriteIsSaidWithIt()
+    {
+        ControllerFixture bench;
+        QVERIFY(bench.connect());
+        QVERIFY(bench.prepare2D());
+        bench->setup().setPersistency(Persistency::Persistent);
+        QVERIFY(bench.planAndWrite());
+        VERIFY_RESULT(test::reopenWrite(bench));
+        bench.endController();
+        test::nameInBackup(bench.store().backups(4711, 0).front(), "Gantry");
+
+        QVERIFY(bench.connect());
+        QVERIFY(bench->action(Action::FinishWrite).isEnabled);
+        QVERIFY(bench->action(Action::UndoWrite).isEnabled);
+        QVERIFY2(bench->unfinishedWrite().contains(
+                     QStringLiteral("Axis 0 was called Gantry when the backup was made, and is "
+                                    "called X now: see that it is the same axis.")),
+            qPrintable(bench->unfinishedWrite()));
     }
 
     void anUnfinishedWriteWaitsWhileTheCompensationIsActive()

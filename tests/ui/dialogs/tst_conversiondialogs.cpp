@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/csv/calibration_csv.h"
 #include "core/formats/formats.h"
 #include "tests/ui/support/page_states.h"
 #include "tests/ui/support/window_test.h"
@@ -8,6 +9,8 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTest>
+
+#include <algorithm>
 
 namespace tst_conversiondialogs {
 
@@ -337,6 +340,27 @@ private Q_SLOTS:
         QFile file(bench.picked);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QCOMPARE(file.readAll(), QByteArray("1 3\n0 0\n10 -0.5\n20 0.25\n"));
+    }
+
+    /// As `axiscomp convert` does it: `write` refuses another drive than the one that was measured.
+    void theNotesOfAFileAreExportedWithItsTable()
+    {
+        PageFixture bench;
+        bench.picked = bench.file(QStringLiteral("made.csv"),
+            "// made of before.csv\n// drive: Mill, serial number 4711\n// target: X\n"
+            "X [mm],first [mm]\n0,0\n10,0.005\n20,-0.0025\n");
+        QVERIFY(bench.open());
+        QVERIFY(bench.user.click("openButton"));
+        QTRY_VERIFY(bench.controller().selectedTable());
+        QVERIFY(openExport(bench, QStringLiteral("calibration file")));
+        QTRY_VERIFY(mayAccept(bench));
+        bench.picked = bench.path(QStringLiteral("out.csv"));
+        QVERIFY(bench.user.click("acceptConversion"));
+        QTRY_VERIFY(QFile::exists(bench.picked));
+        const CsvReading read = readCalibrationCsv(bench.picked.toStdString(), CsvOptions());
+        QVERIFY(read.data);
+        for (const char* note : {"made of before.csv", "drive: Mill, serial number 4711"})
+            QVERIFY2(std::ranges::count(read.data->notes, note) == 1, note);
     }
 
     /// The sources that are chosen say where the drive will look it up.

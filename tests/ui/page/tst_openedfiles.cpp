@@ -5,6 +5,7 @@
 #include "tests/ui/support/table_samples.h"
 #include "tests/ui/support/window_test.h"
 #include "ui/controller/machine_controller.h"
+#include "ui/text/message_text.h"
 
 #include <QLabel>
 #include <QTest>
@@ -102,6 +103,24 @@ private Q_SLOTS:
         bench.wizard.openFile(test::publicMeasurement("ess_mcu1025"));
         QTRY_COMPARE(tabOf(bench), static_cast<int>(PageTabs::Measure));
         QVERIFY(bench.controller().dataFile().path.isEmpty());
+    }
+
+    /// Each of its columns would be one, the direction, too.
+    void aMeasurementThatIsOpenedOnWriteIsNoTable()
+    {
+        PageFixture bench;
+        QVERIFY(bench.open());
+        bench.wizard.openData(bench.file(QStringLiteral("m.csv"),
+            "target [mm],direction,run,deviation [mm]\n0,1,1,0.001\n10,1,1,0.002\n"
+            "20,1,1,0.003\n"));
+        QTRY_VERIFY(!bench.controller().dataFile().problems.empty());
+        QVERIFY(!bench.controller().dataFile().data);
+        const QString said = problemText(bench.controller().dataFile().problems.front());
+        QVERIFY2(said.startsWith(QStringLiteral("m.csv is a measurement, no table: "))
+                && said.contains(QStringLiteral("the tabs Measure and Fit")),
+            qPrintable(said));
+        QVERIFY(!bench.user.sees("importDialog"));
+        QVERIFY(!bench.controller().action(Action::Write).isEnabled);
     }
 
     void parametersOfAConfigurationAreImportedAsSoonAsThereIsADrive()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/csv/calibration_csv.h"
+#include "tests/support/unended_write.h"
 #include "tests/support/verify.h"
 #include "tests/ui/support/dropped_files.h"
 #include "tests/ui/support/heartbeat.h"
@@ -16,6 +17,8 @@
 #include <QTableView>
 #include <QTest>
 #include <QThreadPool>
+
+#include <algorithm>
 
 namespace tst_recordactions {
 
@@ -87,34 +90,17 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
 /// as a persistent one.
 [[nodiscard]] bool leavePersistentWrite(PageFixture& bench)
 {
-    const CompensationSetup setup = bench.controller().setup().baseline();
-    DriveStore store(std::filesystem::path(bench.folder.path().toStdString()) / "store");
-    const TableSlot* slot = drivecomm::genericProfile().slotNamed(setup.slot);
-    const auto file = bench.served.drive.download(slot ? slot->file : std::string());
-    const auto kept = file ? store.keepTable(1559, 0, *file) : fail(file.error());
-    if (!kept)
-        return false;
-    const std::string base = "Axes[0]/Parameters/Compensations/Axis/";
-    JournalEntry entry;
-    entry.serialNumber = 1559;
-    entry.time = std::chrono::system_clock::now();
-    entry.step = "switch";
-    entry.backup = store.backups(1559, 0).front();
-    entry.newRegisters = {{base + "Table", setup.slot},
-        {base + "Dim1Source", setup.sources[0].address}, {base + "Dim2Source", std::uint32_t{0}},
-        {base + "Dim3Source", std::uint32_t{0}}};
-    entry.newSlot = setup.slot;
-    entry.newCrc = setup.tableCrc;
-    entry.persistent = true;
-    entry.newTable = *kept;
-    if (!store.openJournal(entry))
+    const auto opened =
+        test::openJournalOf(DriveStore(bench.folder.path().toStdString() + "/store"),
+            bench.served.drive, 1559, bench.controller().setup().baseline(), "switch");
+    if (!opened)
         return false;
     bench.controller().refresh();
     return QTest::qWaitFor([&] { return bench.user.sees("finishWriteButton"); }, test::patienceMs);
 }
 
-/// The table of the record is on the axis X of the drive, written by the window.
-[[nodiscard]] bool writeTable(PageFixture& bench, const CalibrationRecord& record)
+/// The table of the record is chosen for the axis X of the drive.
+[[nodiscard]] bool chooseTable(PageFixture& bench, const CalibrationRecord& record)
 {
     bench.user.the<PageTabs>("pageTabs").setCurrentIndex(PageTabs::Write);
     bench.picked = tableFile(bench, record);
@@ -122,8 +108,13 @@ QString tableFile(PageFixture& bench, const CalibrationRecord& record)
         && bench.user.click("openButton")
         && bench.user.enter("source1Field", QString::fromStdString(test::masterX))
         && QTest::qWaitFor(
-            [&] { return bench.controller().action(Action::Write).isEnabled; }, test::patienceMs)
-        && bench.write() && !bench.controller().isOutcomeAnError();
+            [&] { return bench.controller().action(Action::Write).isEnabled; }, test::patienceMs);
+}
+
+/// And written by the window.
+[[nodiscard]] bool writeTable(PageFixture& bench, const CalibrationRecord& record)
+{
+    return chooseTable(bench, record) && bench.write() && !bench.controller().isOutcomeAnError();
 }
 
 } // namespace
@@ -440,6 +431,31 @@ private Q_SLOTS:
         QTRY_VERIFY(bench.user.message("failureMessage")
                         .contains(QStringLiteral("only the record does not say so")));
         QCOMPARE(recordName(bench), QStringLiteral("x.axcal"));
+    }
+
+    void thatTheRecordNotesNothingIsSaidBeforeTheWrite_data()
+    {
+        QTest::addColumn<int>("serial");
+        QTest::newRow("of this axis") << 1559;
+        QTest::newRow("of another drive") << 77;
+    }
+    void thatTheRecordNotesNothingIsSaidBeforeTheWrite()
+    {
+        QFETCH(const int, serial);
+        PageFixture bench;
+        CalibrationRecord record = test::recordOfFit();
+        record.drive = RecordedDrive{"Other", serial, "generic", 0, "X", {}};
+        QVERIFY(bench.open() && openRecord(bench, record));
+        QVERIFY(chooseTable(bench, record));
+        QVERIFY(bench.user.click("writeButton"));
+        QTRY_VERIFY(bench.user.sees("writePreview"));
+        QVERIFY(bench.controller().plan());
+        const bool isSaid =
+            std::ranges::any_of(bench.controller().plan()->warnings, [](const Text& warning) {
+                return warning.english().starts_with(
+                    "The open record will not note this write: the record is of ");
+            });
+        QCOMPARE(isSaid, serial != 1559);
     }
 
     void aSourceOnTheWrongSideOfTheCompensationIsNotWritten()
