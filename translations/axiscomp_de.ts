@@ -8817,6 +8817,22 @@
         <source>a machine cannot be called {name}: a name has no control characters</source>
         <translation>eine Maschine kann nicht {name} heißen: ein Name hat keine Steuerzeichen</translation>
     </message>
+    <message>
+        <source>the name of axis {axis}</source>
+        <translation>Name von Achse {axis}</translation>
+    </message>
+    <message>
+        <source>the units of the table of {axis}</source>
+        <translation>Einheiten der Tabelle von {axis}</translation>
+    </message>
+    <message>
+        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <translation>{file} ist eine Messung, keine Tabelle; mit „axiscomp fit“ oder auf den Seiten Messen und Anpassen eine Tabelle daraus machen; ist es doch eine Tabelle, deren Format angeben</translation>
+    </message>
+    <message>
+        <source>The open record will not note this write: {reason}.</source>
+        <translation>Das offene Protokoll wird dieses Schreiben nicht vermerken: {reason}.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

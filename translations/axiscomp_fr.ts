@@ -8817,6 +8817,22 @@
         <source>a machine cannot be called {name}: a name has no control characters</source>
         <translation>une machine ne peut pas s&apos;appeler {name}&#xa0;: un nom ne contient pas de caractères de contrôle</translation>
     </message>
+    <message>
+        <source>the name of axis {axis}</source>
+        <translation>nom de l&apos;axe {axis}</translation>
+    </message>
+    <message>
+        <source>the units of the table of {axis}</source>
+        <translation>unités de la table de {axis}</translation>
+    </message>
+    <message>
+        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <translation>{file} est une mesure et non une table&#xa0;; en faire une table avec «&#xa0;axiscomp fit&#xa0;» ou sur les pages Mesurer et Ajuster&#xa0;; si c&apos;est tout de même une table, nommer son format</translation>
+    </message>
+    <message>
+        <source>The open record will not note this write: {reason}.</source>
+        <translation>La fiche ouverte ne notera pas cette écriture : {reason}.</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

@@ -8775,6 +8775,22 @@
         <source>a machine cannot be called {name}: a name has no control characters</source>
         <translation>機械の名前を {name} にすることはできません。名前に制御文字は使えません</translation>
     </message>
+    <message>
+        <source>the name of axis {axis}</source>
+        <translation>軸 {axis} の名前</translation>
+    </message>
+    <message>
+        <source>the units of the table of {axis}</source>
+        <translation>{axis} のテーブルの単位</translation>
+    </message>
+    <message>
+        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <translation>{file} は測定であり、テーブルではありません。&apos;axiscomp fit&apos;、またはタブ「測定」と「フィッティング」でテーブルを作れます。それでもテーブルである場合は、その形式を指定してください</translation>
+    </message>
+    <message>
+        <source>The open record will not note this write: {reason}.</source>
+        <translation>開いている記録には、この書き込みは記されません：{reason}。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

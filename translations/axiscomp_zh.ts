@@ -8775,6 +8775,22 @@
         <source>a machine cannot be called {name}: a name has no control characters</source>
         <translation>机床不能命名为 {name}：名称中不能有控制字符</translation>
     </message>
+    <message>
+        <source>the name of axis {axis}</source>
+        <translation>轴 {axis} 的名称</translation>
+    </message>
+    <message>
+        <source>the units of the table of {axis}</source>
+        <translation>{axis} 的表的单位</translation>
+    </message>
+    <message>
+        <source>{file} is a measurement, not a table: make a table of it with &apos;axiscomp fit&apos; or on the pages Measure and Fit; if it is a table all the same, name its format</source>
+        <translation>{file} 是测量数据，不是表：用 &apos;axiscomp fit&apos;，或用“测量”和“拟合”选项卡由它生成表；如果它确实是表，请指明其格式</translation>
+    </message>
+    <message>
+        <source>The open record will not note this write: {reason}.</source>
+        <translation>打开的档案不会记下这次写入：{reason}。</translation>
+    </message>
 </context>
 <context>
     <name>FileFilter</name>

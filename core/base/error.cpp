@@ -519,8 +519,8 @@ constexpr std::array variants{
             "file, say which column is what")},
     Variant{ErrorCode::UnknownFormat, "measured",
         AXISCOMP_TEXT("Error",
-            "{file} is a measurement, no table: 'axiscomp fit', or the tabs Measure and Fit, make "
-            "a table of it; if it is a table all the same, name its format")},
+            "{file} is a measurement, not a table: make a table of it with 'axiscomp fit' or on "
+            "the pages Measure and Fit; if it is a table all the same, name its format")},
     Variant{ErrorCode::UnknownFormat, "written",
         AXISCOMP_TEXT("Error",
             "the name {file} says no format that can be written; name one with --to: "

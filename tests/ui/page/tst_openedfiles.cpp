@@ -116,7 +116,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!bench.controller().dataFile().problems.empty());
         QVERIFY(!bench.controller().dataFile().data);
         const QString said = problemText(bench.controller().dataFile().problems.front());
-        QVERIFY2(said.startsWith(QStringLiteral("m.csv is a measurement, no table: "))
+        QVERIFY2(said.startsWith(QStringLiteral("m.csv is a measurement, not a table: "))
                 && said.contains(QStringLiteral("the tabs Measure and Fit")),
             qPrintable(said));
         QVERIFY(!bench.user.sees("importDialog"));
