@@ -162,6 +162,30 @@ class TestSiemensEec : public QObject {
 private Q_SLOTS:
     void init() { test::failOnWarnings(); }
 
+    /// A table for the second encoder that was a calibration file meanwhile is not known as that.
+    void theMeasuringSystemThatNobodySaysIsARemark()
+    {
+        const auto remarksOf = [](const std::string& name, const FormatSettings& settings) {
+            NeutralTable table = ownTable("X1");
+            table.name = name;
+            return test::joined(
+                format.write(std::span(&table, 1), test::writingWith(settings)).value().remarks);
+        };
+        const auto isSaid = [](const std::string& remarks) {
+            return remarks.find("nothing says for which measuring system of axis X1 the table is: "
+                                "it is written for 0; the setting encoder")
+                != std::string::npos;
+        };
+        const std::string open = remarksOf("X1", {});
+        QVERIFY2(isSaid(open), open.c_str());
+        for (const char* known : {"X1, encoder 0", "X1, encoder 1"}) {
+            const std::string remarks = remarksOf(known, {});
+            QVERIFY2(!isSaid(remarks), remarks.c_str());
+        }
+        const std::string stated = remarksOf("X1", {{"encoder", "0"}});
+        QVERIFY2(!isSaid(stated), stated.c_str());
+    }
+
     /// 3 * 0.1 is more than 0.3: the last point is where MAX says.
     void theLastPointIsExactlyAtMax()
     {
