@@ -258,6 +258,26 @@ private Q_SLOTS:
         QCOMPARE(table.columns[0].unit, std::string("deg"));
     }
 
+    /// IS_MODULO 0 says nothing of it: an axis that swings less than a turn is in degrees, too.
+    void anAxisThatTurnsByItsNameIsNotTakenForALinearOneUnsaid()
+    {
+        const auto linesOf = [](const std::string& axis, const FormatSettings& settings) {
+            std::string text = program;
+            for (std::size_t at = 0; (at = text.find("X1", at)) != std::string::npos;
+                 at += axis.size())
+                text.replace(at, 2, axis);
+            return problemLines(format.read(text, test::readingWith(settings)).value());
+        };
+        const auto isSaid = [](const std::string& lines) {
+            return lines.find("numbers are taken to be in mm") != std::string::npos;
+        };
+        for (const char* axis : {"C1", "a", "B"})
+            QVERIFY2(isSaid(linesOf(axis, {})), axis);
+        for (const char* axis : {"Z1", "U", "AX1", "CX"})
+            QVERIFY2(!isSaid(linesOf(axis, {})), axis);
+        QVERIFY2(!isSaid(linesOf("C1", {{"rotary-axes", "C1"}})), "said of what is stated");
+    }
+
     /// The letter of an axis is not its name; the file would be read in mm.
     void rotaryAxesThatTheFileDoesNotHaveAreRefused()
     {
